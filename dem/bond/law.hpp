@@ -1,0 +1,149 @@
+#pragma once
+
+#include "dem/bond/kinematics.hpp"
+#include "dem/fiber.hpp"
+
+// The bond law, once for every dimension, number type, equilibrium and integrator. Its energy
+//   U = 1/2 K_n (l - l_r)^2 + 1/2 K_t l_0^2 gamma^2 + 1/2 K_bend theta_b^2 + 1/2 K_twist psi^2
+// with l_r = l_0 (1 - chord theta_b^2); chord = 0 is the paper's bond, 1/24 the corrected one.
+namespace fiberchain::dem {
+
+template <class Real>
+struct BondParameters {
+  Real stretch, shear, twist, bend;          ///< K_n, K_t [N/m]; K_twist, K_bend [N m]
+  Real rest_length;                          ///< l_0 = 2R [m]
+  Real chord;                                ///< 0 or 1/24 [-]
+  Real dash_stretch, dash_shear, dash_twist, dash_bend;  ///< dashpots, Eqs 7-10
+};
+
+inline BondParameters<double> bond_parameters(const Fiber& fiber) {
+  const BondStiffness K = bond_stiffness(fiber);
+  const BondDashpot c = bond_dashpot(fiber);
+  const double chord = fiber.bond_model == BondModel::corrected ? 1.0 / 24.0 : 0.0;
+  return {K.stretch, K.shear, K.twist, K.bend, bond_length(fiber), chord, c.stretch, c.shear, c.twist, c.bend};
+}
+
+/// theta_b^2: the rotation about the axes across the bond.
+template <class Real>
+Real bend_squared(const Vec<Real, 1>& Omega) {
+  return Omega[0] * Omega[0];
+}
+
+template <class Real>
+Real bend_squared(const Vec<Real, 3>& Omega) {
+  return Omega[1] * Omega[1] + Omega[2] * Omega[2];
+}
+
+/// along in the twist component, across in the bending ones.
+template <class Real>
+Vec<Real, 1> scale_spin(const Real&, const Real& across, const Vec<Real, 1>& Omega) {
+  return {across * Omega[0]};
+}
+
+template <class Real>
+Vec<Real, 3> scale_spin(const Real& along, const Real& across, const Vec<Real, 3>& Omega) {
+  return {along * Omega[0], across * Omega[1], across * Omega[2]};
+}
+
+/// l - l_r
+template <class Real, int S>
+Real elongation(const BondParameters<Real>& bond, const Real& stretch, const Vec<Real, S>& Omega) {
+  return stretch + bond.rest_length * bond.chord * bend_squared(Omega);
+}
+
+/// dU/dOmega at a given tension: the moment of bending and twist, with the chord's own moment.
+template <class Real, int S>
+Vec<Real, S> rotation_moment(const BondParameters<Real>& bond, const Real& tension, const Vec<Real, S>& Omega) {
+  const Real chord_bend = Real(2.0) * tension * bond.rest_length * bond.chord;
+  return scale_spin(bond.twist, bond.bend + chord_bend, Omega);
+}
+
+/// Shear angle gamma between the bond and the mid-frame's axis, as gamma / |rho_perp|, and l.
+template <class Real>
+struct ShearAngle {
+  Real length;  ///< l = |rho|
+  Real ratio;   ///< gamma / |rho_perp|, smooth at gamma = 0
+};
+
+/// |rho_perp|^2
+template <class Real, int Dim>
+Real across_squared(const Vec<Real, Dim>& rho) {
+  if constexpr (Dim == 2) return rho[1] * rho[1];
+  if constexpr (Dim == 3) return rho[1] * rho[1] + rho[2] * rho[2];
+}
+
+template <class Real, int Dim>
+ShearAngle<Real> shear_angle(const Vec<Real, Dim>& rho) {
+  const Real length = norm(rho);
+  const Real scale = Real(1.0) / (length + rho[0]);
+  // gamma = 2 atan(|rho_perp| / (l + rho_x))
+  return {length, Real(2.0) * scale * atan_ratio(across_squared(rho) * scale * scale)};
+}
+
+template <class Real, int Dim>
+struct BondStress {
+  Vec<Real, Dim> force;   ///< dU/drho, mid-frame [N]
+  Spin<Real, Dim> moment;  ///< dU/dOmega, mid-frame [N m]
+};
+
+template <class Real, int Dim>
+BondStress<Real, Dim> bond_stress(const BondParameters<Real>& bond, const Vec<Real, Dim>& rho,
+                                  const Spin<Real, Dim>& Omega) {
+  const ShearAngle<Real> shear = shear_angle(rho);
+  const Real tension = bond.stretch * elongation(bond, shear.length - bond.rest_length, Omega);
+  const Real inverse_length = Real(1.0) / shear.length;
+  // d(gamma^2/2)/drho = (gamma / |rho_perp|) (rho_x rho_perp - |rho_perp|^2 e_x) / l^2
+  const Real l0 = bond.rest_length;
+  const Real Q = bond.shear * l0 * l0 * shear.ratio * inverse_length * inverse_length;
+  const Real pull = tension * inverse_length;
+  Vec<Real, Dim> force = (pull + Q * rho[0]) * rho;
+  force[0] = force[0] - Q * shear.length * shear.length;
+  return {force, rotation_moment(bond, tension, Omega)};
+}
+
+/// U [J]
+template <class Real, int Dim>
+Real bond_energy(const BondParameters<Real>& bond, const Vec<Real, Dim>& rho, const Spin<Real, Dim>& Omega) {
+  const ShearAngle<Real> shear = shear_angle(rho);
+  const Real stretch = elongation(bond, shear.length - bond.rest_length, Omega);
+  const Real gamma_squared = shear.ratio * shear.ratio * across_squared(rho);
+  const Real l0 = bond.rest_length;
+  return Real(0.5) * (bond.stretch * stretch * stretch + bond.shear * l0 * l0 * gamma_squared +
+                      dot(Omega, scale_spin(bond.twist, bond.bend, Omega)));
+}
+
+/// What a bond does to its two spheres: forces +-force [N], moments [N m], in the global frame.
+template <class Real, int Dim>
+struct BondLoads {
+  Vec<Real, Dim> force_on_first;
+  Spin<Real, Dim> moment_on_first, moment_on_second;
+};
+
+/// S^-1 m, S the map from the rate of Omega to the relative spin in the mid-frame:
+/// c m + (1 - c) n (n.m), c = h / sin h, h = |Omega| / 2. The identity in the plane.
+template <class Real>
+Vec<Real, 1> spin_conjugate(const BondKinematics<Real, 2>&, const Vec<Real, 1>& m) {
+  return m;
+}
+
+template <class Real>
+Vec<Real, 3> spin_conjugate(const BondKinematics<Real, 3>& k, const Vec<Real, 3>& m) {
+  // tan(h/2)^2 = g.g gives h = 2 atan|g| and sin h = 2 |g| / (1 + g.g)
+  const Real gg = dot(k.half_tangent, k.half_tangent);
+  const Real c = atan_ratio(gg) * (Real(1.0) + gg);
+  const Real along = dot(k.half_tangent, m) * (Real(1.0) - c) / (gg + Real(1e-300));
+  return c * m + along * k.half_tangent;
+}
+
+/// Forces and moments as derivatives of U: virtual work of (rho, Omega) against displacements and spins,
+/// with the spin of the mid-frame 1/2 (w_1 + w_2) - 1/2 g x (w_2 - w_1). Their sum about any point is zero.
+template <class Real, int Dim>
+BondLoads<Real, Dim> bond_loads(const BondKinematics<Real, Dim>& k, const BondStress<Real, Dim>& stress) {
+  const Spin<Real, Dim> half_torque = Real(0.5) * cross(k.separation, stress.force);
+  Spin<Real, Dim> mu = spin_conjugate(k, stress.moment);
+  if constexpr (Dim == 3) mu = mu + cross(half_torque, k.half_tangent);
+  return {k.frame.to_global(stress.force), k.frame.to_global(half_torque + mu),
+          k.frame.to_global(half_torque - mu)};
+}
+
+}  // namespace fiberchain::dem
