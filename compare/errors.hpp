@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+/// What can go wrong in compare/. Every message is one line, names the thing at fault and what is allowed.
+namespace fiberchain::compare {
+
+/// The user asked for something impossible: an option out of range, a data file that cannot be read.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A result could not be written: unwritable directory, full disk.
+struct OutputError : std::runtime_error {
+  /// Message "cannot write PATH: REASON".
+  OutputError(const std::string& path, const std::string& reason)
+      : std::runtime_error("cannot write " + path + ": " + reason) {}
+};
+
+/// gnuplot is missing or refused a figure.
+struct FigureError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A table breaks the rules of the column dictionary: a mistake in the program, not of the user.
+struct TableError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+}  // namespace fiberchain::compare

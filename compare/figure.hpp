@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/output.hpp"
+#include "compare/provenance.hpp"
+
+/// Figures of series over one pair of axes, drawn by gnuplot. Texts are UTF-8 in gnuplot's enhanced
+/// notation: {/:Italic P} italic, L^2 superscript, r_f subscript.
+namespace fiberchain::compare {
+
+struct Axis {
+  std::string label;
+  bool logarithmic = false;
+  std::optional<std::pair<double, double>> range = std::nullopt;  ///< from the data unless given
+};
+
+enum class Mark { line, points, line_and_points };
+enum class Dash { solid, dashed, dotted };
+
+/// A curve. Points whose x or y is not finite are left out and interrupt the line.
+struct Series {
+  std::string label;  ///< in the legend; "" leaves it out
+  std::vector<double> x;
+  std::vector<double> y;
+  Mark mark = Mark::line_and_points;
+  Dash dash = Dash::solid;
+  std::optional<int> color = std::nullopt;  ///< place in the palette; the series' own place unless given
+};
+
+/// A note at a place in the coordinates of the data.
+struct Annotation {
+  std::string text;
+  double x;
+  double y;
+};
+
+struct Figure {
+  std::string title;
+  Axis x;
+  Axis y;
+  std::vector<Series> series;
+  std::vector<Annotation> annotations = {};
+  std::string legend_title = {};
+  bool ordered = false;  ///< the series are steps of one quantity: colors run from dark to light
+};
+
+/// The figure as SVG with its provenance as <metadata>.
+/// @throws FigureError if gnuplot is missing or refuses, or if x and y differ in length
+std::string to_svg(const Figure& figure, const Provenance& provenance);
+
+/// The figure as PNG, 1600 x 1000, with its provenance as tEXt chunks.
+/// @throws FigureError as above
+std::string to_png(const Figure& figure, const Provenance& provenance);
+
+/// NAME.svg and NAME.png.
+std::vector<OutputFile> figure_files(const std::string& name, const Figure& figure,
+                                     const Provenance& provenance);
+
+}  // namespace fiberchain::compare
