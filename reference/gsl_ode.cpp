@@ -2,6 +2,7 @@
 
 #include <gsl/gsl_errno.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -24,8 +25,11 @@ OdeIntegrator::OdeIntegrator(std::size_t dimension, OdeRhs rhs, const OdeToleran
 }
 
 int OdeIntegrator::call(double t, const double state[], double derivative[], void* self) {
-  static_cast<OdeIntegrator*>(self)->rhs_(t, state, derivative);
-  return GSL_SUCCESS;
+  auto& integrator = *static_cast<OdeIntegrator*>(self);
+  integrator.rhs_(t, state, derivative);
+  // A trial stage may leave the equations' range: anything but success makes GSL retry half the step.
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::all_of(derivative, derivative + integrator.system_.dimension, finite) ? GSL_SUCCESS : GSL_ERANGE;
 }
 
 void OdeIntegrator::step(double& t, double t_end, std::span<double> state) {

@@ -58,6 +58,7 @@ double find_root(const Function& function, double lower, double upper, const Roo
   // GSL would call its (aborting) error handler for a bracket without a change of sign: look first.
   const double at_lower = function(lower);
   const double at_upper = function(upper);
+  const auto known = [&](double x) { return x == lower ? at_lower : x == upper ? at_upper : function(x); };
   if (std::abs(at_lower) <= tolerances.residual) return lower;
   if (std::abs(at_upper) <= tolerances.residual) return upper;
   if (!(at_lower * at_upper < 0)) throw NoConvergence(what + " (the bracket holds no root)");
@@ -65,7 +66,7 @@ double find_root(const Function& function, double lower, double upper, const Roo
   std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent), &gsl_root_fsolver_free);
   if (!solver) throw std::bad_alloc();
-  const SlopeFunction sloped = [&](double x) { return ValueSlope{function(x), 1}; };
+  const SlopeFunction sloped = [&](double x) { return ValueSlope{known(x), 1}; };
   Guarded guarded{sloped, {}, {}};
   gsl_function wrapped{&call_value, &guarded};
   check_gsl(gsl_root_fsolver_set(solver.get(), &wrapped, lower, upper), what);
