@@ -1,0 +1,163 @@
+#include "dem/equilibrium/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberchain::dem {
+namespace {
+
+template <int Dim>
+void add(SphereVector<Dim>& sum, const Vec<double, Dim>& force, const Spin<double, Dim>& moment) {
+  sum.template head<Dim>() += tangent_detail::eigen(force);
+  sum.template tail<spin_size<Dim>>() += tangent_detail::eigen(moment);
+}
+
+template <int Dim>
+Vec<double, Dim> force_part(const SphereVector<Dim>& v) {
+  Vec<double, Dim> part;
+  for (int i = 0; i < Dim; ++i) part[i] = v[i];
+  return part;
+}
+
+template <int Dim>
+Spin<double, Dim> moment_part(const SphereVector<Dim>& v) {
+  Spin<double, Dim> part;
+  for (int i = 0; i < spin_size<Dim>; ++i) part[i] = v[Dim + i];
+  return part;
+}
+
+template <int Dim>
+void release_clamps(ChainVector<Dim>& forces, const Boundary<Dim>& boundary) {
+  for (const int sphere : boundary.clamped) forces[sphere].setZero();
+}
+
+/// rho + delta rho, with delta rho = R_m^T (u_2 - u_1) - a_m x rho and a_m the spin of the mid-frame.
+template <int Dim>
+Vec<double, Dim> changed_separation(const BondKinematics<double, Dim>& k, const SphereVector<Dim>& first,
+                                    const SphereVector<Dim>& second) {
+  const SphereVector<Dim> sum = first + second, difference = second - first;
+  Spin<double, Dim> mean = 0.5 * moment_part<Dim>(sum);
+  Vec<double, Dim> local = k.frame.to_local(force_part<Dim>(difference));
+  if constexpr (Dim == 3) {
+    mean = k.frame.to_local(mean) - 0.5 * cross(k.half_tangent, k.frame.to_local(moment_part<3>(difference)));
+  }
+  return k.separation + local - cross(mean, k.separation);
+}
+
+void turn(double& angle, const Vec<double, 1>& phi) { angle += phi[0]; }
+void turn(Quaternion<double>& q, const Vec<double, 3>& phi) { q = normalized(rotation(phi) * q); }
+
+}  // namespace
+
+template <int Dim>
+ChainVector<Dim> bond_forces(const Chain<Dim>& chain, const Poses<Dim>& poses) {
+  const BondParameters<double> bond = bond_parameters(chain.fiber);
+  ChainVector<Dim> forces(poses.size(), SphereVector<Dim>::Zero());
+  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
+    const auto k = bond_kinematics(chain, poses, i);
+    const auto loads = bond_loads(k, bond_stress(bond, k.separation, k.rotation));
+    add<Dim>(forces[i], loads.force_on_first, loads.moment_on_first);
+    add<Dim>(forces[i + 1], -loads.force_on_first, loads.moment_on_second);
+  }
+  return forces;
+}
+
+template <int Dim>
+ChainVector<Dim> applied_loads(const Boundary<Dim>& boundary, int spheres) {
+  ChainVector<Dim> forces(spheres, SphereVector<Dim>::Zero());
+  for (const Load<Dim>& load : boundary.loads) add<Dim>(forces[load.sphere], load.force, load.moment);
+  release_clamps(forces, boundary);
+  return forces;
+}
+
+template <int Dim>
+ChainVector<Dim> net_forces(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary,
+                            double factor) {
+  ChainVector<Dim> forces = bond_forces(chain, poses);
+  for (const Load<Dim>& load : boundary.loads) {
+    add<Dim>(forces[load.sphere], factor * load.force, factor * load.moment);
+  }
+  release_clamps(forces, boundary);
+  return forces;
+}
+
+template <int Dim>
+ChainTangent<Dim> stiffness(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary) {
+  constexpr int n = sphere_motions<Dim>;
+  const BondParameters<double> bond = bond_parameters(chain.fiber);
+  ChainTangent<Dim> K(static_cast<int>(poses.size()));
+  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
+    const BondTangent<Dim> tangent = bond_tangent(bond, bond_kinematics(chain, poses, i));
+    K.diagonal[i] -= tangent.template topLeftCorner<n, n>();
+    K.upper[i] = -tangent.template topRightCorner<n, n>();
+    K.lower[i + 1] = -tangent.template bottomLeftCorner<n, n>();
+    K.diagonal[i + 1] -= tangent.template bottomRightCorner<n, n>();
+  }
+  for (const int sphere : boundary.clamped) {
+    K.lower[sphere].setZero();
+    K.upper[sphere].setZero();
+    K.diagonal[sphere].setIdentity();
+  }
+  return K;
+}
+
+template <int Dim>
+void move(const Chain<Dim>& chain, const Boundary<Dim>& boundary, Poses<Dim>& poses, const ChainVector<Dim>& motion) {
+  const int last = static_cast<int>(poses.size()) - 1;
+  const bool one_clamp = boundary.clamped.size() == 1;
+  std::vector<Vec<double, Dim>> separation(last);
+  if (one_clamp) {
+    for (int i = 0; i < last; ++i) separation[i] = changed_separation<Dim>(bond_kinematics(chain, poses, i), motion[i], motion[i + 1]);
+  }
+  for (int i = 0; i <= last; ++i) {
+    turn(poses[i].orientation, moment_part<Dim>(motion[i]));
+    if (!one_clamp) poses[i].position = poses[i].position + force_part<Dim>(motion[i]);
+  }
+  if (!one_clamp) return;
+  const int clamp = boundary.clamped[0];
+  const auto vector = [&](int i) { return bond_kinematics(chain, poses, i).frame.to_global(separation[i]); };
+  for (int i = clamp; i < last; ++i) poses[i + 1].position = poses[i].position + vector(i);
+  for (int i = clamp; i > 0; --i) poses[i - 1].position = poses[i].position - vector(i - 1);
+}
+
+template <int Dim>
+Imbalance imbalance(const Poses<Dim>& poses, const ChainVector<Dim>& net, const Boundary<Dim>& boundary,
+                    double length) {
+  double force_scale = 0, moment_scale = 0;
+  for (const Load<Dim>& load : boundary.loads) {
+    force_scale = std::max({force_scale, norm(load.force), norm(load.moment) / length});
+    moment_scale = std::max({moment_scale, norm(load.force) * length, norm(load.moment)});
+  }
+  // sums over the part of the chain beyond each cross section; at a clamp they start anew
+  Vec<double, Dim> force{};
+  Spin<double, Dim> moment{};
+  Imbalance worst{0, 0};
+  for (int i = static_cast<int>(poses.size()) - 1; i >= 0; --i) {
+    if (i + 1 < static_cast<int>(poses.size())) {
+      moment = moment + cross(poses[i + 1].position - poses[i].position, force);
+    }
+    const Vec<double, Dim> here = force_part<Dim>(net[i]);
+    force = force + here;
+    moment = moment + moment_part<Dim>(net[i]);
+    worst.force = std::max(worst.force, norm(force));
+    worst.moment = std::max(worst.moment, norm(moment));
+  }
+  if (force_scale > 0) worst.force /= force_scale;
+  if (moment_scale > 0) worst.moment /= moment_scale;
+  return worst;
+}
+
+template ChainVector<2> bond_forces<2>(const Chain<2>&, const Poses<2>&);
+template ChainVector<3> bond_forces<3>(const Chain<3>&, const Poses<3>&);
+template ChainVector<2> applied_loads<2>(const Boundary<2>&, int);
+template ChainVector<3> applied_loads<3>(const Boundary<3>&, int);
+template ChainVector<2> net_forces<2>(const Chain<2>&, const Poses<2>&, const Boundary<2>&, double);
+template ChainVector<3> net_forces<3>(const Chain<3>&, const Poses<3>&, const Boundary<3>&, double);
+template ChainTangent<2> stiffness<2>(const Chain<2>&, const Poses<2>&, const Boundary<2>&);
+template ChainTangent<3> stiffness<3>(const Chain<3>&, const Poses<3>&, const Boundary<3>&);
+template void move<2>(const Chain<2>&, const Boundary<2>&, Poses<2>&, const ChainVector<2>&);
+template void move<3>(const Chain<3>&, const Boundary<3>&, Poses<3>&, const ChainVector<3>&);
+template Imbalance imbalance<2>(const Poses<2>&, const ChainVector<2>&, const Boundary<2>&, double);
+template Imbalance imbalance<3>(const Poses<3>&, const ChainVector<3>&, const Boundary<3>&, double);
+
+}  // namespace fiberchain::dem
