@@ -38,9 +38,10 @@ struct ByModulus {
 
   double root_load() const { return c * carlson_rf(k2_complement, k2_complement / (1 + q), 0.5); }
 
-  double scaled_rise() const {
-    const double i2 = c * c * c / 3 * k2_complement * carlson_rd(k2_complement / (1 + q), 0.5, k2_complement);
-    return q * root_load() - (1 + q) * i2;
+  /// y = q - (1 + q) I_2 / sqrt(load), with C^2 = q / (1 + q) put in
+  double rise() const {
+    const double rd = carlson_rd(k2_complement / (1 + q), 0.5, k2_complement);
+    return q * (1 - c / root_load() * k2_complement * rd / 3);
   }
 
   double q;
@@ -75,7 +76,7 @@ TipState elastica_closed_form(double load) {
   const double w = bound * detail::find_root(residual, 0, 1, {}, "modulus of the Elastica");
   const ByModulus solution(w);
   const double x = solution.q < 0.01 ? small_shortening(solution.q) : 1 - std::sqrt(2 * solution.q) / target;
-  return {solution.scaled_rise() / target, x, -2 * std::atan(std::tanh(w / 2))};
+  return {solution.rise(), x, -2 * std::atan(std::tanh(w / 2))};
 }
 
 }  // namespace fiberchain::reference

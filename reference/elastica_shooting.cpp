@@ -37,7 +37,7 @@ detail::OdeRhs equations(double c) {
     dy[kSlopePrime] = c * c * (1 - tanh_w * tanh_w) * y[kVPrime] * y[kVPrime] * y[kSlope] +
                       2 * c * tanh_w * y[kVPrime] * y[kSlopePrime];
     dy[kRise] = -tanh_w / c;
-    dy[kShortening] = tanh_w * std::tanh(c * y[kV] / 2) / (c * c);
+    dy[kShortening] = (tanh_w / c) * (std::tanh(c * y[kV] / 2) / c);
   };
 }
 
@@ -81,8 +81,7 @@ TipState elastica_shooting(double load, const ShootingTolerances& tolerances) {
   const Scales scales(load);
   const Solution solution = solve(load, scales, tolerances);
   return {scales.c / scales.kappa * solution.clamp[kRise],
-          scales.c * scales.c / scales.kappa * solution.clamp[kShortening],
-          angle_at(scales, solution.v_tip)};
+          scales.c * scales.c / scales.kappa * solution.clamp[kShortening], angle_at(scales, solution.v_tip)};
 }
 
 BeamShape elastica_shape(double load, std::size_t n) {

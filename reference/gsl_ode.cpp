@@ -29,7 +29,8 @@ int OdeIntegrator::call(double t, const double state[], double derivative[], voi
   integrator.rhs_(t, state, derivative);
   // A trial stage may leave the equations' range: anything but success makes GSL retry half the step.
   const auto finite = [](double value) { return std::isfinite(value); };
-  return std::all_of(derivative, derivative + integrator.system_.dimension, finite) ? GSL_SUCCESS : GSL_ERANGE;
+  return std::all_of(derivative, derivative + integrator.system_.dimension, finite) ? GSL_SUCCESS
+                                                                                    : GSL_ERANGE;
 }
 
 void OdeIntegrator::step(double& t, double t_end, std::span<double> state) {

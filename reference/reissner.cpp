@@ -88,8 +88,7 @@ Form gentle_form(const Beam& beam) {
     du[kUnknown] = u[kPrime];
     du[kPrime] = -cosine * (1 + beam.beta * sine);
     du[kRise] = rise(beam, sine, cosine) / beam.load;
-    du[kShortening] =
-        2 * half * half - (beam.stretch - beam.shear_compliance) * sine / beam.load * cosine;
+    du[kShortening] = 2 * half * half - (beam.stretch - beam.shear_compliance) * sine / beam.load * cosine;
   };
   return {1, beam.load, beam.load * beam.load, rhs};
 }
@@ -241,7 +240,8 @@ BeamShape reissner_shape(double load, double axial, double shear, std::size_t n)
     const double shortening = solution.clamp[kShortening] - state[kShortening];
     shape.y[i] = solution.form.rise_unit * (solution.clamp[kRise] - state[kRise]);
     shape.x[i] = shape.s[i] - solution.form.shortening_unit * shortening;
-    shape.theta[i] = beam.gentle() ? beam.load * state[kUnknown] : beam.rest_angle - std::exp(state[kUnknown]);
+    shape.theta[i] =
+        beam.gentle() ? beam.load * state[kUnknown] : beam.rest_angle - std::exp(state[kUnknown]);
   }
   return shape;
 }
