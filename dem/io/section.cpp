@@ -1,0 +1,185 @@
+#include "dem/io/section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "dem/io/numbers.hpp"
+#include "dem/io/scene_error.hpp"
+
+namespace fiberchain::dem::io {
+namespace {
+
+/// Text of a user's file as it may stand in a one-line message: short and printable.
+std::string printable(std::string text) {
+  constexpr std::size_t kLongest = 60;
+  const auto is_odd = [](unsigned char c) { return c < 0x20 || c == 0x7f || c >= 0x80; };
+  const bool cut = text.size() > kLongest;
+  text.resize(std::min(text.size(), kLongest));
+  std::ranges::replace_if(text, is_odd, '?');
+  return cut ? text + "..." : text;
+}
+
+/// Number of single letters to insert, delete or replace to make one word of the other (Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] != b[j]);
+      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+std::string nearest(const std::string& key, const std::vector<std::string>& keys) {
+  const auto far = [&](const std::string& known) { return distance(key.substr(0, 60), known); };
+  const auto found = std::ranges::min_element(keys, {}, far);
+  if (found != keys.end() && far(*found) <= 1 + found->size() / 3)
+    return fmt::format("did you mean '{}'?", *found);
+  return fmt::format("allowed: {}", fmt::join(keys, ", "));
+}
+
+YAML::Node only_document(const std::string& text, const std::string& name) {
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.empty() || documents[0].IsNull()) throw SceneError(name + ": holds no scene: it is empty");
+    if (documents.size() > 1)
+      throw SceneError(fmt::format("{}: holds {} documents, not one", name, documents.size()));
+    return documents[0];
+  } catch (const YAML::DeepRecursion&) {
+    throw SceneError(name + ": is nested too deeply");
+  } catch (const YAML::Exception& error) {
+    throw SceneError(fmt::format("{}:{}: is no YAML: {}", name, error.mark.line + 1, printable(error.msg)));
+  }
+}
+
+}  // namespace
+
+Section::Section(const std::string& text, std::string name)
+    : node_(only_document(text, name)), mark_(node_.Mark()), name_(std::move(name)) {
+  if (!node_.IsMap()) fail("", "must be a mapping of keys and values");
+  try {
+    units_ = std::make_shared<const Units>();
+  } catch (const UnitError& error) {
+    throw SceneError(error.what());
+  }
+}
+
+Section::Section(const Section& parent, const std::string& key)
+    : node_(parent.value(key)),
+      mark_(parent.mark_of(key)),
+      path_(parent.path_ + key + "."),
+      name_(parent.name_),
+      units_(parent.units_) {}
+
+void Section::allow(const std::vector<std::string>& keys) const {
+  std::set<std::string> seen;
+  for (const auto& entry : node_) {
+    const YAML::Mark mark = entry.first.Mark();
+    if (!entry.first.IsScalar()) fail_at(mark, "a key must be a word");
+    const std::string& key = entry.first.Scalar();
+    if (!std::ranges::count(keys, key)) {
+      fail_at(mark, fmt::format("unknown key '{}{}'; {}", path_, printable(key), nearest(key, keys)));
+    }
+    if (!seen.insert(key).second) fail_at(mark, fmt::format("key '{}{}' comes twice", path_, key));
+  }
+}
+
+Section Section::section(const std::string& key, const std::vector<std::string>& keys) const {
+  if (!value(key).IsMap()) fail(key, fmt::format("must be a mapping with keys of {}", fmt::join(keys, ", ")));
+  const Section found(*this, key);
+  found.allow(keys);
+  return found;
+}
+
+double Section::quantity(const std::string& key, std::string_view unit, const Interval& allowed) const {
+  const std::string typed = text(key);
+  double number = 0;
+  try {
+    number = units_->to_si(typed, unit);
+  } catch (const UnitError& error) {
+    fail(key, fmt::format("'{}' {}", printable(typed), error.what()));
+  }
+  if (!allowed.holds(number)) {
+    fail(key, fmt::format("'{}' is out of range; allowed: a number {}{}", printable(typed), describe(allowed),
+                          unit == "1" ? "" : fmt::format(", in {}", unit)));
+  }
+  return number;
+}
+
+int Section::integer(const std::string& key, const Interval& allowed) const {
+  const std::string typed = text(key);
+  const auto number = parse_integer(typed);
+  const bool fits =
+      number && *number >= std::numeric_limits<int>::min() && *number <= std::numeric_limits<int>::max();
+  if (!fits || !allowed.holds(static_cast<double>(*number))) {
+    fail(key,
+         fmt::format("'{}' is not allowed; allowed: a whole number {}", printable(typed), describe(allowed)));
+  }
+  return static_cast<int>(*number);
+}
+
+std::size_t Section::choice(const std::string& key, const std::vector<std::string>& words) const {
+  const std::string typed = text(key);
+  const auto found = std::ranges::find(words, typed);
+  if (found == words.end()) {
+    fail(key, fmt::format("'{}' is not allowed; allowed: {}", printable(typed), fmt::join(words, ", ")));
+  }
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+std::array<double, 3> Section::vector(const std::string& key) const {
+  const YAML::Node node = value(key);
+  if (!node.IsSequence() || node.size() != 3) fail(key, "must be three numbers such as [0, 1, 0]");
+  std::array<double, 3> components{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = node[i].IsScalar() ? parse_number(node[i].Scalar()) : std::nullopt;
+    if (!number || !std::isfinite(*number)) fail(key, "must be three finite numbers such as [0, 1, 0]");
+    components[i] = *number;
+  }
+  return components;
+}
+
+std::string Section::one_of(const std::vector<std::string>& keys) const {
+  std::vector<std::string> given;
+  std::ranges::copy_if(keys, std::back_inserter(given), [&](const std::string& key) { return has(key); });
+  if (given.size() != 1) fail("", fmt::format("must have exactly one of {}", fmt::join(keys, ", ")));
+  return given.front();
+}
+
+void Section::fail(const std::string& key, const std::string& message) const {
+  std::string path = path_ + key;
+  if (path.ends_with('.')) path.pop_back();
+  fail_at(mark_of(key), path.empty() ? message : fmt::format("{}: {}", path, message));
+}
+
+YAML::Mark Section::mark_of(const std::string& key) const {
+  for (const auto& entry : node_) {
+    if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.first.Mark();
+  }
+  return mark_;
+}
+
+void Section::fail_at(const YAML::Mark& mark, const std::string& message) const {
+  throw SceneError(fmt::format("{}:{}: {}", name_, mark.line + 1, message));
+}
+
+YAML::Node Section::value(const std::string& key) const {
+  if (!has(key)) fail("", fmt::format("key '{}' is missing", key));
+  return node_[key];
+}
+
+std::string Section::text(const std::string& key) const {
+  const YAML::Node node = value(key);
+  if (!node.IsScalar() || node.Scalar().empty()) fail(key, "must be a single value");
+  return node.Scalar();
+}
+
+}  // namespace fiberchain::dem::io

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dem/io/interval.hpp"
+#include "dem/io/units.hpp"
+
+namespace fiberchain::dem::io {
+
+/// One mapping of a scene file, read strictly: every key it holds must be known, every key asked for must
+/// be there and right. All functions throw SceneError.
+class Section {
+ public:
+  /// The top of the YAML text; `name` is what messages call the file. No key is checked yet.
+  Section(const std::string& text, std::string name);
+
+  /// Refuses a key that is not among these, or that comes twice; names the nearest known one.
+  void allow(const std::vector<std::string>& keys) const;
+
+  bool has(const std::string& key) const { return static_cast<bool>(node_[key]); }
+
+  /// The mapping under this key, only `keys` allowed in it.
+  Section section(const std::string& key, const std::vector<std::string>& keys) const;
+
+  /// A number, alone or with a unit, in the SI unit `unit`.
+  double quantity(const std::string& key, std::string_view unit, const Interval& allowed) const;
+
+  /// A number without dimension.
+  double number(const std::string& key, const Interval& allowed) const { return quantity(key, "1", allowed); }
+
+  int integer(const std::string& key, const Interval& allowed) const;
+
+  /// One of the words; its place among them.
+  std::size_t choice(const std::string& key, const std::vector<std::string>& words) const;
+
+  /// Three finite numbers.
+  std::array<double, 3> vector(const std::string& key) const;
+
+  /// Exactly one of these keys must be there; its name.
+  std::string one_of(const std::vector<std::string>& keys) const;
+
+  /// A SceneError about a key of this section ("" for the section itself).
+  [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+
+ private:
+  Section(const Section& parent, const std::string& key);
+  std::string text(const std::string& key) const;
+  YAML::Node value(const std::string& key) const;
+  YAML::Mark mark_of(const std::string& key) const;  ///< of the key; of the section if it has none such
+  [[noreturn]] void fail_at(const YAML::Mark& mark, const std::string& message) const;
+
+  YAML::Node node_;
+  YAML::Mark mark_;   ///< where the section begins: its key
+  std::string path_;  ///< keys that lead here, each with a dot behind it
+  std::string name_;
+  std::shared_ptr<const Units> units_;
+};
+
+}  // namespace fiberchain::dem::io
