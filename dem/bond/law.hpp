@@ -45,17 +45,16 @@ Vec<Real, 3> scale_spin(const Real& along, const Real& across, const Vec<Real, 3
   return {along * Omega[0], across * Omega[1], across * Omega[2]};
 }
 
-/// l - l_r
-template <class Real, int S>
-Real elongation(const BondParameters<Real>& bond, const Real& stretch, const Vec<Real, S>& Omega) {
-  return stretch + bond.rest_length * bond.chord * bend_squared(Omega);
+/// N = K_n (l - l_r), from the stretch l - l_0 and theta_b^2.
+template <class Real>
+Real tension(const BondParameters<Real>& bond, const Real& stretch, const Real& bend_squared) {
+  return bond.stretch * (stretch + bond.rest_length * bond.chord * bend_squared);
 }
 
-/// dU/dOmega at a given tension: the moment of bending and twist, with the chord's own moment.
-template <class Real, int S>
-Vec<Real, S> rotation_moment(const BondParameters<Real>& bond, const Real& tension, const Vec<Real, S>& Omega) {
-  const Real chord_bend = Real(2.0) * tension * bond.rest_length * bond.chord;
-  return scale_spin(bond.twist, bond.bend + chord_bend, Omega);
+/// Bending moment per angle: K_bend and, for the corrected bond, the moment of its shortened chord.
+template <class Real>
+Real bending_coefficient(const BondParameters<Real>& bond, const Real& tension) {
+  return bond.bend + Real(2.0) * tension * bond.rest_length * bond.chord;
 }
 
 /// Shear angle gamma between the bond and the mid-frame's axis, as gamma / |rho_perp|, and l.
@@ -90,25 +89,25 @@ template <class Real, int Dim>
 BondStress<Real, Dim> bond_stress(const BondParameters<Real>& bond, const Vec<Real, Dim>& rho,
                                   const Spin<Real, Dim>& Omega) {
   const ShearAngle<Real> shear = shear_angle(rho);
-  const Real tension = bond.stretch * elongation(bond, shear.length - bond.rest_length, Omega);
+  const Real N = tension(bond, shear.length - bond.rest_length, bend_squared(Omega));
   const Real inverse_length = Real(1.0) / shear.length;
   // d(gamma^2/2)/drho = (gamma / |rho_perp|) (rho_x rho_perp - |rho_perp|^2 e_x) / l^2
   const Real l0 = bond.rest_length;
   const Real Q = bond.shear * l0 * l0 * shear.ratio * inverse_length * inverse_length;
-  const Real pull = tension * inverse_length;
+  const Real pull = N * inverse_length;
   Vec<Real, Dim> force = (pull + Q * rho[0]) * rho;
   force[0] = force[0] - Q * shear.length * shear.length;
-  return {force, rotation_moment(bond, tension, Omega)};
+  return {force, scale_spin(bond.twist, bending_coefficient(bond, N), Omega)};
 }
 
 /// U [J]
 template <class Real, int Dim>
 Real bond_energy(const BondParameters<Real>& bond, const Vec<Real, Dim>& rho, const Spin<Real, Dim>& Omega) {
   const ShearAngle<Real> shear = shear_angle(rho);
-  const Real stretch = elongation(bond, shear.length - bond.rest_length, Omega);
+  const Real N = tension(bond, shear.length - bond.rest_length, bend_squared(Omega));
   const Real gamma_squared = shear.ratio * shear.ratio * across_squared(rho);
   const Real l0 = bond.rest_length;
-  return Real(0.5) * (bond.stretch * stretch * stretch + bond.shear * l0 * l0 * gamma_squared +
+  return Real(0.5) * (N * N / bond.stretch + bond.shear * l0 * l0 * gamma_squared +
                       dot(Omega, scale_spin(bond.twist, bond.bend, Omega)));
 }
 

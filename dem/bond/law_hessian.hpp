@@ -42,19 +42,19 @@ typename Sizes<Dim>::Hessian law_hessian(const BondParameters<double>& bond, con
   using Matrix = Eigen::Matrix<double, S::d, S::d>;
   const ShearAngle<double> shear = shear_angle(k.separation);
   const double l = shear.length, l0 = bond.rest_length;
-  const double tension = bond.stretch * elongation(bond, l - l0, k.rotation);
+  const double N = tension(bond, l - l0, bend_squared(k.rotation));
   const typename S::Displacement e = eigen(k.separation) / l;
   const typename S::Rotation slope = 2 * l0 * bond.chord * eigen(scale_spin(0.0, 1.0, k.rotation));  // d(l-l_r)/dOmega
   const Matrix radial = e * e.transpose();
   typename S::Hessian H;
-  H.template topLeftCorner<S::d, S::d>() = bond.stretch * radial + tension / l * (Matrix::Identity() - radial) +
+  H.template topLeftCorner<S::d, S::d>() = bond.stretch * radial + N / l * (Matrix::Identity() - radial) +
                                            bond.shear * l0 * l0 / (l * l) * shear_hessian(k.separation, shear);
   H.template topRightCorner<S::d, S::s>() = bond.stretch * e * slope.transpose();
   H.template bottomLeftCorner<S::s, S::d>() = bond.stretch * slope * e.transpose();
   Vec<double, S::s> ones;
   for (double& one : ones.c) one = 1;
   H.template bottomRightCorner<S::s, S::s>() = bond.stretch * slope * slope.transpose();
-  H.template bottomRightCorner<S::s, S::s>().diagonal() += eigen(rotation_moment(bond, tension, ones));
+  H.template bottomRightCorner<S::s, S::s>().diagonal() += eigen(scale_spin(bond.twist, bending_coefficient(bond, N), ones));
   return H;
 }
 

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "dem/bond/dashpot.hpp"
+
+// The paper's incremental form (Eqs 3-6): strains summed over the steps, turned with the bond. Increments are taken
+// at the middle of the step, so that the sum is second order in the step.
+namespace fiberchain::dem {
+
+/// Strain summed so far. In the plane its components along and across the bond turn with it by themselves.
+template <class Real, int Dim>
+struct BondHistory;
+
+template <class Real>
+struct BondHistory<Real, 2> {
+  Real stretch, shear;  ///< delta_n, delta_t [m]
+  Vec<Real, 1> bend;    ///< theta_t [rad]
+};
+
+template <class Real>
+struct BondHistory<Real, 3> {
+  Vec<Real, 3> displacement;  ///< delta_n e + delta_t, global frame [m]
+  Vec<Real, 3> rotation;      ///< theta_n e + theta_t, global frame [rad]
+};
+
+template <class Real, int Dim>
+Vec<Real, Dim> unit(const Vec<Real, Dim>& u) {
+  return (Real(1.0) / norm(u)) * u;
+}
+
+/// Turn of the bond over the step: the smallest that brings its old axis to the new one, then the mean spin of its
+/// spheres about it. As half-angle tangent vector, so that applying it is exact and needs no trigonometry.
+template <class Real>
+Vec<Real, 3> bond_turn(const Vec<Real, 3>& old_axis, const Vec<Real, 3>& new_axis, const Real& axial_angle) {
+  const Vec<Real, 3> swing = (Real(1.0) / (Real(1.0) + dot(old_axis, new_axis))) * cross(old_axis, new_axis);
+  return swing + (Real(0.5) * axial_angle) * (new_axis + cross(new_axis, swing));
+}
+
+template <class Real>
+Vec<Real, 3> turn_by(const Vec<Real, 3>& half_tangent, const Vec<Real, 3>& u) {
+  const Vec<Real, 3> t = cross(half_tangent, u);
+  const Real scale = Real(2.0) / (Real(1.0) + dot(half_tangent, half_tangent));
+  return u + scale * (t + cross(half_tangent, t));
+}
+
+template <class Real>
+void advance(BondHistory<Real, 2>& history, const Vec<Real, 2>& end, const Vec<Real, 2>&,
+             const RelativeMotion<Real, 2>& motion, const Real& dt) {
+  const Vec<Real, 2> middle = end - (Real(0.5) * dt) * motion.velocity;
+  const Vec<Real, 2> axis = unit(middle);
+  const Vec<Real, 2> sliding = dt * (motion.velocity - cross(motion.mean_spin, middle));
+  history.stretch = history.stretch + dot(axis, sliding);
+  history.shear = history.shear + cross(axis, sliding)[0];
+  history.bend = history.bend + dt * motion.relative_spin;
+}
+
+template <class Real>
+void advance(BondHistory<Real, 3>& history, const Vec<Real, 3>& end, const Vec<Real, 3>& end_axis,
+             const RelativeMotion<Real, 3>& motion, const Real& dt) {
+  const Vec<Real, 3> start = end - dt * motion.velocity;
+  const Vec<Real, 3> middle = Real(0.5) * (start + end);
+  const Vec<Real, 3> turn = bond_turn(unit(start), end_axis, dt * dot(motion.mean_spin, unit(middle)));
+  const Vec<Real, 3> half_slide = (Real(0.5) * dt) * (motion.velocity - cross(motion.mean_spin, middle));
+  const Vec<Real, 3> half_rotation = (Real(0.5) * dt) * motion.relative_spin;
+  history.displacement = turn_by(turn, history.displacement + half_slide) + half_slide;
+  history.rotation = turn_by(turn, history.rotation + half_rotation) + half_rotation;
+}
+
+/// Spring forces of the summed strain by the same law: tension, shear, twist and bending with the chord's moment.
+template <class Real>
+BondAction<Real, 2> spring_action(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history,
+                                  const Vec<Real, 2>& e) {
+  const Real N = tension(bond, history.stretch, bend_squared(history.bend));
+  const Real Q = bond.shear * history.shear;
+  return {{N * e[0] - Q * e[1], N * e[1] + Q * e[0]},
+          scale_spin(bond.twist, bending_coefficient(bond, N), history.bend)};
+}
+
+template <class Real>
+BondAction<Real, 3> spring_action(const BondParameters<Real>& bond, const BondHistory<Real, 3>& history,
+                                  const Vec<Real, 3>& e) {
+  const Real stretch = dot(history.displacement, e);
+  const Real twist = dot(history.rotation, e);
+  const Real N = tension(bond, stretch, dot(history.rotation, history.rotation) - twist * twist);
+  return {bond.shear * history.displacement + (N - bond.shear * stretch) * e,
+          scale_about(bond.twist, bending_coefficient(bond, N), e, history.rotation)};
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,184 @@
+#include "dem/equilibrium/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tuple>
+
+#include "dem/errors.hpp"
+#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/time_step.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+void check_option(bool allowed, const char* key, double value, const char* allowed_text) {
+  if (!allowed) throw InvalidInput(fmt::format("{} = {} is not allowed: {}", key, value, allowed_text));
+}
+
+void check(const MarchOptions& o) {
+  check_option(o.bond_damping >= 0 && std::isfinite(o.bond_damping), "bond_damping", o.bond_damping,
+               "it must be finite and 0 or more");
+  check_option(o.drag >= 0 && std::isfinite(o.drag), "drag", o.drag, "it must be finite and 0 or more");
+  check_option(o.drag > 0 || o.bond_damping > 0, "drag", o.drag,
+               "without bond damping it must be positive, or the chain never rests");
+  check_option(o.step_ratio > 0 && o.step_ratio < 1, "step_ratio", o.step_ratio,
+               "it must lie between 0 and 1, the largest stable step");
+  check_option(o.ramp_periods >= 0 && std::isfinite(o.ramp_periods), "ramp_periods", o.ramp_periods,
+               "it must be finite and 0 or more");
+  check_option(o.residual > 0 && o.residual < 1, "residual", o.residual, "it must lie between 0 and 1");
+  check_option(o.max_periods > 0, "max_periods", o.max_periods, "it must be greater than 0");
+}
+
+template <int Dim>
+Clamps end_clamps(const MarchCase<Dim>& job) {
+  const int last = job.chain.fiber.aspect_ratio;
+  Clamps clamps{false, false};
+  if (job.loading.empty()) throw InvalidInput("loading = none is not allowed: a march needs at least one set of loads");
+  for (const Boundary<Dim>& boundary : job.loading) {
+    for (const Load<Dim>& load : boundary.loads) {
+      if (load.sphere != 0 && load.sphere != last) {
+        throw InvalidInput(fmt::format("load at sphere {} is not allowed: a march loads the end spheres 0 and {}",
+                                       load.sphere, last));
+      }
+    }
+  }
+  for (const int sphere : job.loading[0].clamped) {
+    if (sphere != 0 && sphere != last) {
+      throw InvalidInput(fmt::format("clamped = {} is not allowed: a march clamps the end spheres 0 and {}", sphere, last));
+    }
+    (sphere == 0 ? clamps.first : clamps.last) = true;
+  }
+  if (!clamps.first && !clamps.last) throw InvalidInput("clamped = none is not allowed: an equilibrium needs a clamp");
+  return clamps;
+}
+
+/// What one lane does: where it is on its loading path and when it came to rest.
+template <int Dim>
+struct Lane {
+  const MarchCase<Dim>* job;
+  Chain<Dim> chain;  ///< with the settling damping
+  double time_step;
+  std::optional<MarchResult<Dim>> result;
+};
+
+template <int Dim>
+MarchResult<Dim> measure(const MarchingBlock<Dim>& block, int index, const Lane<Dim>& lane, double steps) {
+  const int spheres = lane.chain.fiber.aspect_ratio + 1;
+  const Boundary<Dim>& boundary = lane.job->loading.back();
+  ChainVector<Dim> net = applied_loads(boundary, spheres);
+  Poses<Dim> poses;
+  double speed = 0;
+  for (int i = 0; i < spheres; ++i) {
+    const MovingSphere<double, Dim> sphere = block.sphere(index, i);
+    if (!std::isfinite(dot(sphere.pose.position, sphere.pose.position) + dot(sphere.spin, sphere.spin))) {
+      throw Diverged(fmt::format(
+          "the march diverged: fiber {}, sphere {} is not finite at step {:.0f} (dt = {:.6g} s); likely causes: a step "
+          "too large for this load or a load far beyond the bonds' stiffness", index, i, steps, lane.time_step));
+    }
+    poses.push_back(sphere.pose);
+    speed = std::max(speed, norm(sphere.velocity));
+    net[i].template head<Dim>() += tangent_detail::eigen(sphere.force);
+    net[i].template tail<spin_size<Dim>>() += tangent_detail::eigen(sphere.moment);
+  }
+  for (const int clamp : lane.job->loading[0].clamped) net[clamp].setZero();
+  const double length = fiber_length(lane.chain.fiber);
+  const double scale = first_bending_frequency(lane.chain.fiber) * length;
+  const Imbalance residual = imbalance(poses, net, boundary, length);
+  return {std::move(poses), residual, speed / scale, lane.time_step, steps};
+}
+
+/// Marches the chains of one block through their loads to rest.
+template <int Dim>
+void march_block(std::vector<Lane<Dim>>& lanes, const MarchOptions& options) {
+  std::vector<Chain<Dim>> chains;
+  std::vector<double> steps, drag;
+  double steps_per_period = 0;
+  for (Lane<Dim>& lane : lanes) {
+    const double omega = first_bending_frequency(lane.chain.fiber);
+    chains.push_back(lane.chain);
+    drag.push_back(2 * omega * options.drag);
+    lane.time_step = options.step_ratio * stable_time_step(lane.chain.fiber, drag.back());
+    steps.push_back(lane.time_step);
+    steps_per_period = std::max(steps_per_period, 2 * std::numbers::pi / (omega * lane.time_step));
+  }
+  const Physics physics{Dim, options.form, options.bond_damping > 0, options.drag > 0,
+                        options.form == BondForm::total && !chains[0].natural.empty()};
+  MarchingBlock<Dim> block(chains, end_clamps(*lanes[0].job), steps, drag, physics, options.instruction_set);
+  const int check_every = std::max(static_cast<int>(steps_per_period / 20), 1);
+  const double ramp_steps = options.ramp_periods * steps_per_period;
+  double done = 0;
+  for (std::size_t phase = 0; phase < lanes[0].job->loading.size(); ++phase) {
+    block.restart_ramp();
+    for (int i = 0; i < block.lanes(); ++i) {
+      const auto& loading = lanes[i].job->loading;
+      block.set_ramp(i, phase == 0 ? Boundary<Dim>{} : loading[phase - 1], loading[phase], ramp_steps);
+    }
+    for (double ramped = 0; ramped < ramp_steps; ramped += check_every) {
+      block.march(check_every);
+      done += check_every;
+    }
+  }
+  const double limit = done + options.max_periods * steps_per_period;
+  std::size_t resting = 0;
+  while (resting < lanes.size()) {
+    block.march(check_every);
+    done += check_every;
+    for (int i = 0; i < block.lanes(); ++i) {
+      if (lanes[i].result) continue;
+      MarchResult<Dim> now = measure(block, i, lanes[i], done);
+      if (now.residual.moment < options.residual && now.speed < options.residual) {
+        lanes[i].result = std::move(now);
+        ++resting;
+      } else if (done > limit) {
+        throw NoConvergence(fmt::format("fiber {} is not at rest after {:.0f} steps: moment out of balance {:.3g}, speed "
+                                        "{:.3g}, both should be below {:.3g}", i, done, now.residual.moment, now.speed,
+                                        options.residual));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double first_bending_frequency(const Fiber& fiber) {
+  constexpr double beta_1 = 1.8751040687119611;
+  const double L = fiber_length(fiber);
+  return beta_1 * beta_1 * std::sqrt(bending_stiffness(fiber) * bond_length(fiber) / sphere_mass(fiber)) / (L * L);
+}
+
+template <int Dim>
+std::vector<MarchResult<Dim>> march_to_rest(const std::vector<MarchCase<Dim>>& cases, const MarchOptions& options) {
+  check(options);
+  // cases that can share a block: same length, kind, clamps and number of load sets
+  std::map<std::tuple<int, bool, bool, bool, std::size_t>, std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Clamps clamps = end_clamps(cases[i]);
+    groups[{cases[i].chain.fiber.aspect_ratio, cases[i].chain.natural.empty(), clamps.first, clamps.last,
+            cases[i].loading.size()}].push_back(i);
+  }
+  const std::size_t width = lane_kernel(built_physics[0], options.instruction_set).width;
+  std::vector<MarchResult<Dim>> results(cases.size());
+  for (const auto& [kind, members] : groups) {
+    for (std::size_t first = 0; first < members.size(); first += width) {
+      std::vector<Lane<Dim>> lanes;
+      const std::size_t end = std::min(first + width, members.size());
+      for (std::size_t i = first; i < end; ++i) {
+        Lane<Dim> lane{&cases[members[i]], cases[members[i]].chain, 0, {}};
+        lane.chain.fiber.bond_damping = options.bond_damping;
+        lanes.push_back(std::move(lane));
+      }
+      march_block(lanes, options);
+      for (std::size_t i = first; i < end; ++i) results[members[i]] = std::move(*lanes[i - first].result);
+    }
+  }
+  return results;
+}
+
+template std::vector<MarchResult<2>> march_to_rest<2>(const std::vector<MarchCase<2>>&, const MarchOptions&);
+template std::vector<MarchResult<3>> march_to_rest<3>(const std::vector<MarchCase<3>>&, const MarchOptions&);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "dem/boundary.hpp"
+#include "dem/chain.hpp"
+#include "dem/motion/lanes/kernel.hpp"
+
+// Chains of equal length marched side by side, one a lane.
+namespace fiberchain::dem {
+
+/// Array of doubles, aligned for every instruction set.
+class LaneArray {
+ public:
+  LaneArray() = default;
+  explicit LaneArray(std::size_t size);
+
+  double* data() { return data_.get(); }
+  const double* data() const { return data_.get(); }
+
+  /// Copies the doubles of `value` into lane `lane`, from number `first` on.
+  template <class Value>
+  void put(const Value& value, std::size_t first, int lane, int width) {
+    const double* source = reinterpret_cast<const double*>(&value);
+    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) data_[(first + n) * width + lane] = source[n];
+  }
+
+  template <class Value>
+  void get(Value& value, std::size_t first, int lane, int width) const {
+    double* target = reinterpret_cast<double*>(&value);
+    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) target[n] = data_[(first + n) * width + lane];
+  }
+
+ private:
+  struct Free {
+    void operator()(double* p) const { ::operator delete[](p, std::align_val_t{lane_alignment}); }
+  };
+  std::unique_ptr<double[], Free> data_;
+};
+
+/// A block of up to `width` chains that march together. Unused lanes repeat the last chain.
+template <int Dim>
+class MarchingBlock {
+ public:
+  /// Starts the chains from rest at their own poses. All must have the same number of bonds, and all be straight at
+  /// rest or none. Throws InvalidInput otherwise.
+  MarchingBlock(const std::vector<Chain<Dim>>& chains, Clamps clamps, const std::vector<double>& steps,
+                const std::vector<double>& drag, const Physics& physics, InstructionSet set);
+
+  int lanes() const { return lanes_; }
+  int width() const { return kernel_.width; }
+
+  /// From the next step on the end loads go from `from` to `to` in `ramp_steps` steps.
+  void set_ramp(int lane, const Boundary<Dim>& from, const Boundary<Dim>& to, double ramp_steps);
+
+  /// Steps all lanes; ramp steps count from the last restart_ramp().
+  void march(int steps);
+  void restart_ramp() { steps_on_ramp_ = 0; }
+
+  MovingSphere<double, Dim> sphere(int lane, int index) const;
+  void set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere);
+  BondHistory<double, Dim> history(int lane, int bond) const;
+  Poses<Dim> poses(int lane) const;
+
+ private:
+  LaneBlock view();
+
+  LaneKernel kernel_;
+  int lanes_;
+  int bonds_;
+  Clamps clamps_;
+  double steps_on_ramp_ = 0;
+  std::vector<MarchParameters<double, Dim>> parameters_of_;
+  LaneArray spheres_, history_, natural_, parameters_;
+};
+
+}  // namespace fiberchain::dem

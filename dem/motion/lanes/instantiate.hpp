@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <xsimd/xsimd.hpp>
+
+#include "dem/motion/lanes/kernel.hpp"
+#include "dem/motion/leapfrog.hpp"
+
+// Included by one source file an instruction set. Everything compiled there is a template on that set's number type:
+// its symbols are its own, and no function of another file can be replaced by one with foreign instructions.
+namespace fiberchain::dem {
+
+template <class Real>
+inline constexpr int lane_count = static_cast<int>(sizeof(Real) / sizeof(double));
+
+template <Physics P, class Real>
+ChainBlock<P, Real> typed(const LaneBlock& block) {
+  constexpr int Dim = P.dimension;
+  return {block.bonds,
+          block.clamps,
+          reinterpret_cast<MovingSphere<Real, Dim>*>(block.spheres),
+          reinterpret_cast<BondHistory<Real, Dim>*>(block.history),
+          reinterpret_cast<const NaturalEnds<Real, Dim>*>(block.natural),
+          reinterpret_cast<const MarchParameters<Real, Dim>*>(block.parameters)};
+}
+
+template <Physics P, class Real>
+void start_block(const LaneBlock& block) {
+  start_march<P, Real>(typed<P, Real>(block));
+}
+
+template <Physics P, class Real>
+void march_block(const LaneBlock& block, double steps_before, int steps) {
+  const ChainBlock<P, Real> chain = typed<P, Real>(block);
+  for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n);
+}
+
+template <class Real>
+struct KernelTable {
+  LaneKernel kernels[built_physics.size()];
+};
+
+template <class Real, std::size_t... I>
+constexpr KernelTable<Real> kernel_table(std::index_sequence<I...>) {
+  return {{{lane_count<Real>, start_block<built_physics[I], Real>, march_block<built_physics[I], Real>}...}};
+}
+
+/// Kernels in the order of built_physics.
+template <class Real>
+inline constexpr KernelTable<Real> kernels_of = kernel_table<Real>(std::make_index_sequence<built_physics.size()>{});
+
+}  // namespace fiberchain::dem

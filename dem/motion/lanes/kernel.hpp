@@ -1,0 +1,39 @@
+#pragma once
+
+#include "dem/motion/physics.hpp"
+#include "dem/motion/state.hpp"
+
+// The inner loops behind one interface of plain doubles: one compiled copy for every instruction set, chosen when the
+// program runs. Results differ between instruction sets by the rounding of sin, cos and atan at most.
+namespace fiberchain::dem {
+
+/// A block of `width` chains side by side: number n of lane k stands at [n * width + k] of each array.
+struct LaneBlock {
+  int bonds;
+  Clamps clamps;
+  double* spheres;           ///< MovingSphere, bonds + 1
+  double* history;           ///< BondHistory, bonds (incremental form)
+  const double* natural;     ///< NaturalEnds, bonds (curved chains)
+  const double* parameters;  ///< MarchParameters, one
+};
+
+struct LaneKernel {
+  int width;                                                  ///< lanes: doubles in a vector
+  void (*start)(const LaneBlock&);                            ///< forces before the first step
+  void (*march)(const LaneBlock&, double steps_before, int steps);
+};
+
+enum class InstructionSet { scalar, sse2, avx2, avx512 };
+
+std::string_view name(InstructionSet set);
+
+/// The widest that this processor has.
+InstructionSet best_instruction_set();
+
+/// Throws InvalidInput when this processor lacks the instruction set or the physics is not among built_physics.
+const LaneKernel& lane_kernel(const Physics& physics, InstructionSet set);
+
+/// Alignment of the arrays that suits every instruction set [bytes].
+inline constexpr int lane_alignment = 64;
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "dem/bond/incremental.hpp"
+#include "dem/bond/pose.hpp"
+#include "dem/motion/physics.hpp"
+
+// The state of a marching chain and what marches it. Every type consists of `Real`s only, so that a block of lanes is
+// an array of doubles in which lane k of number n stands at n * width + k.
+namespace fiberchain::dem {
+
+/// One sphere: pose at the step, velocities half a step before, forces at the step.
+template <class Real, int Dim>
+struct MovingSphere {
+  Pose<Real, Dim> pose;
+  Vec<Real, Dim> velocity;  ///< [m/s]
+  Spin<Real, Dim> spin;     ///< [1/s]
+  Vec<Real, Dim> force;     ///< of the bonds [N]
+  Spin<Real, Dim> moment;   ///< of the bonds [N m]
+};
+
+template <class Real, int Dim>
+struct EndLoad {
+  Vec<Real, Dim> force;
+  Spin<Real, Dim> moment;
+};
+
+/// Dead loads on the two end spheres, going from one set to another: (1 - f) from + f to, where f rises smoothly
+/// from 0 to 1 over 1 / rate steps and stays there.
+template <class Real, int Dim>
+struct LoadRamp {
+  EndLoad<Real, Dim> first_from, first_to, last_from, last_to;
+  Real rate;  ///< 1 / number of steps
+};
+
+template <class Real, int Dim>
+struct MarchParameters {
+  BondParameters<Real> bond;
+  Real inverse_mass;     ///< 1 / m [1/kg]
+  Real inverse_inertia;  ///< 1 / J [1/(kg m^2)]
+  Real step;             ///< dt [s]
+  Real drag;             ///< force per momentum [1/s]
+  LoadRamp<Real, Dim> ramp;
+};
+
+/// Which ends keep position and rotation.
+struct Clamps {
+  bool first, last;
+};
+
+}  // namespace fiberchain::dem
