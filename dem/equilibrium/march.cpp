@@ -25,8 +25,7 @@ void check(const MarchOptions& o) {
   check_option(o.drag >= 0 && std::isfinite(o.drag), "drag", o.drag, "it must be finite and 0 or more");
   check_option(o.drag > 0 || o.bond_damping > 0, "drag", o.drag,
                "without bond damping it must be positive, or the chain never rests");
-  check_option(o.step_ratio > 0 && o.step_ratio < 1, "step_ratio", o.step_ratio,
-               "it must lie between 0 and 1, the largest stable step");
+  if (o.step_ratio) check_option(*o.step_ratio > 0, "step_ratio", *o.step_ratio, "it must be greater than 0");
   check_option(o.ramp_periods >= 0 && std::isfinite(o.ramp_periods), "ramp_periods", o.ramp_periods,
                "it must be finite and 0 or more");
   check_option(o.residual > 0 && o.residual < 1, "residual", o.residual, "it must lie between 0 and 1");
@@ -88,7 +87,12 @@ MarchResult<Dim> measure(const MarchingBlock<Dim>& block, int index, const Lane<
   const double length = fiber_length(lane.chain.fiber);
   const double scale = first_bending_frequency(lane.chain.fiber) * length;
   const Imbalance residual = imbalance(poses, net, boundary, length);
-  return {std::move(poses), residual, speed / scale, lane.time_step, steps};
+  return {std::move(poses), std::move(net), residual, speed / scale, lane.time_step, steps};
+}
+
+/// Force per momentum [1/s]: critical damping of the first bending mode is 2 omega_1.
+double settling_drag(const Fiber& fiber, const MarchOptions& options) {
+  return 2 * options.drag * first_bending_frequency(fiber);
 }
 
 /// Marches the chains of one block through their loads to rest.
@@ -100,8 +104,8 @@ void march_block(std::vector<Lane<Dim>>& lanes, const MarchOptions& options) {
   for (Lane<Dim>& lane : lanes) {
     const double omega = first_bending_frequency(lane.chain.fiber);
     chains.push_back(lane.chain);
-    drag.push_back(2 * omega * options.drag);
-    lane.time_step = options.step_ratio * stable_time_step(lane.chain.fiber, drag.back());
+    drag.push_back(settling_drag(lane.chain.fiber, options));
+    lane.time_step = chosen_step(lane.chain.fiber, options);
     steps.push_back(lane.time_step);
     steps_per_period = std::max(steps_per_period, 2 * std::numbers::pi / (omega * lane.time_step));
   }
@@ -143,6 +147,20 @@ void march_block(std::vector<Lane<Dim>>& lanes, const MarchOptions& options) {
 }
 
 }  // namespace
+
+double chosen_step(const Fiber& fiber, const MarchOptions& options) {
+  Fiber settling = fiber;
+  settling.bond_damping = options.bond_damping;
+  const double limit = stable_time_step(settling, settling_drag(fiber, options));
+  if (!options.step_ratio) return 0.8 * limit;
+  const double step = *options.step_ratio * bond_time_step(fiber);
+  if (step >= limit) {
+    throw InvalidInput(fmt::format("step_ratio = {} is not allowed: with bond damping {} the largest stable step of "
+                                   "this chain is {:.4f} t_b", *options.step_ratio, options.bond_damping,
+                                   limit / bond_time_step(fiber)));
+  }
+  return step;
+}
 
 double first_bending_frequency(const Fiber& fiber) {
   constexpr double beta_1 = 1.8751040687119611;

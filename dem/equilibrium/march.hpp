@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dem/equilibrium/balance.hpp"
@@ -13,7 +14,7 @@ struct MarchOptions {
   BondForm form = BondForm::total;
   double bond_damping = 0.25;   ///< xi_b while settling, in place of the fiber's own; 0 allowed
   double drag = 1.0;            ///< drag on every sphere over the critical one of the first bending mode; 0: as the paper
-  double step_ratio = 0.8;      ///< step over the largest stable one
+  std::optional<double> step_ratio;  ///< dt / t_b; left out: 0.8 of the largest stable step of each chain
   double ramp_periods = 2.0;    ///< length of each load ramp in periods of the first bending mode
   double residual = 1e-10;      ///< at rest: Imbalance::moment and speed / (omega_1 L) both below this
   double max_periods = 2000.0;  ///< of the first bending mode, after the last ramp
@@ -31,6 +32,7 @@ struct MarchCase {
 template <int Dim>
 struct MarchResult {
   Poses<Dim> poses;
+  ChainVector<Dim> net;  ///< forces and moments still out of balance on every sphere [N, N m]
   Imbalance residual;
   double speed;      ///< largest speed of a sphere over omega_1 L
   double time_step;  ///< [s]
@@ -38,10 +40,13 @@ struct MarchResult {
 };
 
 /// Marches every case to rest, in the order given; each stops at its own residual whatever its neighbors do.
-/// Throws InvalidInput for options or cases out of range, Diverged when numbers stop being finite, NoConvergence when
+/// Throws InvalidInput for options or cases out of range (an unstable step among them), Diverged when numbers stop being finite, NoConvergence when
 /// max_periods pass.
 template <int Dim>
 std::vector<MarchResult<Dim>> march_to_rest(const std::vector<MarchCase<Dim>>& cases, const MarchOptions& options = {});
+
+/// Step [s] that a march of this fiber takes under these options. Throws InvalidInput when it would be unstable.
+double chosen_step(const Fiber& fiber, const MarchOptions& options);
 
 /// First bending frequency of the clamped chain's continuum, beta_1^2 sqrt(EI l / m) / L^2 [rad/s].
 double first_bending_frequency(const Fiber& fiber);

@@ -55,6 +55,10 @@ double size(const ChainVector<Dim>& motion, double length) {
 /// A turn of more than this in one Newton step leaves the range where the step means anything.
 constexpr double largest_turn = 1.0;
 
+/// A slender chain's stretch stiffness over its bending stiffness, 16 r_f^3, times the rounding of a position bounds how
+/// small a Newton step can get; steps that stop shrinking below this are there.
+constexpr double round_off_step = 1e-6;
+
 template <int Dim>
 std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, const Boundary<Dim>& boundary,
                                  double tolerance, const SolveOptions& options, SolveStatistics& statistics) {
@@ -64,10 +68,11 @@ std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, cons
     const ChainVector<Dim> motion = remaining_motion(chain, poses, boundary);
     ++statistics.newton_iterations;
     const double step = size<Dim>(motion, length);
-    if (!(step <= largest_turn) || (iteration > 2 && step > 2 * previous)) return std::nullopt;
+    const bool at_round_off = step < round_off_step && step > 0.25 * previous;
+    if (!(step <= largest_turn) || (iteration > 2 && step > 2 * previous && !at_round_off)) return std::nullopt;
     move(chain, boundary, poses, motion);
     // quadratic convergence: the step taken from below the tolerance ends at round-off
-    if (previous < tolerance || step == 0) return poses;
+    if (previous < tolerance || step == 0 || at_round_off) return poses;
     previous = step;
   }
   return std::nullopt;
