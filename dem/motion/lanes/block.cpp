@@ -106,7 +106,10 @@ MovingSphere<double, Dim> MarchingBlock<Dim>::sphere(int lane, int index) const 
 
 template <int Dim>
 void MarchingBlock<Dim>::set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere) {
-  spheres_.put(sphere, index * numbers<MovingSphere<double, Dim>>, lane, kernel_.width);
+  MovingSphere<double, Dim> placed = sphere;
+  const bool fixed = (index == 0 && clamps_.first) || (index == bonds_ && clamps_.last);
+  if (fixed) placed.velocity = {}, placed.spin = {};
+  spheres_.put(placed, index * numbers<MovingSphere<double, Dim>>, lane, kernel_.width);
 }
 
 template <int Dim>

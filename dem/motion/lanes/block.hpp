@@ -61,6 +61,7 @@ class MarchingBlock {
   void restart_ramp() { steps_on_ramp_ = 0; }
 
   MovingSphere<double, Dim> sphere(int lane, int index) const;
+  /// Sets pose, velocity and forces of a sphere; a clamped one gets no velocity.
   void set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere);
   BondHistory<double, Dim> history(int lane, int bond) const;
   Poses<Dim> poses(int lane) const;

@@ -1,0 +1,121 @@
+// The closed list of inner loops: every combination, every instruction set of this machine, every lane, against the
+// scalar loop.
+#define BOOST_TEST_MODULE lanes
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "dem/errors.hpp"
+#include "tests/dem/marching_chains.hpp"
+
+namespace dem = fiberchain::dem;
+
+namespace {
+
+bool available(dem::InstructionSet set) { return set <= dem::best_instruction_set(); }
+
+std::string text(const dem::Physics& p) {
+  return std::to_string(p.dimension) + "D " + std::string(dem::name(p.form)) + (p.damped ? " damped" : "") +
+         (p.drag ? " drag" : "") + (p.curved ? " curved" : "");
+}
+
+template <int Dim>
+void pull_tips(dem::MarchingBlock<Dim>& block, const std::vector<dem::Chain<Dim>>& chains) {
+  for (int lane = 0; lane < block.lanes(); ++lane) {
+    dem::Load<Dim> tip{13, {}, {}};
+    tip.force[1] = dem::load_force(chains[lane].fiber, 1.0 + lane);
+    block.set_ramp(lane, {}, {{0}, {tip}}, 150);
+  }
+}
+
+/// All chains one by one in scalar lanes.
+template <int Dim>
+std::vector<dem::Poses<Dim>> scalar_poses(const std::vector<dem::Chain<Dim>>& chains, const dem::Physics& physics,
+                                          dem::Clamps clamps, int steps) {
+  std::vector<dem::Poses<Dim>> poses;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    auto block = marching::block_of<Dim>({chains[i]}, clamps, physics, dem::InstructionSet::scalar);
+    dem::Load<Dim> tip{13, {}, {}};
+    tip.force[1] = dem::load_force(chains[i].fiber, 1.0 + static_cast<double>(i));
+    block.set_ramp(0, {}, {{0}, {tip}}, 150);
+    marching::stir(block, {chains[i]}, 5 + 97 * static_cast<unsigned>(i), 0.02);
+    block.march(steps);
+    poses.push_back(block.poses(0));
+  }
+  return poses;
+}
+
+template <int Dim>
+void lanes_equal_scalar(const dem::Physics& physics, dem::InstructionSet set) {
+  const int width = dem::lane_kernel(physics, set).width;
+  std::vector<dem::Chain<Dim>> chains;
+  for (int lane = 0; lane < std::max(width - 1, 1); ++lane) {  // one lane short, to leave one unused
+    chains.push_back(marching::odd_chain<Dim>(11 + lane, physics.damped ? 0.3 : 0.0, physics.curved));
+  }
+  const dem::Clamps clamps{true, false};
+  auto block = marching::block_of(chains, clamps, physics, set);
+  pull_tips(block, chains);
+  marching::stir(block, chains, 5, 0.02);
+  block.march(80);
+  block.march(120);
+  const auto expected = scalar_poses(chains, physics, clamps, 200);
+  for (std::size_t lane = 0; lane < chains.size(); ++lane) {
+    const auto poses = block.poses(static_cast<int>(lane));
+    const double L = dem::fiber_length(chains[lane].fiber);
+    double worst = 0, moved = 0;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      worst = std::max(worst, dem::norm(poses[i].position - expected[lane][i].position) / L);
+      moved = std::max(moved, dem::norm(poses[i].position - chains[lane].poses[i].position) / L);
+    }
+    BOOST_TEST(worst < 1e-12);
+    BOOST_TEST(moved > 1e-3);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_combination_is_built_once) {
+  for (std::size_t i = 0; i < dem::built_physics.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) BOOST_TEST(!(dem::built_physics[i] == dem::built_physics[j]));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_combination_in_every_width_equals_the_scalar_loop) {
+  for (const auto set : {dem::InstructionSet::scalar, dem::InstructionSet::sse2, dem::InstructionSet::avx2,
+                         dem::InstructionSet::avx512}) {
+    if (!available(set)) {
+      BOOST_TEST_MESSAGE("this machine lacks " << dem::name(set));
+      continue;
+    }
+    for (const dem::Physics& physics : dem::built_physics) {
+      BOOST_TEST_CONTEXT(text(physics) << " " << dem::name(set)) {
+        physics.dimension == 2 ? lanes_equal_scalar<2>(physics, set) : lanes_equal_scalar<3>(physics, set);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_lane_does_not_depend_on_its_neighbors) {
+  const dem::Physics physics{3, dem::BondForm::incremental, true, true, false};
+  const auto set = dem::best_instruction_set();
+  const int width = dem::lane_kernel(physics, set).width;
+  std::vector<dem::Chain<3>> chains;
+  for (int lane = 0; lane < width; ++lane) chains.push_back(marching::odd_chain<3>(31 + lane, 0.3, false));
+  auto full = marching::block_of(chains, {true, false}, physics, set);
+  auto alone = marching::block_of<3>({chains[0]}, {true, false}, physics, set);
+  marching::stir(full, chains, 3, 0.02);
+  marching::stir(alone, {chains[0]}, 3, 0.02);
+  full.march(300);
+  alone.march(300);
+  for (int i = 0; i <= 13; ++i) {
+    for (int c = 0; c < 3; ++c) BOOST_TEST(full.sphere(0, i).pose.position[c] == alone.sphere(0, i).pose.position[c]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
+  BOOST_CHECK_THROW(dem::lane_kernel({3, dem::BondForm::incremental, true, true, true}, dem::InstructionSet::scalar),
+                    dem::InvalidInput);
+  const std::vector<dem::Chain<2>> different{marching::odd_chain<2>(1, 0, false),
+                                             dem::straight_chain<2>({marching::odd_fiber(1, 0).material, 0.01, 7})};
+  BOOST_CHECK_THROW(marching::block_of(different, {true, false}, {2, dem::BondForm::total, false, false, false},
+                                       dem::InstructionSet::sse2), dem::InvalidInput);
+}
