@@ -156,7 +156,8 @@ CsvDocument read_csv(std::istream& input, const std::string& name) {
 
 CsvDocument read_csv(const std::filesystem::path& path) {
   std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) throw InputError(path.string() + ": cannot read this file");
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError(path.string() + ": cannot read this file");
   return read_csv(file, path.string());
 }
 

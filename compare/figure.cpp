@@ -65,7 +65,8 @@ std::string_view dash_type(Dash dash) {
 }
 
 std::string data_of(const Series& series) {
-  if (series.x.size() != series.y.size()) throw FigureError("series '" + series.label + "': x and y differ in length");
+  if (series.x.size() != series.y.size())
+    throw FigureError("series '" + series.label + "': x and y differ in length");
   std::string text;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const bool finite = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
@@ -74,10 +75,66 @@ std::string data_of(const Series& series) {
   return text;
 }
 
-std::string axis_commands(char name, const Axis& axis) {
+/// Finite values of one coordinate, above 0 where the axis is logarithmic: lowest and highest.
+std::optional<std::pair<double, double>> extent(const Figure& figure, std::vector<double> Series::*coordinate,
+                                                bool logarithmic) {
+  std::optional<std::pair<double, double>> found;
+  for (const Series& series : figure.series) {
+    for (const double value : series.*coordinate) {
+      if (!std::isfinite(value) || (logarithmic && !(value > 0))) continue;
+      if (!found) found = {value, value};
+      found = {std::min(found->first, value), std::max(found->second, value)};
+    }
+  }
+  return found;
+}
+
+/// Ticks of a logarithmic axis: powers of ten, or 1, 2, 5, 10 ... where it spans few of them.
+std::string logarithmic_ticks(char name, double low, double high) {
+  std::string text = fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '10^{{%T}}'\n", name);
+  if (high / low > 3000) return text;
+  std::vector<std::string> ticks;
+  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10) {
+    for (const double digit : {1, 2, 5}) ticks.push_back(fmt::format("{:.6g}", digit * power));
+  }
+  return text + fmt::format("set {0}tics ({1})\nset format {0} '%g'\n", name, fmt::join(ticks, ", "));
+}
+
+std::string axis_commands(char name, const Axis& axis, std::optional<std::pair<double, double>> data) {
   std::string text = fmt::format("set {}label {}\n", name, quoted(axis.label));
-  if (axis.logarithmic) text += fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '10^{{%T}}'\n", name);
-  if (axis.range) text += fmt::format("set {}range [{}:{}]\n", name, axis.range->first, axis.range->second);
+  auto range = axis.range;
+  if (axis.logarithmic && data) {
+    if (!range) range = {data->first / 1.25, data->second * 1.25};
+    text += logarithmic_ticks(name, range->first, range->second);
+  }
+  if (range) text += fmt::format("set {}range [{}:{}]\n", name, range->first, range->second);
+  return text;
+}
+
+/// Letters of a label as drawn: enhanced notation left out.
+std::size_t drawn_length(const std::string& label) {
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    if (label[i] == '{' && i + 1 < label.size() && label[i + 1] == '/') {
+      i = std::min(label.find(' ', i), label.size() - 1);
+    } else if (std::string_view("{}^_").find(label[i]) == std::string_view::npos &&
+               (static_cast<unsigned char>(label[i]) & 0xc0) != 0x80) {
+      ++length;
+    }
+  }
+  return length;
+}
+
+/// Beside the axes if its labels are short, else below them.
+std::string legend_commands(const Figure& figure) {
+  std::size_t longest = drawn_length(figure.legend_title);
+  for (const Series& series : figure.series) longest = std::max(longest, drawn_length(series.label));
+  const bool beside = longest <= 16;
+  std::string text =
+      beside ? "set key outside right top" : "set key outside bottom center horizontal maxcols 2";
+  text += " Left reverse samplen 2.2 spacing 1.25 font ',11'\n";
+  if (!figure.legend_title.empty())
+    text += fmt::format("set key title {} left\n", quoted(figure.legend_title));
   return text;
 }
 
@@ -86,14 +143,14 @@ std::string plot_command(const Figure& figure) {
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const Series& series = figure.series[i];
     const std::string title = series.label.empty() ? "notitle" : "title " + quoted(series.label);
-    curves.push_back(fmt::format("$d{} with {} lc rgb '{}' lw 1.8 dt {} pt {} ps 0.75 {}", i, with(series.mark),
-                                 color_of(figure, i), dash_type(series.dash),
+    curves.push_back(fmt::format("$d{} with {} lc rgb '{}' lw 1.8 dt {} pt {} ps 0.75 {}", i,
+                                 with(series.mark), color_of(figure, i), dash_type(series.dash),
                                  kPointTypes[place_of(figure, i) % kPointTypes.size()], title));
   }
   return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
 }
 
-/// Everything but the terminal: quiet grid, thin gray frame, legend outside the axes.
+/// Everything but the terminal: quiet grid, thin gray frame, title at the left, legend outside the axes.
 std::string commands(const Figure& figure) {
   std::string text = "set encoding utf8\n";
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
@@ -101,12 +158,16 @@ std::string commands(const Figure& figure) {
   }
   text +=
       "set border 3 lc rgb '#444444' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
-      "set grid lc rgb '#d8d8d8' lw 1 dt solid\nset bmargin 3.6\nset key outside right top Left reverse samplen 2.2 spacing 1.25\n";
-  text += fmt::format("set title {} font ',15' offset 0,-0.2\n", quoted(figure.title));
-  if (!figure.legend_title.empty()) text += fmt::format("set key title {} left\n", quoted(figure.legend_title));
-  text += axis_commands('x', figure.x) + axis_commands('y', figure.y);
+      "set grid lc rgb '#d8d8d8' lw 1 dt solid\nset tmargin 3.2\n";
+  text +=
+      fmt::format("set label {} at screen 0.02, screen 0.955 left font ',14' front\n", quoted(figure.title));
+  text += legend_commands(figure);
+  text += axis_commands('x', figure.x, extent(figure, &Series::x, figure.x.logarithmic));
+  text += axis_commands('y', figure.y, extent(figure, &Series::y, figure.y.logarithmic));
+  if (figure.equal_axes) text += "set size ratio -1\n";
   for (const Annotation& note : figure.annotations) {
-    text += fmt::format("set label {} at {},{} textcolor rgb '#444444' front\n", quoted(note.text), note.x, note.y);
+    text += fmt::format("set label {} at {},{} textcolor rgb '#444444' front\n", quoted(note.text), note.x,
+                        note.y);
   }
   return text + plot_command(figure);
 }
@@ -115,18 +176,21 @@ std::string commands(const Figure& figure) {
 
 std::string to_svg(const Figure& figure, const Provenance& provenance) {
   const std::string terminal =
-      "set terminal svg size 800,500 dynamic enhanced font 'DejaVu Sans,Helvetica,sans-serif,13' background 'white'\n";
+      "set terminal svg size 800,500 dynamic enhanced font 'DejaVu Sans,Helvetica,sans-serif,12' background "
+      "'white'\n";
   return with_svg_metadata(run_gnuplot(terminal + commands(figure)), provenance);
 }
 
 std::string to_png(const Figure& figure, const Provenance& provenance) {
   const std::string terminal =
-      "set terminal pngcairo size 1600,1000 enhanced font 'DejaVu Sans,13' fontscale 2 linewidth 2 pointscale 2 "
+      "set terminal pngcairo size 1280,800 enhanced font 'DejaVu Sans,12' fontscale 1.6 linewidth 1.6 "
+      "pointscale 1.6 "
       "background rgb 'white'\n";
   return with_png_metadata(run_gnuplot(terminal + commands(figure)), provenance);
 }
 
-std::vector<OutputFile> figure_files(const std::string& name, const Figure& figure, const Provenance& provenance) {
+std::vector<OutputFile> figure_files(const std::string& name, const Figure& figure,
+                                     const Provenance& provenance) {
   return {{name + ".svg", to_svg(figure, provenance)}, {name + ".png", to_png(figure, provenance)}};
 }
 

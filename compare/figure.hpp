@@ -45,14 +45,15 @@ struct Figure {
   std::vector<Series> series;
   std::vector<Annotation> annotations = {};
   std::string legend_title = {};
-  bool ordered = false;  ///< the series are steps of one quantity: colors run from dark to light
+  bool ordered = false;     ///< the series are steps of one quantity: colors run from dark to light
+  bool equal_axes = false;  ///< one unit is as long on y as on x
 };
 
 /// The figure as SVG with its provenance as <metadata>.
 /// @throws FigureError if gnuplot is missing or refuses, or if x and y differ in length
 std::string to_svg(const Figure& figure, const Provenance& provenance);
 
-/// The figure as PNG, 1600 x 1000, with its provenance as tEXt chunks.
+/// The figure as PNG, 1280 x 800, with its provenance as tEXt chunks.
 /// @throws FigureError as above
 std::string to_png(const Figure& figure, const Provenance& provenance);
 

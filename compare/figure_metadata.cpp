@@ -40,7 +40,8 @@ std::string big_endian(std::uint32_t value) {
 
 /// PNG chunk: length, type, data, CRC of type and data (PNG specification, 5.3).
 std::string text_chunk(const std::string& keyword, std::string value) {
-  std::ranges::replace_if(value, [](unsigned char c) { return c >= 0x80; }, '?');
+  std::ranges::replace_if(
+      value, [](unsigned char c) { return c >= 0x80; }, '?');
   const std::string body = "tEXt" + keyword + '\0' + value;
   boost::crc_32_type crc;
   crc.process_bytes(body.data(), body.size());
@@ -56,7 +57,8 @@ std::string with_svg_metadata(std::string svg, const Provenance& provenance) {
     throw FigureError("gnuplot wrote no whole SVG");
   }
   std::string metadata = "\n<metadata>\n";
-  for (const auto& [key, value] : entries(provenance)) metadata += fmt::format("{}: {}\n", key, xml_escaped(value));
+  for (const auto& [key, value] : entries(provenance))
+    metadata += fmt::format("{}: {}\n", key, xml_escaped(value));
   return svg.insert(end + 1, metadata + "</metadata>");
 }
 

@@ -30,7 +30,8 @@ std::string content_of(std::FILE* file) {
   std::string content;
   std::rewind(file);
   std::array<char, 65536> block;
-  while (const std::size_t n = std::fread(block.data(), 1, block.size(), file)) content.append(block.data(), n);
+  while (const std::size_t n = std::fread(block.data(), 1, block.size(), file))
+    content.append(block.data(), n);
   return content;
 }
 
@@ -55,8 +56,9 @@ int gnuplot_status(std::FILE* input, std::FILE* output, std::FILE* errors) {
   const int failed = ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   if (failed) {
-    throw FigureError(fmt::format("cannot run gnuplot, which draws the figures: {} (Debian package gnuplot-nox)",
-                                  std::strerror(failed)));
+    throw FigureError(
+        fmt::format("cannot run gnuplot, which draws the figures: {} (Debian package gnuplot-nox)",
+                    std::strerror(failed)));
   }
   return wait_for(child);
 }
@@ -67,7 +69,8 @@ std::string run_gnuplot(const std::string& script) {
   const File input = temporary_file();
   const File output = temporary_file();
   const File errors = temporary_file();
-  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0) {
+  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
+      std::fflush(input.get()) != 0) {
     throw FigureError(fmt::format("no room for gnuplot's script: {}", std::strerror(errno)));
   }
   std::rewind(input.get());
@@ -75,7 +78,8 @@ std::string run_gnuplot(const std::string& script) {
   std::string drawn = content_of(output.get());
   if (status != 0 || drawn.empty()) {
     std::string said = content_of(errors.get());
-    std::ranges::replace_if(said, [](unsigned char c) { return c < 0x20; }, ' ');
+    std::ranges::replace_if(
+        said, [](unsigned char c) { return c < 0x20; }, ' ');
     throw FigureError(fmt::format("gnuplot failed (status {}): {}", status, said.substr(0, 400)));
   }
   return drawn;

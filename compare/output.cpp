@@ -75,7 +75,8 @@ void flush_directory(const std::filesystem::path& path) {
 OutputDirectory::OutputDirectory(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
-  if (!error && !std::filesystem::is_directory(path_)) error = std::make_error_code(std::errc::not_a_directory);
+  if (!error && !std::filesystem::is_directory(path_))
+    error = std::make_error_code(std::errc::not_a_directory);
   if (error) throw OutputError(path_.string(), error.message());
   StagedFile probe(path_ / "probe", "");  // the one sure way to know that files can be made here
 }

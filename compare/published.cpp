@@ -25,15 +25,16 @@ void check_unique(const std::vector<PublishedValue>& values, const PublishedValu
 void read_into(std::vector<PublishedValue>& values, const fs::path& file) {
   const CsvDocument document = read_csv(file);
   const Table& table = document.table;
-  for (const char* column : {"id", "feature", "quantity", "value", "unit", "source", "page_or_figure", "statement"}) {
+  for (const char* column :
+       {"id", "feature", "quantity", "value", "unit", "source", "page_or_figure", "statement"}) {
     if (std::ranges::find(table.columns(), column) == table.columns().end()) {
       throw InputError(fmt::format("{}: column {} is missing", file.string(), column));
     }
   }
   for (std::size_t row = 0; row < table.rows().size(); ++row) {
     const auto text = [&](const char* column) { return table.text(row, column); };
-    PublishedValue next{text("id"),     text("feature"),        text("quantity"), table.number(row, "value"), text("unit"),
-                        text("source"), text("page_or_figure"), text("statement")};
+    PublishedValue next{text("id"),   text("feature"), text("quantity"),       table.number(row, "value"),
+                        text("unit"), text("source"),  text("page_or_figure"), text("statement")};
     check_unique(values, next, fmt::format("{}:{}", file.string(), document.lines[row]));
     values.push_back(std::move(next));
   }
@@ -57,7 +58,8 @@ fs::path find_data_directory(const std::optional<fs::path>& asked) {
     if (fs::is_directory(place / "published", error)) return place;
   }
   std::string tried;
-  for (const fs::path& place : places) tried += (tried.empty() ? "" : " or ") + place.lexically_normal().string();
+  for (const fs::path& place : places)
+    tried += (tried.empty() ? "" : " or ") + place.lexically_normal().string();
   throw InputError("no directory 'published' with the published values in " + tried);
 }
 

@@ -18,7 +18,8 @@ constexpr double kMostValues = 100000;  // of one range: beyond it the option is
 
 std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
   std::vector<std::string_view> parts;
-  for (std::size_t end; (end = text.find(separator)) != text.npos; text.remove_prefix(end + separator.size())) {
+  for (std::size_t end; (end = text.find(separator)) != text.npos;
+       text.remove_prefix(end + separator.size())) {
     parts.push_back(text.substr(0, end));
   }
   parts.push_back(text);
@@ -28,23 +29,16 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 /// What every message about one option needs.
 struct Option {
   std::string_view name;
-  Allowed allowed;
+  Interval allowed;
 
   [[noreturn]] void fail(std::string_view value, const std::string& reason) const {
     throw InputError(fmt::format("{}: '{}' {}", name, value, reason));
   }
 
-  std::string bounds() const {
-    return fmt::format("allowed: {}{}, {}{}", allowed.low_open ? "(" : "[", allowed.low, allowed.high,
-                       allowed.high_open ? ")" : "]");
-  }
-
   double number(std::string_view text) const {
     const auto value = parse_number(text);
     if (!value) fail(text, "is no number, list or range such as 0.5,6 or 5..60:5 or 0.05..10:log:12");
-    const bool below = allowed.low_open ? !(*value > allowed.low) : !(*value >= allowed.low);
-    const bool above = allowed.high_open ? !(*value < allowed.high) : !(*value <= allowed.high);
-    if (below || above || !std::isfinite(*value)) fail(text, "is out of range; " + bounds());
+    if (!allowed.holds(*value)) fail(text, "is out of range; allowed: a number " + describe(allowed));
     return *value;
   }
 };
@@ -98,7 +92,7 @@ std::vector<double> range(const Option& option, std::string_view item) {
 
 }  // namespace
 
-std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Allowed& allowed) {
+std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Interval& allowed) {
   const Option option{name, allowed};
   std::vector<double> values;
   for (const std::string_view item : split(text, ",")) {
@@ -109,7 +103,7 @@ std::vector<double> parse_numbers(std::string_view name, std::string_view text, 
   return values;
 }
 
-std::vector<int> parse_integers(std::string_view name, std::string_view text, const Allowed& allowed) {
+std::vector<int> parse_integers(std::string_view name, std::string_view text, const Interval& allowed) {
   const Option option{name, allowed};
   std::vector<int> values;
   for (const double value : parse_numbers(name, text, allowed)) {

@@ -21,7 +21,8 @@ Cell fitted(const Column& column, const Cell& cell) {
     throw TableError(fmt::format("column '{}' holds {}s only", column.name, to_string(column.kind)));
   }
   if (column.kind != CellKind::number) return cell;
-  const double value = is_integer ? static_cast<double>(std::get<std::int64_t>(cell)) : std::get<double>(cell);
+  const double value =
+      is_integer ? static_cast<double>(std::get<std::int64_t>(cell)) : std::get<double>(cell);
   return std::isnan(value) ? Cell(Missing{}) : Cell(value);
 }
 

@@ -50,7 +50,10 @@ void read_bond(const Section& top, CantileverScene& scene) {
     const bool paper = section.choice("model", {"paper", "corrected"}) == 0;
     scene.fiber.bond_model = paper ? BondModel::paper : BondModel::corrected;
   }
-  if (section.has("form")) scene.form = static_cast<Form>(section.choice("form", {"total", "incremental"}));
+  if (section.has("form")) {
+    const bool total = section.choice("form", {"total", "incremental"}) == 0;
+    scene.march.form = total ? BondForm::total : BondForm::incremental;
+  }
   if (section.has("damping")) scene.fiber.bond_damping = section.number("damping", kNonNegative);
 }
 
@@ -76,17 +79,35 @@ void read_load(const Section& top, CantileverScene& scene) {
   if (section.has("direction")) scene.direction = read_direction(section, scene.dimension);
 }
 
+void read_march(const Section& top, MarchOptions& march) {
+  constexpr Interval kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
+  const Section section =
+      top.section("march", {"bond_damping", "drag", "step_ratio", "ramp_periods", "residual", "max_periods"});
+  const auto read = [&](const char* key, double& value, const Interval& allowed) {
+    if (section.has(key)) value = section.number(key, allowed);
+  };
+  read("bond_damping", march.bond_damping, kNonNegative);
+  read("drag", march.drag, kNonNegative);
+  if (section.has("step_ratio")) march.step_ratio = section.number("step_ratio", kPositive);
+  read("ramp_periods", march.ramp_periods, kNonNegative);
+  read("residual", march.residual, kFraction);
+  read("max_periods", march.max_periods, kPositive);
+  if (march.bond_damping == 0 && march.drag == 0)
+    top.fail("march", "needs bond_damping or drag above 0 to come to rest");
+}
+
 void read_method(const Section& top, CantileverScene& scene) {
   if (top.has("method")) scene.method = static_cast<Method>(top.choice("method", {"solve", "march"}));
-  if (!top.has("march")) return;
-  if (scene.method != Method::march) top.fail("march", "is of use only with 'method: march'");
-  const Section section = top.section("march", {"step_ratio", "residual", "ramp_time"});
-  MarchSettings& march = scene.march;
-  if (section.has("step_ratio"))
-    march.step_ratio = section.number("step_ratio", {.low = 0, .high = 1, .low_open = true});
-  if (section.has("residual"))
-    march.residual = section.number("residual", {.low = 0, .high = 1, .low_open = true});
-  if (section.has("ramp_time")) march.ramp_time = section.quantity("ramp_time", "s", kPositive);
+  if (scene.method == Method::march) {
+    if (top.has("march")) read_march(top, scene.march);
+    return;
+  }
+  if (top.has("march")) top.fail("march", "is of use only with 'method: march'");
+  if (scene.march.form == BondForm::incremental) {
+    top.fail(
+        "method",
+        "'solve' finds the equilibrium of the total form; the incremental one depends on its path: march");
+  }
 }
 
 CantileverScene read_cantilever(const Section& top) {

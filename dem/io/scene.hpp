@@ -2,10 +2,11 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
+#include "dem/equilibrium/march.hpp"
 #include "dem/fiber.hpp"
 #include "dem/io/scene_error.hpp"
 
@@ -13,15 +14,12 @@
 namespace fiberchain::dem::io {
 
 enum class Dimension { planar, spatial };
-enum class Form { total, incremental };
 enum class Method { solve, march };
 
-/// How a march to the equilibrium goes.
-struct MarchSettings {
-  double step_ratio = 0.2;                         ///< dt / t_b [-]
-  double residual = 1e-10;                         ///< stop when the imbalance over the load is below [-]
-  std::optional<double> ramp_time = std::nullopt;  ///< time over which the load grows [s]; chosen if not set
-};
+constexpr std::string_view name(Dimension dimension) {
+  return dimension == Dimension::planar ? "planar" : "spatial";
+}
+constexpr std::string_view name(Method method) { return method == Method::solve ? "solve" : "march"; }
 
 /// A straight fiber, clamped at its first sphere, with a dead load at its last.
 struct CantileverScene {
@@ -29,9 +27,8 @@ struct CantileverScene {
   Fiber fiber;
   double load;                                  ///< P L^2 / (E I) [-]
   std::array<double, 3> direction = {0, 1, 0};  ///< of the load, unit vector; the fiber lies along x
-  Form form = Form::total;
   Method method = Method::solve;
-  MarchSettings march = {};
+  MarchOptions march = {};  ///< with the form of the bond law; solving has the total form only
 };
 
 using Scene = std::variant<CantileverScene>;

@@ -8,21 +8,12 @@
 #include <set>
 #include <utility>
 
+#include "dem/io/document.hpp"
 #include "dem/io/numbers.hpp"
 #include "dem/io/scene_error.hpp"
 
 namespace fiberchain::dem::io {
 namespace {
-
-/// Text of a user's file as it may stand in a one-line message: short and printable.
-std::string printable(std::string text) {
-  constexpr std::size_t kLongest = 60;
-  const auto is_odd = [](unsigned char c) { return c < 0x20 || c == 0x7f || c >= 0x80; };
-  const bool cut = text.size() > kLongest;
-  text.resize(std::min(text.size(), kLongest));
-  std::ranges::replace_if(text, is_odd, '?');
-  return cut ? text + "..." : text;
-}
 
 /// Number of single letters to insert, delete or replace to make one word of the other (Levenshtein).
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -46,24 +37,10 @@ std::string nearest(const std::string& key, const std::vector<std::string>& keys
   return fmt::format("allowed: {}", fmt::join(keys, ", "));
 }
 
-YAML::Node only_document(const std::string& text, const std::string& name) {
-  try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty() || documents[0].IsNull()) throw SceneError(name + ": holds no scene: it is empty");
-    if (documents.size() > 1)
-      throw SceneError(fmt::format("{}: holds {} documents, not one", name, documents.size()));
-    return documents[0];
-  } catch (const YAML::DeepRecursion&) {
-    throw SceneError(name + ": is nested too deeply");
-  } catch (const YAML::Exception& error) {
-    throw SceneError(fmt::format("{}:{}: is no YAML: {}", name, error.mark.line + 1, printable(error.msg)));
-  }
-}
-
 }  // namespace
 
 Section::Section(const std::string& text, std::string name)
-    : node_(only_document(text, name)), mark_(node_.Mark()), name_(std::move(name)) {
+    : node_(read_document(text, name)), mark_(node_.Mark()), name_(std::move(name)) {
   if (!node_.IsMap()) fail("", "must be a mapping of keys and values");
   try {
     units_ = std::make_shared<const Units>();
@@ -161,6 +138,7 @@ void Section::fail(const std::string& key, const std::string& message) const {
 }
 
 YAML::Mark Section::mark_of(const std::string& key) const {
+  if (!node_.IsMap()) return mark_;
   for (const auto& entry : node_) {
     if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.first.Mark();
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 #include <array>

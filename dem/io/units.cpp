@@ -49,7 +49,7 @@ double Units::to_si(std::string_view text, std::string_view si) const {
 
 double Units::factor(std::string_view unit, std::string_view si) const {
   const Unit from = parse_unit(system_.get(), unit);
-  if (!from) throw UnitError(fmt::format("has an unknown unit '{}'; allowed: {} and its like", unit, si));
+  if (!from) throw UnitError(fmt::format("has an unknown unit; allowed: {} and its like", si));
   const Unit to = parse_unit(system_.get(), si);
   const Converter converter(::ut_get_converter(from.get(), to.get()), &::cv_free);
   // UDUNITS converts reciprocals, logarithms and offset scales too: only a factor will do here.

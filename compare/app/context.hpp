@@ -1,0 +1,33 @@
+#pragma once
+
+#include <spdlog/logger.h>
+
+#include <memory>
+#include <ostream>
+
+#include "compare/progress.hpp"
+#include "compare/provenance.hpp"
+
+namespace fiberchain::app {
+
+/// What a command works in.
+struct Context {
+  compare::Provenance provenance;
+  std::ostream& out;                    ///< standard output: results and nothing else
+  std::ostream& bar;                    ///< standard error, for progress bars
+  std::shared_ptr<spdlog::logger> log;  ///< messages, to standard error
+  bool watched;                         ///< whether someone watches standard error: progress bars make sense
+
+  /// A bar of `total` units if someone watches.
+  std::unique_ptr<compare::Progress> progress(std::size_t total) const {
+    return watched ? std::make_unique<compare::Progress>(bar, total) : std::make_unique<compare::Progress>();
+  }
+};
+
+/// Exit statuses of the program.
+inline constexpr int kSuccess = 0;
+inline constexpr int kCheckFailed = 1;  ///< a row that must hold does not
+inline constexpr int kBadInput = 2;     ///< usage, scene or data
+inline constexpr int kRunFailed = 3;    ///< divergence, no convergence, files that cannot be written
+
+}  // namespace fiberchain::app

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+#include <spdlog/sinks/ostream_sink.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+
+#include "compare/app/command_line.hpp"
+#include "compare/app/commands.hpp"
+#include "compare/errors.hpp"
+#include "dem/errors.hpp"
+#include "dem/io/scene_error.hpp"
+
+namespace {
+
+using namespace fiberchain;
+using namespace fiberchain::app;
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+int dispatch(const Request& request, Context& context) {
+  return std::visit(
+      Overloaded{[&](const Message& message) {
+                   context.out << message.text;
+                   return kSuccess;
+                 },
+                 [&](const ColumnsOptions& options) { return run_columns(options, context); },
+                 [&](const RunOptions& options) { return run_scene(options, context); },
+                 [&](const TablesStaticOptions& options) { return run_tables_static(options, context); },
+                 [&](const ValidateOptions& options) { return run_validate(options, context); }},
+      request);
+}
+
+/// Messages as "fiberchain: text", warnings and errors with their level.
+std::shared_ptr<spdlog::logger> make_log() {
+  auto log = std::make_shared<spdlog::logger>("fiberchain",
+                                              std::make_shared<spdlog::sinks::ostream_sink_st>(std::cerr));
+  log->set_pattern("%n: %v");
+  return log;
+}
+
+int report(const std::exception& error, int status) {
+  std::string message = error.what();
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return c < 0x20; }, ' ');
+  std::cerr << "fiberchain: error: " << message << std::endl;
+  return status;
+}
+
+int run(const std::vector<std::string>& command_line) {
+  Context context{compare::collect_provenance(command_line), std::cout, std::cerr, make_log(),
+                  compare::someone_watches()};
+  const int status = dispatch(parse_command_line({command_line.begin() + 1, command_line.end()}), context);
+  if (!std::cout.flush()) throw compare::OutputError("standard output", "is it closed, or its disk full?");
+  return status;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit shall be an error of the write, not the end
+  try {
+    return run({arguments, arguments + count});
+  } catch (const compare::InputError& error) {
+    return report(error, kBadInput);
+  } catch (const dem::io::SceneError& error) {
+    return report(error, kBadInput);
+  } catch (const dem::InvalidInput& error) {
+    return report(error, kBadInput);
+  } catch (const std::exception& error) {
+    return report(error, kRunFailed);
+  }
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/app/context.hpp"
+#include "compare/app/options.hpp"
+#include "compare/figure.hpp"
+#include "compare/output.hpp"
+#include "compare/table.hpp"
+
+namespace fiberchain::app {
+
+/// What a command found.
+struct Results {
+  std::string name;     ///< of the files: NAME.csv, NAME.md
+  std::string heading;  ///< of the Markdown
+  compare::Table table;
+  std::vector<std::pair<std::string, compare::Table>> more_tables = {};  ///< as NAME.csv only, by name
+  std::vector<std::pair<std::string, compare::Figure>> figures = {};     ///< by name: NAME.svg, NAME.png
+};
+
+/// The directory the results will go to, made now so that a run does not end in vain; nothing if the
+/// options want no files: --json without --out.
+/// @throws compare::OutputError if it cannot be written to
+std::optional<compare::OutputDirectory> open_output(const OutputOptions& options);
+
+/// Writes the files (CSV, Markdown, SVG, PNG), all or none, and prints the rows: as JSON if asked for,
+/// else `shown` as Markdown.
+/// @throws compare::OutputError, compare::FigureError
+void deliver(const Results& results, const compare::Table& shown, const OutputOptions& options,
+             const std::optional<compare::OutputDirectory>& directory, Context& context);
+
+}  // namespace fiberchain::app
