@@ -4,14 +4,23 @@
 #include "compare/app/results.hpp"
 #include "compare/matrix.hpp"
 #include "compare/published.hpp"
+#include "compare/validation.hpp"
 
 namespace fiberchain::app {
 namespace {
 
 /// The rows of every part of the program, in the order of the matrix.
-std::vector<compare::MatrixRow> all_rows(const std::vector<compare::PublishedValue>&, const ValidateOptions&,
-                                         const Context&) {
-  return {};
+std::vector<compare::MatrixRow> all_rows(const std::vector<compare::PublishedValue>& published,
+                                         const ValidateOptions& options, const Context& context) {
+  const compare::ValidationInput input{published, options.output.jobs};
+  const auto& steps = compare::validation_steps();
+  const auto progress = context.progress(steps.size());
+  std::vector<compare::MatrixRow> all;
+  for (const compare::ValidationStep& step : steps) {
+    for (compare::MatrixRow& row : step.rows(input)) all.push_back(std::move(row));
+    progress->advance();
+  }
+  return all;
 }
 
 void log_summary(const std::vector<compare::MatrixRow>& rows, const Context& context) {
