@@ -30,8 +30,9 @@ void start_block(const LaneBlock& block) {
   start_march<P, Real>(typed<P, Real>(block));
 }
 
+/// Flattened: a call inside the loop would pass its vectors through memory.
 template <Physics P, class Real>
-void march_block(const LaneBlock& block, double steps_before, int steps) {
+__attribute__((flatten)) void march_block(const LaneBlock& block, double steps_before, int steps) {
   const ChainBlock<P, Real> chain = typed<P, Real>(block);
   for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n);
 }
