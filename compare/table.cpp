@@ -12,7 +12,7 @@
 namespace fiberchain::compare {
 namespace {
 
-/// The cell as its column wants it: an integer in a number's place becomes a number, a NaN Missing.
+/// The cell as its column wants it: an integer in a number's place becomes a number; NaN and "" become Missing.
 Cell fitted(const Column& column, const Cell& cell) {
   if (std::holds_alternative<Missing>(cell)) return cell;
   const bool is_text = std::holds_alternative<std::string>(cell);
@@ -20,6 +20,7 @@ Cell fitted(const Column& column, const Cell& cell) {
   if (is_text != (column.kind == CellKind::text) || (column.kind == CellKind::integer && !is_integer)) {
     throw TableError(fmt::format("column '{}' holds {}s only", column.name, to_string(column.kind)));
   }
+  if (is_text && std::get<std::string>(cell).empty()) return Missing{};
   if (column.kind != CellKind::number) return cell;
   const double value =
       is_integer ? static_cast<double>(std::get<std::int64_t>(cell)) : std::get<double>(cell);

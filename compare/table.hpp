@@ -14,7 +14,7 @@ struct Missing {
   friend bool operator==(Missing, Missing) = default;
 };
 
-/// One value. Quantities that do not exist for a row (or a NaN) are Missing.
+/// One value. Quantities that do not exist for a row (a NaN, an empty text) are Missing.
 using Cell = std::variant<Missing, double, std::int64_t, std::string>;
 
 /// A row by column name; columns it leaves out are Missing.

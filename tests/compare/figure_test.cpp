@@ -1,0 +1,104 @@
+#define BOOST_TEST_MODULE figure
+#include "compare/figure.hpp"
+
+#include <stdlib.h>
+
+#include <boost/crc.hpp>
+#include <boost/endian/conversion.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "compare/errors.hpp"
+#include "compare/figure_metadata.hpp"
+#include "compare/gnuplot.hpp"
+
+using namespace fiberchain::compare;
+using namespace std::string_view_literals;
+
+namespace {
+
+Figure example() {
+  return {.title = "It's a 'test' of {/:Italic r_f}",
+          .x = {.label = "load", .logarithmic = true},
+          .y = {.label = "departure", .range = std::pair{0.0, 0.5}},
+          .series = {{.label = "a < b", .x = {0.1, 1, 10}, .y = {0.1, std::nan(""), 0.3}},
+                     {.label = "", .x = {0.2, 2}, .y = {0.3, 0.2}, .mark = Mark::points}},
+          .annotations = {{"here", 1, 0.2}}};
+}
+
+Provenance provenance() {
+  Provenance p;
+  p.commit = "abc";
+  p.command = "x <é> & y";
+  return p;
+}
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+/// The tEXt chunks of a PNG; every chunk's length and CRC must be right.
+std::vector<std::string> text_chunks(const std::string& png) {
+  std::vector<std::string> texts;
+  std::size_t at = 8;
+  while (at + 12 <= png.size()) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(png.data()) + at;
+    const std::size_t length = boost::endian::load_big_u32(bytes);
+    BOOST_REQUIRE(at + 12 + length <= png.size());
+    boost::crc_32_type crc;
+    crc.process_bytes(bytes + 4, length + 4);
+    BOOST_TEST(crc.checksum() == boost::endian::load_big_u32(bytes + 8 + length));
+    if (png.compare(at + 4, 4, "tEXt") == 0) texts.push_back(png.substr(at + 8, length));
+    at += 12 + length;
+  }
+  BOOST_TEST(at == png.size());
+  return texts;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(svg_is_whole_and_carries_its_provenance) {
+  const std::string svg = to_svg(example(), provenance());
+  BOOST_TEST(count(svg, "</svg>") == 1);
+  BOOST_TEST(
+      svg.find("<metadata>\nprogram: fiberchain\ncommit: abc\ncommand: x &lt;é&gt; &amp; y\n</metadata>") !=
+      std::string::npos);
+  BOOST_TEST(svg.find("a &lt; b") != std::string::npos);
+  BOOST_TEST(svg.find("It's a 'test' of ") != std::string::npos);
+  BOOST_TEST(svg.find("here") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(png_is_whole_and_carries_its_provenance) {
+  const std::string png = to_png(example(), provenance());
+  BOOST_TEST(png.starts_with("\x89PNG\r\n\x1a\n"sv));
+  const auto texts = text_chunks(png);
+  BOOST_TEST(texts.size() == 3);
+  BOOST_TEST(texts[1] == "fiberchain:commit\0abc"sv);
+  BOOST_TEST(texts[2] == "fiberchain:command\0x <?" "?> & y"sv);
+}
+
+// Series 1: two finite points of three, and its mark in the legend; series 2: two points and no legend.
+BOOST_AUTO_TEST_CASE(every_finite_point_is_drawn_and_no_other) {
+  const std::string svg = to_svg(example(), {});
+  BOOST_TEST(count(svg, "<use xlink:href='#gpPt6' transform='translate") == 3);
+  BOOST_TEST(count(svg, "<use xlink:href='#gpPt4' transform='translate") == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_that_makes_no_sense_is_refused) {
+  Figure figure = example();
+  figure.series[0].y.pop_back();
+  BOOST_CHECK_THROW(to_svg(figure, {}), FigureError);
+  BOOST_CHECK_THROW(run_gnuplot("plot nonsense here\n"), FigureError);
+  BOOST_CHECK_THROW(run_gnuplot(""), FigureError);
+  BOOST_CHECK_THROW(with_svg_metadata("<html></html>", {}), FigureError);
+  BOOST_CHECK_THROW(with_png_metadata("GIF89a", {}), FigureError);
+}
+
+BOOST_AUTO_TEST_CASE(without_gnuplot_the_error_says_what_to_install) {
+  ::setenv("PATH", "/nonexistent", 1);
+  BOOST_CHECK_EXCEPTION(to_svg(example(), {}), FigureError, [](const FigureError& error) {
+    return std::string(error.what()).find("gnuplot-nox") != std::string::npos;
+  });
+}

@@ -1,0 +1,114 @@
+#define BOOST_TEST_MODULE output
+#include "compare/output.hpp"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+
+#include "compare/errors.hpp"
+
+using namespace fiberchain::compare;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An empty directory that goes when the test ends.
+struct Scratch {
+  Scratch() : path(fs::temp_directory_path() / ("fiberchain-output-" + std::to_string(::getpid()))) {
+    fs::remove_all(path);
+    fs::create_directory(path);
+  }
+  ~Scratch() { fs::remove_all(path); }
+  fs::path path;
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::size_t entries(const fs::path& path) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+}
+
+/// No file may grow beyond this while it lives, as on a full disk.
+struct SizeLimit {
+  explicit SizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit limit{bytes, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before); }
+  rlimit before{};
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(files_appear_whole_and_nothing_else) {
+  const Scratch scratch;
+  const OutputDirectory directory(scratch.path / "a" / "b");
+  const std::string bytes("x\0y\n", 4);
+  directory.write({{"one.csv", bytes}, {"two.csv", ""}});
+  BOOST_TEST(content(scratch.path / "a/b/one.csv") == bytes);
+  BOOST_TEST(fs::exists(scratch.path / "a/b/two.csv"));
+  BOOST_TEST(entries(scratch.path / "a/b") == 2);
+}
+
+BOOST_AUTO_TEST_CASE(new_results_take_the_place_of_old_ones) {
+  const Scratch scratch;
+  const OutputDirectory directory(scratch.path);
+  directory.write({{"one.csv", "a longer old text"}});
+  directory.write({{"one.csv", "new"}});
+  BOOST_TEST(content(scratch.path / "one.csv") == "new");
+}
+
+BOOST_AUTO_TEST_CASE(files_are_as_readable_as_any_other) {
+  const Scratch scratch;
+  const mode_t before = ::umask(027);
+  OutputDirectory(scratch.path).write({{"one.csv", "x"}});
+  ::umask(before);
+  struct stat status {};
+  BOOST_REQUIRE(::stat((scratch.path / "one.csv").c_str(), &status) == 0);
+  BOOST_TEST((status.st_mode & 0777) == 0640);
+}
+
+// With a limit of 1000 bytes the second file fails: the first, already written, must not replace the old one.
+BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_results_as_they_were) {
+  const Scratch scratch;
+  const OutputDirectory directory(scratch.path);
+  directory.write({{"one.csv", "old one"}, {"two.csv", "old two"}});
+  {
+    const SizeLimit limit(1000);
+    BOOST_CHECK_EXCEPTION(directory.write({{"one.csv", "new one"}, {"two.csv", std::string(5000, 'x')}}),
+                          OutputError, [](const OutputError& error) {
+                            return std::string(error.what()).find("two.csv: File too large") !=
+                                   std::string::npos;
+                          });
+  }
+  BOOST_TEST(content(scratch.path / "one.csv") == "old one");
+  BOOST_TEST(content(scratch.path / "two.csv") == "old two");
+  BOOST_TEST(entries(scratch.path) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_place_that_cannot_be_written_is_refused_at_once) {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "file") << "x";
+  BOOST_CHECK_THROW(OutputDirectory(scratch.path / "file"), OutputError);
+  BOOST_CHECK_THROW(OutputDirectory(scratch.path / "file" / "below"), OutputError);
+  BOOST_CHECK_THROW(OutputDirectory("/proc/fiberchain"), OutputError);
+  BOOST_CHECK_THROW(OutputDirectory(""), OutputError);
+  BOOST_TEST(content(scratch.path / "file") == "x");
+}
+
+BOOST_AUTO_TEST_CASE(a_directory_in_the_place_of_a_file_is_an_error) {
+  const Scratch scratch;
+  fs::create_directory(scratch.path / "one.csv");
+  BOOST_CHECK_THROW(OutputDirectory(scratch.path).write({{"one.csv", "x"}}), OutputError);
+  BOOST_TEST(entries(scratch.path) == 1);
+}
