@@ -37,6 +37,14 @@ double poisson_ratio(const Material& material) {
 
 std::string_view name(BondModel model) { return model == BondModel::paper ? "paper" : "corrected"; }
 
+std::string_view name(DashpotLaw law) {
+  switch (law) {
+    case DashpotLaw::retardation_time: return "retardation_time";
+    case DashpotLaw::bending_only: return "bending_only";
+    default: return "bond_damping";
+  }
+}
+
 void check(const Fiber& fiber) {
   require_positive("youngs_modulus", fiber.material.youngs_modulus);
   require_positive("shear_modulus", fiber.material.shear_modulus);
@@ -48,7 +56,17 @@ void check(const Fiber& fiber) {
   require(fiber.aspect_ratio >= 1, "aspect_ratio", fiber.aspect_ratio, "it must be a whole number, 1 or more");
   require(std::isfinite(fiber.bond_damping) && fiber.bond_damping >= 0, "bond_damping", fiber.bond_damping,
           "it must be finite and 0 or more");
+  require(std::isfinite(fiber.retardation_time) && fiber.retardation_time >= 0, "retardation_time",
+          fiber.retardation_time, "it must be finite and 0 or more");
+  if (fiber.dashpots == DashpotLaw::retardation_time) {
+    require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping, "dashpots set by a retardation time take no xi_b");
+  } else {
+    require(fiber.retardation_time == 0, "retardation_time", fiber.retardation_time,
+            "dashpots set by xi_b take no retardation time");
+  }
 }
+
+bool damped(const Fiber& fiber) { return fiber.bond_damping > 0 || fiber.retardation_time > 0; }
 
 double sphere_radius(const Fiber& fiber) { return fiber.diameter / 2; }
 double bond_length(const Fiber& fiber) { return fiber.diameter; }
@@ -80,11 +98,16 @@ BondStiffness bond_stiffness(const Fiber& fiber) {
 
 BondDashpot bond_dashpot(const Fiber& fiber) {
   const BondStiffness K = bond_stiffness(fiber);
-  const double xi_b = fiber.bond_damping;
+  const double tau = fiber.retardation_time, xi_b = fiber.bond_damping;
+  if (fiber.dashpots == DashpotLaw::retardation_time) {
+    return {tau * K.stretch, tau * K.shear, tau * K.twist, tau * K.bend};
+  }
   const double m = sphere_mass(fiber);
   const double J = sphere_inertia(fiber);
+  const double bend = xi_b * std::sqrt(2 * J * K.bend);
+  if (fiber.dashpots == DashpotLaw::bending_only) return {0, 0, 0, bend};
   return {xi_b * std::sqrt(2 * m * K.stretch), xi_b * std::sqrt(2 * m * K.shear),
-          xi_b * std::sqrt(2 * J * K.twist), xi_b * std::sqrt(2 * J * K.bend)};
+          xi_b * std::sqrt(2 * J * K.twist), bend};
 }
 
 double bond_time_step(const Fiber& fiber) {

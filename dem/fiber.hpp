@@ -25,17 +25,31 @@ enum class BondModel {
 
 std::string_view name(BondModel model);
 
+/// How the dashpots of the bonds are set.
+enum class DashpotLaw {
+  bond_damping,      ///< the paper's xi_b: c = xi_b sqrt(2 m K), with J for the rotations (Eqs 7-10)
+  retardation_time,  ///< one time tau for all: c = tau K, a Kelvin-Voigt material
+  bending_only       ///< the paper's xi_b in bending, no other dashpot
+};
+
+std::string_view name(DashpotLaw law);
+
 /// A straight fiber: aspect_ratio bonds of length 2R join aspect_ratio + 1 touching spheres.
 struct Fiber {
   Material material;
   double diameter;                       ///< d = 2R [m]
   int aspect_ratio;                      ///< r_f = L / d, the number of bonds
   BondModel bond_model = BondModel::paper;
-  double bond_damping = 0.0;             ///< xi_b of Eqs 7-10 [-]
+  double bond_damping = 0.0;             ///< xi_b of Eqs 7-10 [-]; 0 with DashpotLaw::retardation_time
+  DashpotLaw dashpots = DashpotLaw::bond_damping;
+  double retardation_time = 0.0;         ///< tau [s]; 0 unless DashpotLaw::retardation_time
 };
 
+/// Whether any dashpot of the bonds does anything.
+bool damped(const Fiber& fiber);
+
 /// Throws InvalidInput when a value is not finite or makes no physical sense:
-/// E, G, rho, d > 0; -1 < nu <= 0.5; r_f >= 1; xi_b >= 0.
+/// E, G, rho, d > 0; -1 < nu <= 0.5; r_f >= 1; xi_b, tau >= 0, and only the one that the dashpot law uses.
 void check(const Fiber& fiber);
 
 /// Stiffness of one bond (Eqs 3-6).
@@ -46,7 +60,7 @@ struct BondStiffness {
   double bend;     ///< K_bend = pi R^3 E / 8 [N m]
 };
 
-/// Dashpots beside the springs of one bond (Eqs 7-10): xi_b sqrt(2 m K), with J for the rotations.
+/// Dashpots beside the springs of one bond, by the fiber's dashpot law.
 struct BondDashpot {
   double stretch;  ///< [N s/m]
   double shear;    ///< [N s/m]

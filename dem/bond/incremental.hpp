@@ -85,4 +85,42 @@ BondAction<Real, 3> spring_action(const BondParameters<Real>& bond, const BondHi
           scale_about(bond.twist, bending_coefficient(bond, N), e, history.rotation)};
 }
 
+/// Elastic energy of the summed strain [J].
+inline double stored_energy(const BondParameters<double>& bond, const BondHistory<double, 2>& h, const Vec<double, 2>&) {
+  const double N = tension(bond, h.stretch, bend_squared(h.bend));
+  return 0.5 * (N * N / bond.stretch + bond.shear * h.shear * h.shear + bond.bend * bend_squared(h.bend));
+}
+
+inline double stored_energy(const BondParameters<double>& bond, const BondHistory<double, 3>& h,
+                            const Vec<double, 3>& e) {
+  const double stretch = dot(h.displacement, e), twist = dot(h.rotation, e);
+  const double shear_squared = dot(h.displacement, h.displacement) - stretch * stretch;
+  const double bend = dot(h.rotation, h.rotation) - twist * twist;
+  const double N = tension(bond, stretch, bend);
+  return 0.5 * (N * N / bond.stretch + bond.shear * shear_squared + bond.bend * bend + bond.twist * twist * twist);
+}
+
+/// The history with which the incremental form carries the same force and moment as `loads`: where a march of it
+/// starts from an equilibrium. The shear torque of the bond's middle is taken off the moment first.
+inline BondHistory<double, 2> history_of(const BondParameters<double>& bond, const Vec<double, 2>& separation,
+                                         const BondLoads<double, 2>& loads) {
+  const Vec<double, 2> e = unit(separation);
+  const double N = dot(loads.force_on_first, e), Q = cross(e, loads.force_on_first)[0];
+  const double moment = 0.5 * (loads.moment_on_first[0] - loads.moment_on_second[0]);
+  const Vec<double, 1> bend{moment / bending_coefficient(bond, N)};
+  return {N / bond.stretch - bond.rest_length * bond.chord * bend_squared(bend), Q / bond.shear, bend};
+}
+
+inline BondHistory<double, 3> history_of(const BondParameters<double>& bond, const Vec<double, 3>& separation,
+                                         const BondLoads<double, 3>& loads) {
+  const Vec<double, 3> e = unit(separation);
+  const double N = dot(loads.force_on_first, e);
+  const Vec<double, 3> moment = 0.5 * (loads.moment_on_first - loads.moment_on_second);
+  const Vec<double, 3> rotation = scale_about(1 / bond.twist, 1 / bending_coefficient(bond, N), e, moment);
+  const double twist = dot(rotation, e);
+  const double stretch =
+      N / bond.stretch - bond.rest_length * bond.chord * (dot(rotation, rotation) - twist * twist);
+  return {(1 / bond.shear) * (loads.force_on_first - N * e) + stretch * e, rotation};
+}
+
 }  // namespace fiberchain::dem

@@ -90,6 +90,14 @@ MarchResult<Dim> measure(const MarchingBlock<Dim>& block, int index, const Lane<
   return {std::move(poses), std::move(net), residual, speed / scale, lane.time_step, steps};
 }
 
+/// The fiber with the dashpots that settle it.
+Fiber settling_fiber(Fiber fiber, const MarchOptions& options) {
+  fiber.bond_damping = options.bond_damping;
+  fiber.dashpots = DashpotLaw::bond_damping;
+  fiber.retardation_time = 0;
+  return fiber;
+}
+
 /// Force per momentum [1/s]: critical damping of the first bending mode is 2 omega_1.
 double settling_drag(const Fiber& fiber, const MarchOptions& options) {
   return 2 * options.drag * first_bending_frequency(fiber);
@@ -149,8 +157,7 @@ void march_block(std::vector<Lane<Dim>>& lanes, const MarchOptions& options) {
 }  // namespace
 
 double chosen_step(const Fiber& fiber, const MarchOptions& options) {
-  Fiber settling = fiber;
-  settling.bond_damping = options.bond_damping;
+  const Fiber settling = settling_fiber(fiber, options);
   const double limit = stable_time_step(settling, settling_drag(fiber, options));
   if (!options.step_ratio) return 0.8 * limit;
   const double step = *options.step_ratio * bond_time_step(fiber);
@@ -186,7 +193,7 @@ std::vector<MarchResult<Dim>> march_to_rest(const std::vector<MarchCase<Dim>>& c
       const std::size_t end = std::min(first + width, members.size());
       for (std::size_t i = first; i < end; ++i) {
         Lane<Dim> lane{&cases[members[i]], cases[members[i]].chain, 0, {}};
-        lane.chain.fiber.bond_damping = options.bond_damping;
+        lane.chain.fiber = settling_fiber(lane.chain.fiber, options);
         lanes.push_back(std::move(lane));
       }
       march_block(lanes, options);

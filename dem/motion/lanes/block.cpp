@@ -120,6 +120,30 @@ BondHistory<double, Dim> MarchingBlock<Dim>::history(int lane, int bond) const {
 }
 
 template <int Dim>
+void MarchingBlock<Dim>::set_history(int lane, int bond, const BondHistory<double, Dim>& history) {
+  history_.put(history, bond * numbers<BondHistory<double, Dim>>, lane, kernel_.width);
+}
+
+template <int Dim>
+void MarchingBlock<Dim>::synchronize() {
+  kernel_.start(view());
+  for (int lane = 0; lane < kernel_.width; ++lane) {
+    const MarchParameters<double, Dim>& p = parameters_of_[lane];
+    for (int i = 0; i <= bonds_; ++i) {
+      MovingSphere<double, Dim> s = sphere(lane, i);
+      if (i == 0) s.force = s.force + p.ramp.first_from.force, s.moment = s.moment + p.ramp.first_from.moment;
+      if (i == bonds_) s.force = s.force + p.ramp.last_from.force, s.moment = s.moment + p.ramp.last_from.moment;
+      const MovingSphere<double, Dim> now = sphere(lane, i);
+      s.velocity = s.velocity - (0.5 * p.step * p.inverse_mass) * s.force;
+      s.spin = s.spin - (0.5 * p.step * p.inverse_inertia) * s.moment;
+      s.force = now.force;
+      s.moment = now.moment;
+      set_sphere(lane, i, s);
+    }
+  }
+}
+
+template <int Dim>
 Poses<Dim> MarchingBlock<Dim>::poses(int lane) const {
   Poses<Dim> poses;
   for (int i = 0; i <= bonds_; ++i) poses.push_back(sphere(lane, i).pose);

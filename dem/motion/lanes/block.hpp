@@ -64,6 +64,11 @@ class MarchingBlock {
   /// Sets pose, velocity and forces of a sphere; a clamped one gets no velocity.
   void set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere);
   BondHistory<double, Dim> history(int lane, int bond) const;
+  void set_history(int lane, int bond, const BondHistory<double, Dim>& history);
+
+  /// Forces at the states now; then, with the loads of the ramp's start and the velocities taken as those of this
+  /// moment, moves the velocities half a step back, where the leapfrog wants them.
+  void synchronize();
   Poses<Dim> poses(int lane) const;
 
  private:
