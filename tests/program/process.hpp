@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The program as its users meet it: arguments in, standard output, standard error and exit status out.
+namespace fiberchain::test {
+
+/// A directory of its own that goes when the test ends.
+struct Scratch {
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  /// Writes a file in it, and gives its path.
+  std::filesystem::path file(const std::string& name, const std::string& content) const;
+
+  std::filesystem::path path;
+};
+
+struct Circumstances {
+  std::filesystem::path directory = std::filesystem::current_path();    ///< where the program runs
+  std::vector<std::pair<std::string, std::string>> environment = {};    ///< set besides what is there
+  std::optional<std::filesystem::path> standard_output = std::nullopt;  ///< this file, instead of being kept
+  std::optional<std::size_t> largest_file = std::nullopt;               ///< as on a full disk [bytes]
+};
+
+struct Outcome {
+  int status;  ///< exit status, or 128 + the signal that ended it
+  std::string out;
+  std::string error;
+};
+
+/// Runs the program with these arguments.
+Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+
+/// The whole content of a file; "" if there is none.
+std::string content(const std::filesystem::path& path);
+
+/// Number of files under a directory.
+std::size_t files_under(const std::filesystem::path& path);
+
+/// Whether a text is one line "fiberchain: error: ...".
+bool is_one_error(const std::string& text);
+
+}  // namespace fiberchain::test
