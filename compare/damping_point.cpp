@@ -126,7 +126,9 @@ void run_group(const std::vector<DampingCase>& cases, const std::vector<std::siz
       points[i] = unmeasured(cases[i], error.what());
     }
   }
-  const auto records = dem::ring_down(all, {.form = cases[members[0]].form});
+  dem::ReleaseOptions release_options;
+  release_options.form = cases[members[0]].form;
+  const auto records = dem::ring_down(all, release_options);
   for (const Started& s : started) {
     const double length = dem::fiber_length(s.plan.fiber);
     const dem::ReleaseRecord<2>& released = records[s.first_release + 1];
@@ -161,6 +163,7 @@ void check(const DampingCase& asked) {
 
 dem::Fiber damped_fiber(const DampingCase& asked) {
   dem::Fiber fiber = nominal_fiber(asked.aspect_ratio, asked.poisson_ratio, asked.bond);
+  fiber.material = dem::isotropic_material(asked.youngs_modulus, asked.poisson_ratio, fiber.material.density);
   fiber.dashpots = asked.dashpots;
   if (asked.dashpots == dem::DashpotLaw::retardation_time) {
     fiber.retardation_time = asked.bond_damping * dem::bond_time_step(fiber);

@@ -13,8 +13,8 @@
 // held against linear modes, the damped Elastica and the closed form.
 namespace fiberchain::compare {
 
-/// One fiber let go. xi_f does not depend on E, d and density at a given load P L^2/(E I); they are those of the nominal
-/// fiber.
+/// One fiber let go. At a given load P L^2/(E I) xi_f does not depend on E, d and density; d and density are those of the
+/// nominal fiber.
 struct DampingCase {
   int aspect_ratio = 10;
   double poisson_ratio = 0.3;
@@ -23,6 +23,7 @@ struct DampingCase {
   double bond_damping = 1;          ///< xi_b; with DashpotLaw::retardation_time tau / t_b instead
   dem::BondModel bond = dem::BondModel::paper;
   dem::BondForm form = dem::BondForm::incremental;
+  double youngs_modulus = 2.6e6;    ///< [Pa]
   PeakRange peaks{1, 10};           ///< of fiber_damping_paper; peak 0 is the point of release
 };
 

@@ -46,6 +46,16 @@ TipHistory history_of(const reference::BeamHistory& beam) {
   return history;
 }
 
+/// Damped Elastica in its own time unit, let go from its first mode or from its equilibrium.
+TipHistory elastica_history(const DampingCase& asked, bool from_mode, double periods, int samples_per_period) {
+  const reference::BeamLayout layout = layout_of(asked);
+  const double period = 2 * pi / reference::beam_frequencies(layout).front();
+  const reference::Release release = from_mode
+      ? reference::Release{reference::Release::Shape::first_mode, asked.load / 3}
+      : reference::Release{reference::Release::Shape::static_load, asked.load};
+  return history_of(reference::damped_elastica(layout, release, sample_times(period, periods, samples_per_period)));
+}
+
 /// Peaks asked for of the uniform linear beam with all its modes, against its first mode alone.
 double higher_modes(const DampingCase& asked, double beam) {
   const reference::BeamDamping damping{reduced_retardation(asked), 0};
@@ -78,13 +88,11 @@ reference::LinearChain linear_chain_of(const DampingCase& asked) {
   }
 }
 
-TipHistory elastica_history(const DampingCase& asked, bool from_mode, double periods, int samples_per_period) {
-  const reference::BeamLayout layout = layout_of(asked);
-  const double period = 2 * pi / reference::beam_frequencies(layout).front();
-  const reference::Release release = from_mode
-      ? reference::Release{reference::Release::Shape::first_mode, asked.load / 3}
-      : reference::Release{reference::Release::Shape::static_load, asked.load};
-  return history_of(reference::damped_elastica(layout, release, sample_times(period, periods, samples_per_period)));
+TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& times, double unit) {
+  std::vector<double> reduced;
+  for (const double t : times) reduced.push_back(t / unit);
+  const reference::Release release{reference::Release::Shape::static_load, asked.load};
+  return history_of(reference::damped_elastica(layout_of(asked), release, reduced));
 }
 
 DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode, PeakRange clean,

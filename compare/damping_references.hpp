@@ -18,7 +18,8 @@ struct DampingReferences {
 DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode, PeakRange clean,
                                      bool from_mode, bool with_elastica);
 
-/// Deflection of the damped Elastica's free end with the chain's mass layout, over L; times in units of `unit` seconds.
-TipHistory elastica_history(const DampingCase& asked, bool from_mode, double periods, int samples_per_period);
+/// Deflection over L of the damped Elastica's free end with the chain's mass layout, let go from its equilibrium, at
+/// times in seconds; `unit` is the beam's time unit [s].
+TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& times, double unit);
 
 }  // namespace fiberchain::compare

@@ -27,6 +27,9 @@ struct Typed {
   std::string methods;
   std::string forms;
   std::string dimensions;
+  std::string bond_dampings;
+  std::string dashpots;
+  std::string peaks;
   std::string out;
   std::string data;
   std::string jobs;
@@ -87,6 +90,51 @@ compare::StaticSweep static_sweep(const Typed& typed) {
                          {{"total", BondForm::total}, {"incremental", BondForm::incremental}});
   read_choices<int>("--dimension", typed.dimensions, sweep.dimension, {{"planar", 2}, {"spatial", 3}});
   return sweep;
+}
+
+compare::PeakRange peak_range(const std::string& text, compare::PeakRange usual) {
+  if (text.empty()) return usual;
+  const std::vector<int> peaks = parse_integers("--peaks", text, {.low = 0, .high = 10000});
+  if (peaks.size() < 2 || peaks.back() - peaks.front() + 1 != static_cast<int>(peaks.size())) {
+    throw compare::InputError("--peaks: '" + text + "' is not allowed: give a range a..b of at least two peaks");
+  }
+  return {peaks.front(), peaks.back()};
+}
+
+compare::DampingSweep damping_sweep(const Typed& typed) {
+  using dem::BondForm;
+  using dem::BondModel;
+  using dem::DashpotLaw;
+  compare::DampingSweep sweep;
+  if (!typed.aspect_ratios.empty()) {
+    sweep.aspect_ratio = parse_integers("--aspect-ratio", typed.aspect_ratios, {.low = 2, .high = 1e4});
+  }
+  if (!typed.poisson_ratios.empty()) {
+    const Interval allowed{.low = -1, .high = 0.5, .low_open = true};
+    sweep.poisson_ratio = parse_numbers("--poisson-ratio", typed.poisson_ratios, allowed);
+  }
+  if (!typed.bond_dampings.empty()) {
+    sweep.bond_damping = parse_numbers("--bond-damping", typed.bond_dampings, {.low = 0, .high = 1e6, .low_open = true});
+  }
+  if (!typed.loads.empty()) {
+    sweep.load = parse_numbers("--load", typed.loads, {.low = 0, .high = 10, .low_open = true});
+  }
+  read_choices<BondModel>("--bond", typed.bonds, sweep.bond,
+                          {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
+  read_choices<BondForm>("--form", typed.forms, sweep.form,
+                         {{"total", BondForm::total}, {"incremental", BondForm::incremental}});
+  read_choices<DashpotLaw>("--dashpots", typed.dashpots, sweep.dashpots,
+                           {{"bond_damping", DashpotLaw::bond_damping},
+                            {"retardation_time", DashpotLaw::retardation_time},
+                            {"bending_only", DashpotLaw::bending_only}});
+  sweep.peaks = peak_range(typed.peaks, sweep.peaks);
+  return sweep;
+}
+
+/// Whether any case was asked for; without, the figures' own are run.
+bool chose_damping_cases(const Typed& typed) {
+  const auto& t = typed;
+  return !(t.aspect_ratios + t.poisson_ratios + t.bond_dampings + t.loads + t.bonds + t.forms + t.dashpots).empty();
 }
 
 void add_json(CLI::App& command, Typed& typed) {
@@ -150,6 +198,27 @@ CLI::App* add_tables_static(CLI::App& tables, Typed& typed) {
   return command;
 }
 
+CLI::App* add_tables_damping(CLI::App& tables, Typed& typed) {
+  CLI::App* command =
+      tables.add_subcommand("damping", "damping of the fiber by that of the bonds and what it is made of (Figs 6 to 9)");
+  command->footer(
+      "Without a choice of cases those of the figures are run.\n"
+      "Example:\n  fiberchain tables damping --aspect-ratio 13 --poisson-ratio 0.17 --bond-damping 0.7 --load 0.05 --json\n" +
+      std::string(kListHelp));
+  add_list(*command, "--aspect-ratio", typed.aspect_ratios, "r_f = L/d, number of bonds [10]");
+  add_list(*command, "--poisson-ratio", typed.poisson_ratios, "Poisson's ratio [0.3]");
+  add_list(*command, "--bond-damping", typed.bond_dampings,
+           "xi_b; with --dashpots retardation_time the time over t_b [1]");
+  add_list(*command, "--load", typed.loads, "load before the release, P L^2/(E I) [0.05]");
+  add_list(*command, "--dashpots", typed.dashpots,
+           "what sets the dashpots: bond_damping, retardation_time, bending_only [bond_damping]");
+  add_list(*command, "--bond", typed.bonds, "bond law: paper, corrected [paper]");
+  add_list(*command, "--form", typed.forms, "form of the bond law: total, incremental [incremental]");
+  add_list(*command, "--peaks", typed.peaks, "peaks of fiber_damping_paper; 0 is the point of release [1..10]");
+  add_output(*command, typed);
+  return command;
+}
+
 CLI::App* add_validate(CLI::App& program, Typed& typed) {
   CLI::App* validate =
       program.add_subcommand("validate", "hold the program against exact and published values");
@@ -173,6 +242,7 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
   CLI::App* tables = program.add_subcommand("tables", "make the paper's tables and figures");
   tables->footer("Example:\n  fiberchain tables static --load 0.05..10:log:12");
   CLI::App* tables_static = add_tables_static(*tables, typed);
+  CLI::App* tables_damping = add_tables_damping(*tables, typed);
   CLI::App* validate = add_validate(program, typed);
   try {
     program.parse(
@@ -187,8 +257,11 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
   if (*columns) return ColumnsOptions{typed.json};
   if (*run) return RunOptions{typed.scene, output_options(typed)};
   if (*tables_static) return TablesStaticOptions{static_sweep(typed), output_options(typed)};
+  if (*tables_damping) {
+    return TablesDampingOptions{damping_sweep(typed), chose_damping_cases(typed), output_options(typed)};
+  }
   if (*validate) return ValidateOptions{output_options(typed)};
-  throw compare::InputError(*tables ? "which table? static (see --help)"
+  throw compare::InputError(*tables ? "which table? static or damping (see --help)"
                                     : "which command? columns, run, tables or validate (see --help)");
 }
 

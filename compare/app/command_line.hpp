@@ -13,7 +13,7 @@ struct Message {
   std::string text;
 };
 
-using Request = std::variant<Message, ColumnsOptions, RunOptions, TablesStaticOptions, ValidateOptions>;
+using Request = std::variant<Message, ColumnsOptions, RunOptions, TablesStaticOptions, TablesDampingOptions, ValidateOptions>;
 
 /// What the arguments (without the program's name) ask for.
 /// @throws compare::InputError if they are not understood

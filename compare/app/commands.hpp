@@ -15,6 +15,9 @@ int run_scene(const RunOptions& options, Context& context);
 /// `fiberchain tables static`: departure of the chain from the Elastica, its causes, Figs 3 and 4.
 int run_tables_static(const TablesStaticOptions& options, Context& context);
 
+/// `fiberchain tables damping`: damping of the fiber by that of the bonds, Figs 6 to 9.
+int run_tables_damping(const TablesDampingOptions& options, Context& context);
+
 /// `fiberchain validate`: the validation matrix.
 int run_validate(const ValidateOptions& options, Context& context);
 

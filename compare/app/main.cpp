@@ -11,6 +11,7 @@
 #include "compare/errors.hpp"
 #include "dem/errors.hpp"
 #include "dem/io/scene_error.hpp"
+#include "reference/errors.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ int dispatch(const Request& request, Context& context) {
                  [&](const ColumnsOptions& options) { return run_columns(options, context); },
                  [&](const RunOptions& options) { return run_scene(options, context); },
                  [&](const TablesStaticOptions& options) { return run_tables_static(options, context); },
+                 [&](const TablesDampingOptions& options) { return run_tables_damping(options, context); },
                  [&](const ValidateOptions& options) { return run_validate(options, context); }},
       request);
 }
@@ -70,6 +72,8 @@ int main(int count, char** arguments) {
   } catch (const dem::io::SceneError& error) {
     return report(error, kBadInput);
   } catch (const dem::InvalidInput& error) {
+    return report(error, kBadInput);
+  } catch (const reference::InvalidArgument& error) {
     return report(error, kBadInput);
   } catch (const std::exception& error) {
     return report(error, kRunFailed);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "compare/damping_table.hpp"
 #include "compare/static_table.hpp"
 
 /// What the command line asks for, as plain values.
@@ -27,6 +28,12 @@ struct RunOptions {
 
 struct TablesStaticOptions {
   compare::StaticSweep sweep;
+  OutputOptions output;
+};
+
+struct TablesDampingOptions {
+  compare::DampingSweep sweep;
+  bool chosen = false;  ///< a sweep was asked for; without one the figures' cases are run
   OutputOptions output;
 };
 
