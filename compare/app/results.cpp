@@ -5,6 +5,20 @@
 #include "compare/markdown.hpp"
 
 namespace fiberchain::app {
+namespace {
+
+std::string heading_of(const Results& results) {
+  return results.notes.empty() ? results.heading : results.heading + "\n\n" + results.notes;
+}
+
+/// {"provenance": ..., "rows": [...]} and the rows of every further table under its name.
+nlohmann::ordered_json json_of(const Results& results, const compare::Provenance& provenance) {
+  auto document = to_json(results.table, provenance);
+  for (const auto& [name, table] : results.more_tables) document[name] = to_json(table, provenance)["rows"];
+  return document;
+}
+
+}  // namespace
 
 std::optional<compare::OutputDirectory> open_output(const OutputOptions& options) {
   if (options.json && !options.out) return std::nullopt;
@@ -17,7 +31,7 @@ void deliver(const Results& results, const compare::Table& shown, const OutputOp
   if (directory) {
     std::vector<compare::OutputFile> files = {
         {results.name + ".csv", to_csv(results.table, provenance)},
-        {results.name + ".md", to_markdown(results.heading, results.table, provenance)}};
+        {results.name + ".md", to_markdown(heading_of(results), results.table, provenance)}};
     for (const auto& [name, table] : results.more_tables)
       files.push_back({name + ".csv", to_csv(table, provenance)});
     for (const auto& [name, figure] : results.figures) {
@@ -26,7 +40,11 @@ void deliver(const Results& results, const compare::Table& shown, const OutputOp
     directory->write(files);
     for (const auto& file : files) context.log->info("wrote {}", (directory->path() / file.name).string());
   }
-  context.out << (options.json ? compare::to_text(to_json(results.table, provenance)) : to_markdown(shown));
+  if (options.json) {
+    context.out << compare::to_text(json_of(results, provenance));
+  } else {
+    context.out << to_markdown(shown) << (results.notes.empty() ? "" : "\n" + results.notes);
+  }
 }
 
 }  // namespace fiberchain::app

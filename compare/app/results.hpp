@@ -18,7 +18,8 @@ struct Results {
   std::string name;     ///< of the files: NAME.csv, NAME.md
   std::string heading;  ///< of the Markdown
   compare::Table table;
-  std::vector<std::pair<std::string, compare::Table>> more_tables = {};  ///< as NAME.csv only, by name
+  std::string notes = {};  ///< paragraphs of Markdown that go with the table
+  std::vector<std::pair<std::string, compare::Table>> more_tables = {};  ///< as NAME.csv and key of the JSON, by name
   std::vector<std::pair<std::string, compare::Figure>> figures = {};     ///< by name: NAME.svg, NAME.png
 };
 
