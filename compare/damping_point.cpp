@@ -84,7 +84,11 @@ DampingPoint measured(const DampingCase& asked, const Plan& plan, const Marches&
   DampingPoint point = unmeasured(asked, plan.watched ? "measured" : "mode 2 outlives the watch");
   const double vanishing =
       damping_from_peaks(positive_peaks(marches.vanishing), {0, mode_release_peaks - 1}).ratio;
-  point.damping_paper = damping_from_peaks(positive_peaks(marches.released), asked.peaks).ratio;
+  try {
+    point.damping_paper = damping_from_peaks(positive_peaks(marches.released), asked.peaks).ratio;
+  } catch (const InputError& error) {  // mode 2 can make the first peaks grow
+    if (plan.watched) point.status = std::string("measured, but not as the paper: ") + error.what();
+  }
   if (plan.watched) measure_clean(point, plan.from_mode ? marches.loaded : marches.released, plan.clean);
   const DampingReferences known = damping_references(asked, plan.mode, plan.clean, plan.from_mode,
                                                      options.elastica && plan.watched);

@@ -56,7 +56,7 @@ struct DampingPoint {
   double frequency_modes;  ///< linear chain, damped [rad/s]
   double time_step;        ///< [s]
   double steps;
-  std::string status;
+  std::string status;      ///< "measured", with what is missing; else why nothing was
 };
 
 struct DampingOptions {

@@ -20,6 +20,9 @@ std::vector<MatrixRow> beam_rows(const ValidationInput& input);
 /// The chain's statics: the paper's statements on Figs 3 and 4, exact results, marching against solving.
 std::vector<MatrixRow> static_rows(const ValidationInput& input);
 
+/// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the closed form.
+std::vector<MatrixRow> damping_rows(const ValidationInput& input);
+
 /// A piece of the matrix that is worked out on its own.
 struct ValidationStep {
   std::string_view feature;
