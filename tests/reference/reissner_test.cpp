@@ -23,7 +23,7 @@ struct Digits {
 
 // 60-digit arithmetic (mpmath) on the first integral
 // theta'^2 = 2 load (q - s)(1 + beta (q + s)/2), s = sin(theta) = q (1 - v^2), beta = load (1/axial -
-// 1/shear); quadrature in v, q found by bisection and secant.
+// 1/shear); quadrature in v, q by a bracketed search.
 constexpr Digits high_precision[] = {
     {0.37, infinity, 3.1, 0.23676123032820774, 0.022698363089901592, 0.17956391767324427},
     {1, infinity, 50, 0.31781387394153165, 0.061315658373047511, 0.45840953665973264},
