@@ -113,6 +113,21 @@ double bond_time_step_factor() {
          (fiber.diameter * std::sqrt(fiber.material.density / fiber.material.youngs_modulus));
 }
 
+/// L-shaped fiber, two arms of six bonds, a load across its plane at PL^2/EI = 3 (L one arm): largest distance over L of
+/// the free ends by a direct path, by a detour and numbered from the other end.
+double corner_gap() {
+  const dem::Fiber fiber = nominal_fiber(12, 0.17, dem::BondModel::paper);
+  const dem::Chain<3> chain = dem::cornered_chain<3>(fiber, 6);
+  const double arm = 6 * dem::bond_length(fiber), P = 3 * dem::bending_stiffness(fiber) / (arm * arm);
+  const dem::Boundary<3> across{{0}, {{12, {0, 0, P}, {}}}}, detour{{0}, {{12, {0.8 * P, -0.5 * P, 0.2 * P}, {}}}};
+  const auto direct = dem::solve_equilibrium(chain, across).poses.back().position;
+  const auto halfway = dem::solve_equilibrium(chain, detour).poses;
+  const auto around = dem::continue_equilibrium(chain, halfway, detour, across).poses.back().position;
+  const dem::Boundary<3> from_other_end{{12}, {{0, {0, 0, P}, {}}}};
+  const auto backward = dem::solve_equilibrium(dem::renumbered(chain), from_other_end).poses.front().position;
+  return std::max(dem::norm(around - direct), dem::norm(backward - direct)) / arm;
+}
+
 std::vector<MatrixRow> own_rows(const ValidationInput& in) {
   using dem::BondModel;
   return {exact_row("small-load-departure", "static cantilever", 0, worst_small_load_error(), 1e-6, small_load_source,
@@ -129,6 +144,9 @@ std::vector<MatrixRow> own_rows(const ValidationInput& in) {
                     "fourth order in 1/r_f", "|dr| from the Elastica less the stretch, PL^2/EI = 6, r_f = 20 and 40"),
           exact_row("corrected-distance", "corrected bond", 0, worst_corrected_distance(in.jobs), 1e-5,
                     "the Elastica, stretch taken off", "largest |dr|/L at r_f = 10, PL^2/EI to 6"),
+          exact_row("corner-path", "static cantilever", 0, corner_gap(), 1e-8,
+                    "an energy has one rest state, whatever the path and the numbering",
+                    "L-shaped fiber, load across its plane, PL^2/EI = 3: distance of the free ends over the arm"),
           method_row("march-solve", "static cantilever", 0, march_less_solve(in.jobs), 1e-8,
                      "the same equilibrium marched and solved, total form",
                      "distance of the free ends over the deflection, r_f = 13, nu = 0.17, PL^2/EI = 3")};
