@@ -16,7 +16,7 @@ constexpr double amount = 1.0 / 300;  // y / L: changes xi_f by 5e-6 of itself
 
 /// Four, or fewer where the fourth would be lost in the rounding of the first.
 int peaks_of(const Calibration& found) {
-  return std::clamp(1 + static_cast<int>(20 / log_decrement(found.damping_ratio)), 2, 4);
+  return std::clamp(1 + static_cast<int>(12 / log_decrement(found.damping_ratio)), 2, 4);
 }
 
 /// The first comes a little before the end of the first period.

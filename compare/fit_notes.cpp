@@ -15,7 +15,7 @@ std::string data_note(const FitStudy& study) {
   const FitSweep& asked = study.asked;
   const std::string quantity =
       asked.peaks ? fmt::format("released from rest under load, peaks {}..{}", asked.peaks->first, asked.peaks->last)
-                  : "measured without mode 2";
+                  : std::string("released from its first mode");
   return fmt::format(
       "Fitted: xi_f/xi_b of the chain, {}, load {:g}, xi_b = {:g}, nu = {:g}, at aspect ratios {}; held out and never "
       "fitted: {}. The data are deterministic: the 95 % intervals and covariances show how badly a law fits, not noise.",

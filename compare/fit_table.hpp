@@ -20,7 +20,7 @@ struct FitSweep {
   double poisson_ratio = 0.3;
   double bond_damping = 1;                             ///< xi_b
   double load = 0.01;                                  ///< P L^2 / (E I)
-  std::optional<PeakRange> peaks = std::nullopt;       ///< of a static release; without, fiber_damping is fitted
+  std::optional<PeakRange> peaks = std::nullopt;       ///< of a static release; without, a release from the first mode, load up to 0.01
   FitSweep();
 };
 
