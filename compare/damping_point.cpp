@@ -65,7 +65,7 @@ std::vector<dem::Release<2>> releases_of(const DampingCase& asked, const Plan& p
 }
 
 DampingPoint unmeasured(const DampingCase& asked, std::string why) {
-  return {asked, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, {nan, nan, nan, nan, nan}, nan, nan, nan, 0,
+  return {asked, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, {nan, nan, nan, nan, nan}, nan, nan, {}, nan, 0,
           std::move(why)};
 }
 
@@ -99,6 +99,7 @@ DampingPoint measured(const DampingCase& asked, const Plan& plan, const Marches&
   point.damping_eq20 = asked.dashpots == dem::DashpotLaw::bond_damping
                            ? equation_20(asked.aspect_ratio, asked.bond_damping) : nan;
   point.mode_2_estimate = known.mode_2_estimate;
+  point.cvode = known.cvode;
   point.frequency_modes = plan.mode.eigenvalue.imag();
   point.time_step = marches.time_step;
   point.steps = marches.steps;

@@ -8,6 +8,7 @@
 #include "dem/fiber.hpp"
 #include "dem/motion/physics.hpp"
 #include "reference/chain_modes.hpp"
+#include "reference/cvode.hpp"
 
 // Damped vibration of the cantilever: the damping of the fiber that bonds with dashpots make, measured on the chain and
 // held against linear modes, the damped Elastica and the closed form.
@@ -54,6 +55,7 @@ struct DampingPoint {
   DampingBudget budget;
   double frequency;        ///< measured [rad/s]
   double frequency_modes;  ///< linear chain, damped [rad/s]
+  reference::CvodeStatistics cvode;  ///< of the damped Elastica's run
   double time_step;        ///< [s]
   double steps;
   std::string status;      ///< "measured", with what is missing; else why nothing was

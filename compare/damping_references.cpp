@@ -47,13 +47,14 @@ TipHistory history_of(const reference::BeamHistory& beam) {
 }
 
 /// Damped Elastica in its own time unit, let go from its first mode or from its equilibrium.
-TipHistory elastica_history(const DampingCase& asked, bool from_mode, double periods, int samples_per_period) {
+reference::BeamHistory elastica_history(const DampingCase& asked, bool from_mode, double periods,
+                                        int samples_per_period) {
   const reference::BeamLayout layout = layout_of(asked);
   const double period = 2 * pi / reference::beam_frequencies(layout).front();
   const reference::Release release = from_mode
       ? reference::Release{reference::Release::Shape::first_mode, asked.load / 3}
       : reference::Release{reference::Release::Shape::static_load, asked.load};
-  return history_of(reference::damped_elastica(layout, release, sample_times(period, periods, samples_per_period)));
+  return reference::damped_elastica(layout, release, sample_times(period, periods, samples_per_period));
 }
 
 /// Peaks asked for of the uniform linear beam with all its modes, against its first mode alone.
@@ -104,12 +105,13 @@ DampingReferences damping_references(const DampingCase& asked, const reference::
   const double beam = reference::damped_beam_ratio({reduced_retardation(asked), 0}, 1);
   const double r = asked.aspect_ratio, half = r + 0.5;
   DampingReferences found{beam, beam * r * r / (half * half), unsheared_damping(asked), mode.damping,
-                          std::numeric_limits<double>::quiet_NaN(), higher_modes(asked, beam)};
+                          std::numeric_limits<double>::quiet_NaN(), higher_modes(asked, beam), {}};
   if (with_elastica) {
     // a mode release starts at its peak 0 here: the beam's mode is let go at rest
     const PeakRange range = from_mode ? PeakRange{clean.first + 1, clean.last + 1} : clean;
-    const TipHistory history = elastica_history(asked, from_mode, range.last + 0.7, 120);
-    found.elastica = damping_from_peaks(positive_peaks(history), range).ratio;
+    const reference::BeamHistory beam_history = elastica_history(asked, from_mode, range.last + 0.7, 120);
+    found.elastica = damping_from_peaks(positive_peaks(history_of(beam_history)), range).ratio;
+    found.cvode = beam_history.statistics;
   }
   return found;
 }

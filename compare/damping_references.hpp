@@ -1,6 +1,7 @@
 #pragma once
 
 #include "compare/damping_point.hpp"
+#include "reference/cvode.hpp"
 
 // What the references say of a case of damping_point.hpp.
 namespace fiberchain::compare {
@@ -12,6 +13,7 @@ struct DampingReferences {
   double modes;        ///< linear chain
   double elastica;     ///< damped Elastica, measured like the chain; NaN unless asked for
   double mode_2_estimate;
+  reference::CvodeStatistics cvode;  ///< what the damped Elastica cost
 };
 
 /// `clean` are the peaks that fiber_damping is measured on, of a release from the first mode or from equilibrium.

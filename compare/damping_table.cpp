@@ -19,7 +19,8 @@ const std::vector<std::string> columns{
     "fiber_damping_sine", "fiber_damping_paper", "fiber_damping_modes", "fiber_damping_elastica",
     "fiber_damping_closed_form", "fiber_damping_beam", "fiber_damping_eq20", "mode_2_estimate",
     "damping_discretization", "damping_shear", "damping_time_step", "damping_amplitude", "damping_peak_fit",
-    "frequency", "frequency_modes", "step_ratio", "steps", "status"};
+    "frequency", "frequency_modes", "cvode_steps", "cvode_right_hand_sides", "cvode_jacobians",
+    "cvode_error_test_failures", "cvode_convergence_failures", "step_ratio", "steps", "status"};
 
 NamedRow row_of(const DampingPoint& p) {
   const DampingCase& c = p.asked;
@@ -55,6 +56,11 @@ NamedRow row_of(const DampingPoint& p) {
           {"damping_peak_fit", p.budget.peak_fit},
           {"frequency", p.frequency},
           {"frequency_modes", p.frequency_modes},
+          {"cvode_steps", std::int64_t{p.cvode.steps}},
+          {"cvode_right_hand_sides", std::int64_t{p.cvode.right_hand_sides}},
+          {"cvode_jacobians", std::int64_t{p.cvode.jacobians}},
+          {"cvode_error_test_failures", std::int64_t{p.cvode.error_test_failures}},
+          {"cvode_convergence_failures", std::int64_t{p.cvode.convergence_failures}},
           {"step_ratio", p.time_step / dem::bond_time_step(fiber)},
           {"steps", static_cast<std::int64_t>(p.steps)},
           {"status", p.status}};
