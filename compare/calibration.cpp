@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "compare/errors.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/peaks.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_beam.hpp"
-#include "reference/elastica.hpp"
 #include "reference/errors.hpp"
 #include "reference/gsl_root.hpp"
 
@@ -36,7 +33,8 @@ double setting_of(const dem::Fiber& fiber) {
   return is_retarded(fiber) ? fiber.retardation_time / dem::bond_time_step(fiber) : fiber.bond_damping;
 }
 
-/// xi_f of a chain; 1 where the first mode does not oscillate, or is too close to that to be told from its conjugate.
+/// xi_f of a chain; 1 where the first mode does not oscillate, or is too close to that to be told from its
+/// conjugate.
 double first_damping(const reference::LinearChain& chain) {
   try {
     return reference::first_bending_mode(chain).damping;
@@ -53,7 +51,9 @@ double guess(const dem::Fiber& fiber, double damping_ratio) {
 }
 
 double solved_setting(const dem::Fiber& fiber, double wanted) {
-  const auto damping = [&](double setting) { return first_damping(linear_twin(with_setting(fiber, setting))); };
+  const auto damping = [&](double setting) {
+    return first_damping(linear_twin(with_setting(fiber, setting)));
+  };
   const auto off = [&](double setting) { return damping(setting) / wanted - 1; };
   double found = guess(fiber, wanted);
   const double low = found / 3, high = found * 3;
@@ -66,8 +66,10 @@ double solved_setting(const dem::Fiber& fiber, double wanted) {
     found = reference::detail::find_root(off, low, high, {}, "setting of the dashpots");
     if (std::abs(off(found)) <= 1e-10) return found;
   }
-  throw InputError(fmt::format("xi_f = {:g} cannot be reached at aspect ratio {} with dashpots set by {}: its first mode "
-                               "is overdamped before", wanted, fiber.aspect_ratio, dem::name(fiber.dashpots)));
+  throw InputError(
+      fmt::format("xi_f = {:g} cannot be reached at aspect ratio {} with dashpots set by {}: its first mode "
+                  "is overdamped before",
+                  wanted, fiber.aspect_ratio, dem::name(fiber.dashpots)));
 }
 
 /// The chain whose bonds cannot shear.
@@ -106,8 +108,10 @@ double step_of(const CalibrationCase& asked, double bond_time, double stable) {
   if (!asked.step_ratio) return std::min(0.25 * bond_time, 0.8 * stable);
   const double step = *asked.step_ratio * bond_time;
   if (!(step > 0) || step >= stable) {
-    throw InputError(fmt::format("step ratio {} is not allowed: above 0 and below {:.4g}, the largest stable step of this "
-                                 "chain over t_b", *asked.step_ratio, stable / bond_time));
+    throw InputError(
+        fmt::format("step ratio {} is not allowed: above 0 and below {:.4g}, the largest stable step of this "
+                    "chain over t_b",
+                    *asked.step_ratio, stable / bond_time));
   }
   return step;
 }
@@ -127,7 +131,8 @@ Calibration described(const CalibrationCase& asked, const dem::Fiber& fiber) {
   found.step = step_of(asked, found.bond_time, found.stable_step);
   found.beam_frequency = beam_frequency(fiber);
   found.beam_damping = found.retardation_time * found.beam_frequency / 2;
-  found.damping_departure = departure(found.beam_damping, first_damping(unsheared(chain)), found.damping_ratio);
+  found.damping_departure =
+      departure(found.beam_damping, first_damping(unsheared(chain)), found.damping_ratio);
   found.frequency_departure =
       departure(found.beam_frequency, undamped_frequency(unsheared(chain)), undamped_frequency(chain));
   found.amplitude_effect = amplitude_effect(asked.amplitude);
@@ -136,58 +141,6 @@ Calibration described(const CalibrationCase& asked, const dem::Fiber& fiber) {
 }
 
 }  // namespace
-
-std::string_view name(DampingMeasure measure) {
-  switch (measure) {
-    case DampingMeasure::log_decrement: return "log decrement";
-    case DampingMeasure::quality_factor: return "quality factor";
-    case DampingMeasure::loss_factor: return "loss factor";
-    default: return "damping ratio";
-  }
-}
-
-double to_damping_ratio(DampingMeasure measure, double value) {
-  if (!(value > 0) || !std::isfinite(value)) {
-    throw InputError(fmt::format("{} = {} is not allowed: it must be finite and above 0", name(measure), value));
-  }
-  double ratio = value;
-  if (measure == DampingMeasure::log_decrement) ratio = damping_ratio(value);
-  if (measure == DampingMeasure::quality_factor) ratio = 1 / (2 * value);
-  if (measure == DampingMeasure::loss_factor) ratio = value / 2;
-  if (!(ratio < 1)) {
-    throw InputError(fmt::format("{} = {} means xi_f = {:g}, which cannot be reached: from 1 on there is no vibration",
-                                 name(measure), value, ratio));
-  }
-  return ratio;
-}
-
-double to_amplitude(AmplitudeMeasure measure, double value) {
-  const bool is_load = measure == AmplitudeMeasure::load;
-  if (!(value >= 0) || !std::isfinite(value)) {
-    throw InputError(fmt::format("{} = {} is not allowed: 0 or more", is_load ? "load" : "tip deflection", value));
-  }
-  if (value == 0) return 0;
-  // beyond a load of 100 the free end is past any amplitude allowed
-  const double amplitude = is_load ? reference::elastica_shooting(std::min(value, 100.0)).y : value;
-  if (amplitude > largest_amplitude) {
-    throw InputError(fmt::format("{} = {} is not allowed: what the amplitude does to xi_f is known up to a tip deflection "
-                                 "of {} L (a load of 2.4)", is_load ? "load" : "tip deflection", value,
-                                 largest_amplitude));
-  }
-  return amplitude;
-}
-
-double amplitude_effect(double a) { return -a * a * (0.460 + 0.27 * a * a * (1 + a * a)); }
-
-double time_step_effect(double xi, double frequency, double time_step) {
-  const double w = frequency * time_step;
-  // with z = 1 + e: e^2 + (w^2 + 2 xi w) e + w^2 = 0, so that no digits are lost where w is small
-  const double half = (w * w + 2 * xi * w) / 2;
-  const std::complex<double> e = -half + std::sqrt(std::complex<double>(half * half - w * w));
-  const double log_size = 0.5 * std::log1p(-2 * xi * w);  // |z|^2 is the product of the roots
-  const double angle = std::atan2(e.imag(), 1 + e.real());
-  return -log_size / std::hypot(log_size, angle) / xi - 1;
-}
 
 Calibration calibrate(const CalibrationCase& asked, double wanted) {
   to_damping_ratio(DampingMeasure::damping_ratio, wanted);
@@ -198,11 +151,13 @@ Calibration calibrate(const CalibrationCase& asked, double wanted) {
 
 Calibration calibration_of(const CalibrationCase& asked) {
   check(asked);
-  if (!dem::damped(asked.fiber)) throw InputError("without damping of the bonds the fiber has none: nothing to calibrate");
+  if (!dem::damped(asked.fiber))
+    throw InputError("without damping of the bonds the fiber has none: nothing to calibrate");
   const double damping = first_damping(linear_twin(asked.fiber));
   if (!(damping < 1)) {
-    throw InputError(fmt::format("{} = {:g} overdamps the first mode at aspect ratio {}: it has no xi_f below 1",
-                                 setting_name(asked.fiber), setting_of(asked.fiber), asked.fiber.aspect_ratio));
+    throw InputError(
+        fmt::format("{} = {:g} overdamps the first mode at aspect ratio {}: it has no xi_f below 1",
+                    setting_name(asked.fiber), setting_of(asked.fiber), asked.fiber.aspect_ratio));
   }
   return described(asked, asked.fiber);
 }

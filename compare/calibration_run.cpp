@@ -37,10 +37,11 @@ double verification_cost(const Calibration& found) {
 Verification verify(const Calibration& found) {
   const double cost = verification_cost(found);
   if (cost > largest_verification) {
-    throw InputError(fmt::format("the run that verifies this would take {:.2g} bond-steps (aspect ratio {}, {:.2g} steps a "
-                                 "period at {:.3g} t_b), {:g} are allowed: leave --verify out",
-                                 cost, found.fiber.aspect_ratio, steps_per_period(found), found.step / found.bond_time,
-                                 largest_verification));
+    throw InputError(fmt::format(
+        "the run that verifies this would take {:.2g} bond-steps (aspect ratio {}, {:.2g} steps a "
+        "period at {:.3g} t_b), {:g} are allowed: leave --verify out",
+        cost, found.fiber.aspect_ratio, steps_per_period(found), found.step / found.bond_time,
+        largest_verification));
   }
   dem::ReleaseOptions options;
   options.step_ratio = found.step / found.bond_time;
@@ -48,7 +49,8 @@ Verification verify(const Calibration& found) {
       dem::ring_down<2>({mode_release(found.fiber, found.mode, amount, periods_of(found))}, options).front();
   const TipHistory history = tip_history(record, dem::fiber_length(found.fiber));
   const double measured = damping_from_peaks(positive_peaks(history), {0, peaks_of(found) - 1}).ratio;
-  return {measured, measured / found.damping_ratio - 1, record.time_step, record.steps * found.fiber.aspect_ratio};
+  return {measured, measured / found.damping_ratio - 1, record.time_step,
+          record.steps * found.fiber.aspect_ratio};
 }
 
 }  // namespace fiberchain::compare

@@ -65,21 +65,50 @@ NamedRow error_row(const CalibrationAnswer& answer) {
 std::string run_note(const CalibrationAnswer& answer) {
   if (!answer.run) return "";
   const Verification& run = *answer.run;
-  return fmt::format("Run: released from the first mode at y/L = 1/300 and marched at {:.4g} t_b, the chain has xi_f = "
-                     "{:.8g}, {:+.2e} of the value above ({:.2g} bond-steps).\n",
-                     run.time_step / answer.found.bond_time, run.damping_ratio, run.difference, run.bond_steps);
+  return fmt::format(
+      "Run: released from the first mode at y/L = 1/300 and marched at {:.4g} t_b, the chain has xi_f = "
+      "{:.8g}, {:+.2e} of the value above ({:.2g} bond-steps).\n",
+      run.time_step / answer.found.bond_time, run.damping_ratio, run.difference, run.bond_steps);
 }
 
 }  // namespace
 
 Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
-  Table table({"aspect_ratio", "poisson_ratio", "youngs_modulus", "shear_modulus", "density", "diameter", "bond",
-               "dashpots", "target_damping", "bond_damping", "retardation_time", "retardation_ratio",
-               "fiber_damping_modes", "log_decrement", "quality_factor", "loss_factor", "natural_frequency",
-               "natural_frequency_hertz", "bond_time", "stable_time_step", "stable_step_ratio", "step_ratio",
-               "verification_cost", "amplitude", "amplitude_effect", "time_step_effect", "expected_error",
-               "fiber_damping_expected", "fiber_damping_beam", "damping_discretization", "damping_shear",
-               "beam_frequency", "frequency_discretization", "frequency_shear", "fiber_damping",
+  Table table({"aspect_ratio",
+               "poisson_ratio",
+               "youngs_modulus",
+               "shear_modulus",
+               "density",
+               "diameter",
+               "bond",
+               "dashpots",
+               "target_damping",
+               "bond_damping",
+               "retardation_time",
+               "retardation_ratio",
+               "fiber_damping_modes",
+               "log_decrement",
+               "quality_factor",
+               "loss_factor",
+               "natural_frequency",
+               "natural_frequency_hertz",
+               "bond_time",
+               "stable_time_step",
+               "stable_step_ratio",
+               "step_ratio",
+               "verification_cost",
+               "amplitude",
+               "amplitude_effect",
+               "time_step_effect",
+               "expected_error",
+               "fiber_damping_expected",
+               "fiber_damping_beam",
+               "damping_discretization",
+               "damping_shear",
+               "beam_frequency",
+               "frequency_discretization",
+               "frequency_shear",
+               "fiber_damping",
                "verified_difference"});
   for (const CalibrationAnswer& answer : answers) {
     NamedRow row = material_row(answer);
@@ -98,15 +127,19 @@ Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
 std::string calibration_notes(const CalibrationAnswer& answer) {
   const Calibration& f = answer.found;
   return fmt::format(
-             "- Expected of a run that swings to y/L = {:.3g}: xi_f changed by {:+.2e} of itself, {:+.2e} by the amplitude (a "
+             "- Expected of a run that swings to y/L = {:.3g}: xi_f changed by {:+.2e} of itself, {:+.2e} by "
+             "the amplitude (a "
              "real fiber does that too) and {:+.2e} by a time step of {:.4g} t_b.\n"
-             "- Made up for by the setting: a uniform beam with this retardation time has xi_f = {:.6g}; the chain's is "
+             "- Made up for by the setting: a uniform beam with this retardation time has xi_f = {:.6g}; the "
+             "chain's is "
              "{:+.2e} of that by finite bonds and the end sphere and {:+.2e} by shear.\n"
-             "- Not made up for: the chain's natural frequency is off the uniform beam's {:.6g} rad/s by {:+.2e} by finite "
+             "- Not made up for: the chain's natural frequency is off the uniform beam's {:.6g} rad/s by "
+             "{:+.2e} by finite "
              "bonds and the end sphere and {:+.2e} by shear.\n",
-             answer.asked.amplitude, expected_error(f), f.amplitude_effect, f.time_step_effect, f.step / f.bond_time,
-             f.beam_damping, f.damping_departure.discretization, f.damping_departure.shear, f.beam_frequency,
-             f.frequency_departure.discretization, f.frequency_departure.shear) +
+             answer.asked.amplitude, expected_error(f), f.amplitude_effect, f.time_step_effect,
+             f.step / f.bond_time, f.beam_damping, f.damping_departure.discretization,
+             f.damping_departure.shear, f.beam_frequency, f.frequency_departure.discretization,
+             f.frequency_departure.shear) +
          (answer.run ? "- " + run_note(answer) : "");
 }
 

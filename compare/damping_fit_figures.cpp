@@ -10,17 +10,23 @@ namespace {
 
 const char* formula(DampingLaw law) {
   switch (law) {
-    case DampingLaw::exponential: return "{/:Italic a} e^{-{/:Italic b r_f}}";
-    case DampingLaw::power: return "{/:Italic a r_f}^{-{/:Italic b}}";
-    default: return "({/Symbol b}_1^2/√20)/({/:Italic r_f} + {/:Italic c})^2";
+    case DampingLaw::exponential:
+      return "{/:Italic a} e^{-{/:Italic b r_f}}";
+    case DampingLaw::power:
+      return "{/:Italic a r_f}^{-{/:Italic b}}";
+    default:
+      return "({/Symbol b}_1^2/√20)/({/:Italic r_f} + {/:Italic c})^2";
   }
 }
 
 std::string label(const DampingModel& model) {
   switch (model.kind) {
-    case FitKind::published: return "paper's Eq 20";
-    case FitKind::derived: return std::string(formula(model.law)) + ", {/:Italic c} = 1/2";
-    default: return fmt::format("{}, {}", formula(model.law), name(model.kind));
+    case FitKind::published:
+      return "paper's Eq 20";
+    case FitKind::derived:
+      return std::string(formula(model.law)) + ", {/:Italic c} = 1/2";
+    default:
+      return fmt::format("{}, {}", formula(model.law), name(model.kind));
   }
 }
 
@@ -88,7 +94,8 @@ Figure departure_figure(const FitStudy& study) {
     for (std::size_t i = 0; i < study.chain.slope.size(); ++i) {
       const double r_f = study.chain.range.first + static_cast<double>(i);
       s.x.push_back(r_f);
-      s.y.push_back(100 * std::abs(damping_law(fit.model.law, fit.parameters, r_f) / study.chain.slope[i] - 1));
+      s.y.push_back(100 *
+                    std::abs(damping_law(fit.model.law, fit.parameters, r_f) / study.chain.slope[i] - 1));
     }
     figure.series.push_back(s);
   }
@@ -96,10 +103,11 @@ Figure departure_figure(const FitStudy& study) {
 }
 
 Figure choices_figure(const FitStudy& study) {
-  Figure figure{"{/:Italic a} and {/:Italic b} of the exponential under choices that the paper does not state",
-                {"{/:Italic a}"},
-                {"{/:Italic b}"},
-                {}};
+  Figure figure{
+      "{/:Italic a} and {/:Italic b} of the exponential under choices that the paper does not state",
+      {"{/:Italic a}"},
+      {"{/:Italic b}"},
+      {}};
   for (const FitKind kind : {FitKind::unweighted, FitKind::logarithmic}) {
     Series s{std::string(name(kind)), {}, {}, Mark::points};
     for (const ChoiceOutcome& outcome : study.choices) {

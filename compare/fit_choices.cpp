@@ -19,10 +19,12 @@ std::vector<int> every(int first, int last, int step) {
   return values;
 }
 
-/// r_f = 8, 10, 20 and 30 are named in the paper's text and figures; it calls 6 too small and shows none beyond 30.
+/// r_f = 8, 10, 20 and 30 are named in the paper's text and figures; it calls 6 too small and shows none
+/// beyond 30.
 std::vector<std::vector<int>> aspect_ratio_sets() {
-  return {{6, 8, 10, 15, 20},      {6, 8, 10, 15, 20, 30},  {8, 10, 15, 20},   {8, 10, 20, 30}, {8, 10, 15, 20, 30},
-          {8, 10, 12, 15, 20, 30}, {10, 15, 20, 25, 30},    every(8, 20, 2),   every(8, 30, 2), every(5, 30, 1)};
+  return {{6, 8, 10, 15, 20},  {6, 8, 10, 15, 20, 30},  {8, 10, 15, 20},      {8, 10, 20, 30},
+          {8, 10, 15, 20, 30}, {8, 10, 12, 15, 20, 30}, {10, 15, 20, 25, 30}, every(8, 20, 2),
+          every(8, 30, 2),     every(5, 30, 1)};
 }
 
 std::vector<ChoiceLoad> loads() {
@@ -32,7 +34,9 @@ std::vector<ChoiceLoad> loads() {
 
 /// Orders requests so that equal ones are asked once.
 struct Earlier {
-  static auto key(const SlopeRequest& r) { return std::tuple(r.aspect_ratio, r.load, r.peaks.first, r.peaks.last); }
+  static auto key(const SlopeRequest& r) {
+    return std::tuple(r.aspect_ratio, r.load, r.peaks.first, r.peaks.last);
+  }
   bool operator()(const SlopeRequest& a, const SlopeRequest& b) const { return key(a) < key(b); }
 };
 using Slopes = std::map<SlopeRequest, double, Earlier>;
@@ -59,7 +63,8 @@ double curve_departure(const FitChoice& choice, const DampingFit& fit) {
   double largest = 0;
   for (const int r_f : choice.aspect_ratios) {
     const double paper = damping_law(DampingLaw::exponential, {kPaperA, kPaperB}, r_f);
-    largest = std::max(largest, std::abs(damping_law(DampingLaw::exponential, fit.parameters, r_f) / paper - 1));
+    largest =
+        std::max(largest, std::abs(damping_law(DampingLaw::exponential, fit.parameters, r_f) / paper - 1));
   }
   return largest;
 }
@@ -89,7 +94,8 @@ std::vector<FitChoice> fit_choices() {
   for (const auto& set : aspect_ratio_sets())
     for (const ChoiceLoad& load : loads())
       for (const PeakRange peaks : {PeakRange{0, 4}, {0, 9}, {1, 5}, {1, 10}})
-        for (const FitKind kind : {FitKind::unweighted, FitKind::logarithmic}) choices.push_back({set, load, peaks, kind});
+        for (const FitKind kind : {FitKind::unweighted, FitKind::logarithmic})
+          choices.push_back({set, load, peaks, kind});
   return choices;
 }
 
@@ -99,7 +105,8 @@ SlopeMeasurement chain_slopes(const ChainKind& kind, int jobs) {
     std::vector<StaticReleaseRequest> releases;
     std::vector<std::pair<std::size_t, std::size_t>> places;
     for (const SlopeRequest& request : requests) {
-      const auto [motion, is_new] = motions.try_emplace({request.aspect_ratio, request.load}, releases.size());
+      const auto [motion, is_new] =
+          motions.try_emplace({request.aspect_ratio, request.load}, releases.size());
       if (is_new) {
         dem::Fiber fiber = nominal_fiber(request.aspect_ratio, kind.poisson_ratio, dem::BondModel::paper);
         fiber.bond_damping = kind.bond_damping;
@@ -110,7 +117,8 @@ SlopeMeasurement chain_slopes(const ChainKind& kind, int jobs) {
     }
     const std::vector<StaticReleaseResult> results = static_release_damping(releases, jobs);
     std::vector<double> slopes;
-    for (const auto& [release, range] : places) slopes.push_back(results[release].damping[range].ratio / kind.bond_damping);
+    for (const auto& [release, range] : places)
+      slopes.push_back(results[release].damping[range].ratio / kind.bond_damping);
     return slopes;
   };
 }
@@ -119,7 +127,8 @@ double distance(const ChoiceOutcome& outcome) {
   return std::max(std::abs(outcome.departure_a), std::abs(outcome.departure_b));
 }
 
-std::vector<ChoiceOutcome> choice_outcomes(const std::vector<FitChoice>& choices, const SlopeMeasurement& measure) {
+std::vector<ChoiceOutcome> choice_outcomes(const std::vector<FitChoice>& choices,
+                                           const SlopeMeasurement& measure) {
   const Slopes slopes = measured(choices, measure);
   std::vector<ChoiceOutcome> outcomes;
   for (const FitChoice& choice : choices) outcomes.push_back(outcome_of(choice, slopes));
@@ -140,7 +149,8 @@ std::string describe(const std::vector<int>& values) {
 }
 
 std::string describe(const ChoiceLoad& load) {
-  return load.kind == ChoiceLoad::Kind::reduced ? fmt::format("{:g}", load.value) : fmt::format("{:g} N", load.value);
+  return load.kind == ChoiceLoad::Kind::reduced ? fmt::format("{:g}", load.value)
+                                                : fmt::format("{:g} N", load.value);
 }
 
 }  // namespace fiberchain::compare

@@ -7,8 +7,9 @@
 #include "compare/damping_fit.hpp"
 #include "compare/peaks.hpp"
 
-// What a and b of the paper's exponential come out as under choices that the paper does not state: which fibers, which
-// load, which peaks, which weighting. A choice that gives the paper's numbers is a guess at what was done, no proof.
+// What a and b of the paper's exponential come out as under choices that the paper does not state: which
+// fibers, which load, which peaks, which weighting. A choice that gives the paper's numbers is a guess at
+// what was done, no proof.
 namespace fiberchain::compare {
 
 /// The load that holds every fiber before its release.
@@ -44,8 +45,8 @@ struct SlopeRequest {
 /// Answers all requests, in their order.
 using SlopeMeasurement = std::function<std::vector<double>(const std::vector<SlopeRequest>&)>;
 
-/// The paper's cases on the chain itself: static releases of the nominal fiber, incremental bonds. One motion answers
-/// every range of peaks asked of it.
+/// The paper's cases on the chain itself: static releases of the nominal fiber, incremental bonds. One motion
+/// answers every range of peaks asked of it.
 SlopeMeasurement chain_slopes(const ChainKind& kind, int jobs);
 
 /// What became of a choice.
@@ -62,8 +63,10 @@ struct ChoiceOutcome {
 /// Larger of |departure_a| and |departure_b|.
 double distance(const ChoiceOutcome& outcome);
 
-/// Every choice fitted, nearest to the paper's a and b first. All that has to be measured is asked for at once.
-std::vector<ChoiceOutcome> choice_outcomes(const std::vector<FitChoice>& choices, const SlopeMeasurement& measure);
+/// Every choice fitted, nearest to the paper's a and b first. All that has to be measured is asked for at
+/// once.
+std::vector<ChoiceOutcome> choice_outcomes(const std::vector<FitChoice>& choices,
+                                           const SlopeMeasurement& measure);
 
 /// "6, 8, 10", "5..30", "8..30:2"
 std::string describe(const std::vector<int>& aspect_ratios);

@@ -18,6 +18,8 @@ namespace {
 
 using Ratios = std::vector<int>;
 
+constexpr double kPaperBondDamping = 1;  // of Fig 9
+
 dem::Fiber fiber_of(const FitSweep& asked, int aspect_ratio) {
   dem::Fiber fiber = nominal_fiber(aspect_ratio, asked.poisson_ratio, dem::BondModel::paper);
   fiber.bond_damping = asked.bond_damping;
@@ -28,9 +30,11 @@ dem::Fiber fiber_of(const FitSweep& asked, int aspect_ratio) {
 double first_mode_damping(const dem::Fiber& fiber, double load) {
   constexpr int peaks = 4;
   const reference::ChainMode mode = reference::first_bending_mode(linear_twin(fiber));
-  if (!mode.oscillates) throw InputError(fmt::format("the first mode at aspect ratio {} is overdamped", fiber.aspect_ratio));
+  if (!mode.oscillates)
+    throw InputError(fmt::format("the first mode at aspect ratio {} is overdamped", fiber.aspect_ratio));
   const auto record = dem::ring_down<2>({mode_release(fiber, mode, load / 3, peaks + 0.5)}).front();
-  return damping_from_peaks(positive_peaks(tip_history(record, dem::fiber_length(fiber))), {0, peaks - 1}).ratio;
+  return damping_from_peaks(positive_peaks(tip_history(record, dem::fiber_length(fiber))), {0, peaks - 1})
+      .ratio;
 }
 
 /// The longest first, so that the last thread is not left with it.
@@ -57,8 +61,10 @@ std::vector<double> static_dampings(const FitSweep& asked, const Ratios& aspect_
 
 void check(const FitSweep& asked) {
   if (!asked.peaks && asked.load > largest_mode_release_load) {
-    throw InputError(fmt::format("load = {} is not allowed without a choice of peaks: at most {}, where the first mode is "
-                                 "released by itself", asked.load, largest_mode_release_load));
+    throw InputError(
+        fmt::format("load = {} is not allowed without a choice of peaks: at most {}, where the first mode is "
+                    "released by itself",
+                    asked.load, largest_mode_release_load));
   }
 }
 
@@ -74,13 +80,15 @@ FitStudy fit_study(const FitSweep& asked, int jobs) {
   check(asked);
   Ratios all = asked.aspect_ratio;
   all.insert(all.end(), asked.held_out.begin(), asked.held_out.end());
-  const std::vector<double> found = asked.peaks ? static_dampings(asked, all, jobs) : first_mode_dampings(asked, all, jobs);
+  const std::vector<double> found =
+      asked.peaks ? static_dampings(asked, all, jobs) : first_mode_dampings(asked, all, jobs);
   for (std::size_t i = 0; i < all.size(); ++i) {
     auto& points = i < asked.aspect_ratio.size() ? study.points : study.held_out;
     points.push_back({all[i], found[i] / asked.bond_damping});
   }
   study.fits = damping_fits(study.points, study.held_out, study.chain);
-  study.choices = choice_outcomes(fit_choices(), chain_slopes(kind, jobs));
+  study.choices =
+      choice_outcomes(fit_choices(), chain_slopes({asked.poisson_ratio, kPaperBondDamping}, jobs));
   return study;
 }
 

@@ -43,8 +43,8 @@ NamedRow row_of(const DampingFit& fit) {
   return row;
 }
 
-void append_residuals(Table& table, const FitStudy& study, const DampingFit& fit, const std::vector<DampingDatum>& points,
-                      bool held_out) {
+void append_residuals(Table& table, const FitStudy& study, const DampingFit& fit,
+                      const std::vector<DampingDatum>& points, bool held_out) {
   const FitError& error = held_out ? fit.held_out : fit.fitted;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int r_f = points[i].aspect_ratio;
@@ -83,17 +83,35 @@ NamedRow row_of(const ChoiceOutcome& outcome) {
 }  // namespace
 
 Table fit_table(const FitStudy& study) {
-  Table table({"law", "weighting", "fit_a", "fit_a_half_width", "fit_b", "fit_b_half_width", "fit_c", "fit_c_half_width",
-               "fit_a_variance", "fit_b_variance", "fit_ab_covariance", "fit_c_variance", "fit_points", "fit_rms",
-               "fit_largest", "held_out_points", "held_out_rms", "held_out_largest", "information_criterion",
-               "within_1_percent", "within_5_percent", "within_20_percent"});
+  Table table({"law",
+               "weighting",
+               "fit_a",
+               "fit_a_half_width",
+               "fit_b",
+               "fit_b_half_width",
+               "fit_c",
+               "fit_c_half_width",
+               "fit_a_variance",
+               "fit_b_variance",
+               "fit_ab_covariance",
+               "fit_c_variance",
+               "fit_points",
+               "fit_rms",
+               "fit_largest",
+               "held_out_points",
+               "held_out_rms",
+               "held_out_largest",
+               "information_criterion",
+               "within_1_percent",
+               "within_5_percent",
+               "within_20_percent"});
   for (const DampingFit& fit : study.fits) table.append(row_of(fit));
   return table;
 }
 
 Table fit_residual_table(const FitStudy& study) {
-  Table table({"law", "weighting", "aspect_ratio", "held_out", "damping_slope", "damping_slope_fit", "fit_residual",
-               "damping_slope_modes"});
+  Table table({"law", "weighting", "aspect_ratio", "held_out", "damping_slope", "damping_slope_fit",
+               "fit_residual", "damping_slope_modes"});
   for (const DampingFit& fit : study.fits) {
     append_residuals(table, study, fit, study.points, false);
     append_residuals(table, study, fit, study.held_out, true);
@@ -102,9 +120,9 @@ Table fit_residual_table(const FitStudy& study) {
 }
 
 Table fit_choice_table(const FitStudy& study) {
-  Table table({"aspect_ratios", "load", "force", "peaks_first", "peaks_last", "weighting", "fit_a", "fit_a_half_width",
-               "fit_b", "fit_b_half_width", "departure_a", "departure_b", "departure_curve", "damping_slope_8",
-               "damping_slope_10"});
+  Table table({"aspect_ratios", "load", "force", "peaks_first", "peaks_last", "weighting", "fit_a",
+               "fit_a_half_width", "fit_b", "fit_b_half_width", "departure_a", "departure_b",
+               "departure_curve", "damping_slope_8", "damping_slope_10"});
   for (const ChoiceOutcome& outcome : study.choices) table.append(row_of(outcome));
   return table;
 }

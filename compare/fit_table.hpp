@@ -18,9 +18,10 @@ struct FitSweep {
   std::vector<int> aspect_ratio;  ///< fitted; by default 5 ... 30
   std::vector<int> held_out{40, 60};
   double poisson_ratio = 0.3;
-  double bond_damping = 1;                             ///< xi_b
-  double load = 0.01;                                  ///< P L^2 / (E I)
-  std::optional<PeakRange> peaks = std::nullopt;       ///< of a static release; without, a release from the first mode, load up to 0.01
+  double bond_damping = 1;  ///< xi_b
+  double load = 0.01;       ///< P L^2 / (E I)
+  std::optional<PeakRange> peaks =
+      std::nullopt;  ///< of a static release; without, a release from the first mode, load up to 0.01
   FitSweep();
 };
 
@@ -32,7 +33,8 @@ struct FitStudy {
   std::vector<ChoiceOutcome> choices;
 };
 
-/// Measures and fits. Throws InputError for what cannot be measured or fitted, naming the aspect ratio.
+/// Measures and fits; the choices at the paper's xi_b = 1. Throws InputError for what cannot be measured or
+/// fitted, naming the aspect ratio.
 FitStudy fit_study(const FitSweep& asked, int jobs);
 
 /// A row per law and way to fit.

@@ -12,9 +12,12 @@ reference::LinearChain linear_twin(const dem::Fiber& fiber) {
       {fiber.aspect_ratio, fiber.diameter / 2, fiber.material.youngs_modulus, nu, fiber.material.density});
   if (fiber.bond_model == dem::BondModel::corrected) chain.stiffness.shear = 0.75 * chain.stiffness.stretch;
   switch (fiber.dashpots) {
-    case dem::DashpotLaw::retardation_time: return reference::with_retardation_time(chain, fiber.retardation_time);
-    case dem::DashpotLaw::bending_only: return reference::with_bending_damping(chain, fiber.bond_damping);
-    default: return reference::with_bond_damping(chain, fiber.bond_damping);
+    case dem::DashpotLaw::retardation_time:
+      return reference::with_retardation_time(chain, fiber.retardation_time);
+    case dem::DashpotLaw::bending_only:
+      return reference::with_bending_damping(chain, fiber.bond_damping);
+    default:
+      return reference::with_bond_damping(chain, fiber.bond_damping);
   }
 }
 

@@ -25,7 +25,8 @@ void check(const StaticReleaseRequest& request) {
   if (!(request.load > 0) || !std::isfinite(request.load)) {
     throw InputError(case_text(request) + ": the load must be above 0");
   }
-  if (!dem::damped(request.fiber)) throw InputError(case_text(request) + ": without damping there is no decay to measure");
+  if (!dem::damped(request.fiber))
+    throw InputError(case_text(request) + ": without damping there is no decay to measure");
   if (request.peaks.empty()) throw InputError(case_text(request) + ": no peaks are asked for");
   for (const PeakRange& peaks : request.peaks) {
     if (peaks.first < 0 || peaks.last <= peaks.first) {
@@ -42,10 +43,12 @@ dem::ReleaseOptions options_of(const StaticReleaseRequest& request) {
   return options;
 }
 
-/// The loaded chain, watched for a little longer than to its last peak: large deflections are faster, never slower.
+/// The loaded chain, watched for a little longer than to its last peak: large deflections are faster, never
+/// slower.
 dem::Release<2> release_of(const StaticReleaseRequest& request) {
   const reference::ChainMode mode = reference::first_bending_mode(linear_twin(request.fiber));
-  if (!mode.oscillates) throw InputError(case_text(request) + ": the first mode is overdamped, there are no peaks");
+  if (!mode.oscillates)
+    throw InputError(case_text(request) + ": the first mode is overdamped, there are no peaks");
   const int last = std::ranges::max(request.peaks, {}, &PeakRange::last).last;
   return static_release(request.fiber, mode, request.load, last + 0.5);
 }
@@ -56,7 +59,8 @@ using BlockKey = std::tuple<int, int, dem::BondForm, double>;
 BlockKey key_of(const StaticReleaseRequest& request, const dem::Release<2>& release) {
   const dem::ReleaseOptions options = options_of(request);
   const double steps = release.period / (options.samples_per_period * dem::release_step(release, options));
-  return {request.fiber.aspect_ratio, static_cast<int>(std::lround(steps)), request.form, request.step_ratio.value_or(0)};
+  return {request.fiber.aspect_ratio, static_cast<int>(std::lround(steps)), request.form,
+          request.step_ratio.value_or(0)};
 }
 
 using Block = std::vector<std::size_t>;
@@ -66,7 +70,8 @@ std::vector<Block> blocks_of(const std::vector<StaticReleaseRequest>& requests,
                              const std::vector<dem::Release<2>>& releases) {
   std::map<BlockKey, Block, std::greater<>> alike;
   for (std::size_t i = 0; i < requests.size(); ++i) alike[key_of(requests[i], releases[i])].push_back(i);
-  const std::size_t width = dem::lane_kernel(dem::built_physics[0], dem::ReleaseOptions{}.instruction_set).width;
+  const std::size_t width =
+      dem::lane_kernel(dem::built_physics[0], dem::ReleaseOptions{}.instruction_set).width;
   std::vector<Block> blocks;
   for (const auto& [key, members] : alike) {
     for (std::size_t first = 0; first < members.size(); first += width) {
@@ -87,8 +92,9 @@ StaticReleaseResult measured(const StaticReleaseRequest& request, const dem::Rel
   return result;
 }
 
-void run_block(const std::vector<StaticReleaseRequest>& requests, const std::vector<dem::Release<2>>& releases,
-               const Block& block, std::vector<StaticReleaseResult>& results) {
+void run_block(const std::vector<StaticReleaseRequest>& requests,
+               const std::vector<dem::Release<2>>& releases, const Block& block,
+               std::vector<StaticReleaseResult>& results) {
   std::vector<dem::Release<2>> together;
   double periods = 0;
   for (const std::size_t i : block) periods = std::max(periods, releases[i].periods);
@@ -104,13 +110,15 @@ void run_block(const std::vector<StaticReleaseRequest>& requests, const std::vec
 
 }  // namespace
 
-std::vector<StaticReleaseResult> static_release_damping(const std::vector<StaticReleaseRequest>& requests, int jobs) {
+std::vector<StaticReleaseResult> static_release_damping(const std::vector<StaticReleaseRequest>& requests,
+                                                        int jobs) {
   for (const StaticReleaseRequest& request : requests) check(request);
   std::vector<dem::Release<2>> releases(requests.size());
   parallel_for(requests.size(), jobs, [&](std::size_t i) { releases[i] = release_of(requests[i]); });
   const std::vector<Block> blocks = blocks_of(requests, releases);
   std::vector<StaticReleaseResult> results(requests.size());
-  parallel_for(blocks.size(), jobs, [&](std::size_t i) { run_block(requests, releases, blocks[i], results); });
+  parallel_for(blocks.size(), jobs,
+               [&](std::size_t i) { run_block(requests, releases, blocks[i], results); });
   return results;
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "compare/peaks.hpp"
-#include "dem/motion/physics.hpp"
 #include "dem/fiber.hpp"
+#include "dem/motion/physics.hpp"
 
 // Damping as the paper measures it: the chain under a dead load at its free end, in equilibrium, let go.
 namespace fiberchain::compare {
@@ -23,10 +23,11 @@ struct StaticReleaseResult {
   TipHistory history;            ///< of the free end across the fiber: y over L, time in seconds
 };
 
-/// The free end of every chain after its release, and its damping. Chains of equal length go side by side in lanes, and
-/// `jobs` threads take the blocks; a result does not depend on its neighbors. Throws InputError, naming the case, for a
-/// fiber without damping, an overdamped first mode, a load of 0, or a range of peaks that is no range; what
-/// dem::solve_equilibrium and dem::ring_down throw.
-std::vector<StaticReleaseResult> static_release_damping(const std::vector<StaticReleaseRequest>& requests, int jobs = 1);
+/// The free end of every chain after its release, and its damping. Chains of equal length go side by side in
+/// lanes, and `jobs` threads take the blocks; a result does not depend on its neighbors. Throws InputError,
+/// naming the case, for a fiber without damping, an overdamped first mode, a load of 0, or a range of peaks
+/// that is no range; what dem::solve_equilibrium and dem::ring_down throw.
+std::vector<StaticReleaseResult> static_release_damping(const std::vector<StaticReleaseRequest>& requests,
+                                                        int jobs = 1);
 
 }  // namespace fiberchain::compare

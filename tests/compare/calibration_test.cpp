@@ -1,4 +1,5 @@
-// Calibration: there and back on the linear chain, the run that verifies it, what it expects of a run, what it refuses.
+// Calibration: there and back on the linear chain, the run that verifies it, what it expects of a run, what
+// it refuses.
 #define BOOST_TEST_MODULE calibration
 #include <boost/test/unit_test.hpp>
 #include <chrono>
@@ -61,7 +62,8 @@ BOOST_AUTO_TEST_CASE(there_and_back) {
           const Calibration back = calibration_of({there.fiber});
           BOOST_TEST(std::abs(back.damping_ratio / xi - 1) < 1e-9);
           BOOST_TEST(back.setting == there.setting);
-          BOOST_TEST(std::abs(reference::first_bending_mode(linear_twin(there.fiber)).damping / xi - 1) < 1e-9);
+          BOOST_TEST(std::abs(reference::first_bending_mode(linear_twin(there.fiber)).damping / xi - 1) <
+                     1e-9);
         }
       }
     }
@@ -104,7 +106,8 @@ BOOST_AUTO_TEST_CASE(measures_of_damping_mean_the_same) {
   BOOST_TEST(to_damping_ratio(DampingMeasure::loss_factor, 0.04) == 0.02);
   const double delta = 2 * std::numbers::pi * 0.02 / std::sqrt(1 - 0.0004);
   BOOST_TEST(std::abs(to_damping_ratio(DampingMeasure::log_decrement, delta) / 0.02 - 1) < 1e-14);
-  BOOST_TEST(to_damping_ratio(DampingMeasure::log_decrement, 1e3) < 1);  // any decrement is below critical damping
+  BOOST_TEST(to_damping_ratio(DampingMeasure::log_decrement, 1e3) <
+             1);  // any decrement is below critical damping
 }
 
 BOOST_AUTO_TEST_CASE(departures_add_up_to_the_chain) {
@@ -124,7 +127,8 @@ BOOST_AUTO_TEST_CASE(departures_add_up_to_the_chain) {
 }
 
 BOOST_AUTO_TEST_CASE(run_has_the_damping_asked_for) {
-  for (const auto& [r_f, nu, xi] : {std::tuple{8, 0.17, 0.02}, {9, 0.43, 1e-3}, {11, -0.11, 0.05}, {13, 0.29, 0.007}}) {
+  for (const auto& [r_f, nu, xi] :
+       {std::tuple{8, 0.17, 0.02}, {9, 0.43, 1e-3}, {11, -0.11, 0.05}, {13, 0.29, 0.007}}) {
     for (const DashpotLaw law : laws) {
       const Calibration found = calibrate(case_of(r_f, nu, law), xi);
       const Verification run = verify(found);
@@ -158,7 +162,8 @@ BOOST_AUTO_TEST_CASE(time_step_does_what_is_expected_of_it) {
   const Calibration fine = calibrate(asked, 0.03);
   const double expected = coarse.time_step_effect - fine.time_step_effect;
   BOOST_TEST(std::abs(expected) > 3e-5);
-  BOOST_TEST(std::abs(verify(coarse).difference - verify(fine).difference - expected) < 0.1 * std::abs(expected));
+  BOOST_TEST(std::abs(verify(coarse).difference - verify(fine).difference - expected) <
+             0.1 * std::abs(expected));
 }
 
 // The numbers in amplitude_effect(), found again: the uniform inextensible Elastica let go from a load of 4.
@@ -170,7 +175,8 @@ BOOST_AUTO_TEST_CASE(amplitude_does_what_is_expected_of_it) {
     std::vector<double> times;
     for (int i = 0; i <= 12 * 120; ++i) times.push_back(period * i / 120);
     TipHistory tip;
-    for (const auto& s : reference::damped_elastica(layout, {reference::Release::Shape::static_load, 4}, times).samples) {
+    for (const auto& s :
+         reference::damped_elastica(layout, {reference::Release::Shape::static_load, 4}, times).samples) {
       tip.time.push_back(s.time);
       tip.y.push_back(s.y);
       tip.velocity.push_back(s.y_rate);
@@ -196,7 +202,8 @@ BOOST_AUTO_TEST_CASE(amplitude_is_a_load_or_a_deflection) {
   BOOST_TEST(to_amplitude(AmplitudeMeasure::tip_deflection, 0.3) == 0.3);
   BOOST_TEST(to_amplitude(AmplitudeMeasure::load, 2.4) < largest_amplitude);
   for (const double load : {2.6, 10.0, 1e9}) {
-    BOOST_TEST(names(message_of<InputError>([&] { to_amplitude(AmplitudeMeasure::load, load); }), "known up to"));
+    BOOST_TEST(
+        names(message_of<InputError>([&] { to_amplitude(AmplitudeMeasure::load, load); }), "known up to"));
   }
 }
 
@@ -216,7 +223,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_reached_says_why) {
                                        {DampingMeasure::damping_ratio, 7.0},
                                        {DampingMeasure::quality_factor, 0.5},
                                        {DampingMeasure::loss_factor, 2.0}}) {
-    BOOST_TEST(names(message_of<InputError>([&] { to_damping_ratio(measure, value); }), "there is no vibration"));
+    BOOST_TEST(
+        names(message_of<InputError>([&] { to_damping_ratio(measure, value); }), "there is no vibration"));
   }
   for (const double value : {0.0, -0.01, kNan, kInfinity, -kInfinity}) {
     BOOST_TEST(names(message_of<InputError>([&] { to_damping_ratio(DampingMeasure::log_decrement, value); }),
@@ -237,9 +245,11 @@ BOOST_AUTO_TEST_CASE(settings_without_vibration_say_why) {
     calibration_of(asked);
   };
   BOOST_TEST(names(message_of<InputError>([&] { reverse(0); }), "without damping"));
-  BOOST_TEST(names(message_of<InputError>([&] { reverse(150); }), "bond damping = 150 overdamps the first mode"));
+  BOOST_TEST(
+      names(message_of<InputError>([&] { reverse(150); }), "bond damping = 150 overdamps the first mode"));
   BOOST_TEST(names(message_of<dem::InvalidInput>([&] { reverse(-1); }), "bond_damping = -1 is not allowed"));
-  BOOST_TEST(names(message_of<dem::InvalidInput>([&] { reverse(kNan); }), "bond_damping = nan is not allowed"));
+  BOOST_TEST(
+      names(message_of<dem::InvalidInput>([&] { reverse(kNan); }), "bond_damping = nan is not allowed"));
   CalibrationCase swinging = case_of(10);
   swinging.amplitude = -0.1;
   BOOST_TEST(names(message_of<InputError>([&] { calibrate(swinging, 0.01); }), "tip deflection = -0.1"));

@@ -1,7 +1,8 @@
-// Laws of the damping: planted parameters come back, the chain's own data tell the laws apart, the paper's Eq 20 is local.
+// Laws of the damping: planted parameters come back, the chain's own data tell the laws apart, the paper's Eq
+// 20 is local.
 #define BOOST_TEST_MODULE damping_fit
-#include <boost/test/unit_test.hpp>
 #include <algorithm>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 
@@ -37,12 +38,14 @@ std::vector<int> every(int first, int last) {
 
 std::vector<DampingDatum> law_data(DampingLaw law, const std::vector<double>& parameters) {
   std::vector<DampingDatum> points;
-  for (const int r_f : {5, 6, 7, 9, 11, 13, 17, 21, 30}) points.push_back({r_f, damping_law(law, parameters, r_f)});
+  for (const int r_f : {5, 6, 7, 9, 11, 13, 17, 21, 30})
+    points.push_back({r_f, damping_law(law, parameters, r_f)});
   return points;
 }
 
 const DampingFit& find(const std::vector<DampingFit>& fits, DampingLaw law, FitKind way) {
-  return *std::ranges::find_if(fits, [&](const DampingFit& f) { return f.model.law == law && f.model.kind == way; });
+  return *std::ranges::find_if(
+      fits, [&](const DampingFit& f) { return f.model.law == law && f.model.kind == way; });
 }
 
 template <class Error, class Call>
@@ -62,9 +65,10 @@ bool names(const std::string& message, const std::string& part) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(planted_parameters_come_back) {
-  const std::vector<std::pair<DampingLaw, std::vector<double>>> planted{{DampingLaw::exponential, {0.031, 0.17}},
-                                                                        {DampingLaw::power, {0.93, 2.13}},
-                                                                        {DampingLaw::shifted_square, {0.71}}};
+  const std::vector<std::pair<DampingLaw, std::vector<double>>> planted{
+      {DampingLaw::exponential, {0.031, 0.17}},
+      {DampingLaw::power, {0.93, 2.13}},
+      {DampingLaw::shifted_square, {0.71}}};
   for (const auto& [law, parameters] : planted) {
     for (const FitKind way : {FitKind::unweighted, FitKind::logarithmic}) {
       const DampingFit fit = fit_damping({law, way}, law_data(law, parameters));
@@ -162,7 +166,8 @@ BOOST_AUTO_TEST_CASE(choices_are_many_and_recover_the_law_planted_in_their_data)
     ++calls;
     std::vector<double> values;
     for (const SlopeRequest& r : requests) {
-      values.push_back(damping_law(DampingLaw::exponential, {kPaperA, kPaperB}, r.aspect_ratio) * (1 + 0.01 * r.peaks.first));
+      values.push_back(damping_law(DampingLaw::exponential, {kPaperA, kPaperB}, r.aspect_ratio) *
+                       (1 + 0.01 * r.peaks.first));
     }
     return values;
   };
@@ -172,7 +177,8 @@ BOOST_AUTO_TEST_CASE(choices_are_many_and_recover_the_law_planted_in_their_data)
   for (const ChoiceOutcome& o : outcomes) {
     BOOST_TEST(std::abs(o.departure_a - 0.01 * o.choice.peaks.first) < 1e-9);
     BOOST_TEST(std::abs(o.departure_b) < 1e-9);
-    BOOST_TEST(std::abs(o.slope_8 / (kPaperA * std::exp(-kPaperB * 8) * (1 + 0.01 * o.choice.peaks.first)) - 1) < 1e-12);
+    BOOST_TEST(std::abs(o.slope_8 / (kPaperA * std::exp(-kPaperB * 8) * (1 + 0.01 * o.choice.peaks.first)) -
+                        1) < 1e-12);
   }
   BOOST_TEST(outcomes.front().choice.peaks.first == 0);  // nearest first
   BOOST_TEST(outcomes.back().choice.peaks.first == 1);
@@ -185,10 +191,14 @@ BOOST_AUTO_TEST_CASE(constant_force_is_a_load_that_grows_with_the_square_of_the_
   BOOST_TEST(reduced_load({ChoiceLoad::Kind::reduced, 0.7}, 30) == 0.7);
 }
 
-// Slopes that model.md gives for the small load: 0.010885 and 0.007132 of mode 1 alone; peaks 1..10 carry 0.2 % of mode 2.
+// Slopes that model.md gives for the small load: 0.010885 and 0.007132 of mode 1 alone; peaks 1..10 carry 0.2
+// % of mode 2.
 BOOST_AUTO_TEST_CASE(static_releases_measure_what_the_paper_measured) {
-  const auto slopes = chain_slopes({0.3, 1}, 2)(
-      {{8, 0.01, {5, 12}}, {10, 0.01, {5, 12}}, {10, 0.01, {1, 10}}, {10, 0.05, {0, 4}}, {10, 2.17, {1, 10}}});
+  const auto slopes = chain_slopes({0.3, 1}, 2)({{8, 0.01, {5, 12}},
+                                                 {10, 0.01, {5, 12}},
+                                                 {10, 0.01, {1, 10}},
+                                                 {10, 0.05, {0, 4}},
+                                                 {10, 2.17, {1, 10}}});
   BOOST_TEST(std::abs(slopes[0] / 0.010885 - 1) < 2e-4);
   BOOST_TEST(std::abs(slopes[1] / 0.007132 - 1) < 2e-4);
   BOOST_TEST(std::abs(slopes[2] / 0.00715 - 1) < 1e-3);
@@ -219,17 +229,20 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_named) {
     return message_of<InputError>([&] { fit_damping(model, points); });
   };
   BOOST_TEST(names(fitting({{5, 0.02}, {9, 0.01}}), "3 different aspect ratios or more, 2 given"));
-  BOOST_TEST(names(fitting({{5, 0.02}, {5, 0.02}, {9, 0.01}, {9, 0.01}}), "3 different aspect ratios or more, 2 given"));
+  BOOST_TEST(names(fitting({{5, 0.02}, {5, 0.02}, {9, 0.01}, {9, 0.01}}),
+                   "3 different aspect ratios or more, 2 given"));
   BOOST_TEST(names(fitting({{5, 0.02}, {9, -0.01}, {11, 0.01}}), "aspect ratio 9 is not allowed"));
   BOOST_TEST(names(fitting({{5, 0.02}, {9, 0.0}, {11, 0.01}}), "decays"));
   BOOST_TEST(names(fitting({{5, 0.02}, {9, kNan}, {11, 0.01}}), "aspect ratio 9"));
   BOOST_TEST(names(fitting({{0, 0.02}, {9, 0.01}, {11, 0.01}}), "aspect ratio 0"));
   BOOST_TEST(names(message_of<InputError>([&] {
-    fit_damping({DampingLaw::power, FitKind::published}, chain_data({5, 7, 9}));
-  }), "no way to fit"));
+                     fit_damping({DampingLaw::power, FitKind::published}, chain_data({5, 7, 9}));
+                   }),
+                   "no way to fit"));
   BOOST_TEST(names(message_of<InputError>([&] {
-    damping_fits(chain_data({5, 7, 9, 11}), chain_data({9}), chain_curve(kind, {3, 9}));
-  }), "both fitted and held out"));
+                     damping_fits(chain_data({5, 7, 9, 11}), chain_data({9}), chain_curve(kind, {3, 9}));
+                   }),
+                   "both fitted and held out"));
   BOOST_TEST(names(message_of<InputError>([] { linear_chain_slope(5, {0.3, -1}); }), "bond damping -1"));
   BOOST_TEST(names(message_of<InputError>([] { linear_chain_slope(5, {0.3, 100}); }), "overdamped"));
 }
@@ -247,7 +260,9 @@ BOOST_AUTO_TEST_CASE(releases_that_show_no_damping_are_named) {
   BOOST_TEST(names(releasing(1, 0.1, {-1, 4}), "first 0 or more"));
   BOOST_TEST(names(releasing(500, 0.1, {1, 4}), "overdamped"));
   fiber.bond_damping = -1;
-  BOOST_TEST(names(message_of<dem::InvalidInput>([&] { static_release_damping({{fiber, 0.1, {{1, 4}}}}); }),
+  BOOST_TEST(names(message_of<dem::InvalidInput>([&] {
+                     static_release_damping({{fiber, 0.1, {{1, 4}}}});
+                   }),
                    "bond_damping = -1 is not allowed"));
   BOOST_TEST(static_release_damping({}).empty());
 }
@@ -258,15 +273,19 @@ BOOST_AUTO_TEST_CASE(study_measures_fits_and_tells) {
   sweep.held_out = {15};
   sweep.poisson_ratio = 0.17;
   const FitStudy study = fit_study(sweep, 2);
-  BOOST_TEST(std::abs(find(study.fits, DampingLaw::shifted_square, FitKind::logarithmic).parameters[0] - 0.5) < 0.01);
-  const Table fits = fit_table(study), residuals = fit_residual_table(study), choices = fit_choice_table(study);
+  BOOST_TEST(std::abs(find(study.fits, DampingLaw::shifted_square, FitKind::logarithmic).parameters[0] -
+                      0.5) < 0.01);
+  const Table fits = fit_table(study), residuals = fit_residual_table(study),
+              choices = fit_choice_table(study);
   BOOST_TEST(fits.rows().size() == 8u);
   BOOST_TEST(residuals.rows().size() == 8u * 7);
   BOOST_TEST(choices.rows().size() == study.choices.size());
   for (std::size_t row = 0; row < residuals.rows().size(); ++row) {
-    const double slope = residuals.number(row, "damping_slope"), fitted = residuals.number(row, "damping_slope_fit");
+    const double slope = residuals.number(row, "damping_slope"),
+                 fitted = residuals.number(row, "damping_slope_fit");
     BOOST_TEST(std::abs(residuals.number(row, "fit_residual") - (fitted / slope - 1)) < 1e-12);
-    BOOST_TEST(std::abs(slope / residuals.number(row, "damping_slope_modes") - 1) < 2e-4);  // the chain marches as it must
+    BOOST_TEST(std::abs(slope / residuals.number(row, "damping_slope_modes") - 1) <
+               2e-4);  // the chain marches as it must
     BOOST_TEST((residuals.number(row, "held_out") == 1) == (residuals.number(row, "aspect_ratio") == 15));
   }
   BOOST_TEST(fit_notes(study).find("inference") != std::string::npos);
