@@ -1,13 +1,15 @@
 #include "compare/columns.hpp"
 
 #include "compare/app/commands.hpp"
+#include "compare/app/options.hpp"
 #include "compare/json.hpp"
 #include "compare/markdown.hpp"
 #include "compare/table.hpp"
 
 namespace fiberchain::app {
+namespace {
 
-int run_columns(const ColumnsOptions& options, Context& context) {
+int run(const Arguments& arguments, Context& context) {
   compare::Table table({"column", "kind", "unit", "meaning"});
   for (const compare::Column& column : compare::all_columns()) {
     table.append({{"column", std::string(column.name)},
@@ -15,8 +17,19 @@ int run_columns(const ColumnsOptions& options, Context& context) {
                   {"unit", std::string(column.unit)},
                   {"meaning", std::string(column.meaning)}});
   }
-  context.out << (options.json ? compare::to_text(to_json(table, context.provenance)) : to_markdown(table));
+  const bool json = arguments.has("--json");
+  context.out << (json ? compare::to_text(to_json(table, context.provenance)) : to_markdown(table));
   return kSuccess;
+}
+
+}  // namespace
+
+Command columns_command() {
+  return {.name = "columns",
+          .description = "list every column of the tables: type, unit, meaning",
+          .footer = "Example:\n  fiberchain columns --json",
+          .options = {json_option()},
+          .run = &run};
 }
 
 }  // namespace fiberchain::app

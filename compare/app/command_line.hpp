@@ -1,22 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "compare/app/options.hpp"
+#include "compare/app/commands.hpp"
 
 namespace fiberchain::app {
 
-/// Help or version: to be printed, and that is all.
-struct Message {
+/// What the command line asks for: a command with its arguments, or a text (help, version) to be printed.
+struct Request {
+  std::optional<Command> command;
+  Arguments arguments;
   std::string text;
 };
 
-using Request = std::variant<Message, ColumnsOptions, RunOptions, TablesStaticOptions, TablesDampingOptions, ValidateOptions>;
-
-/// What the arguments (without the program's name) ask for.
-/// @throws compare::InputError if they are not understood
+/// Understands the arguments (without the program's name).
+/// @throws compare::InputError if they make no sense
 Request parse_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace fiberchain::app

@@ -1,24 +1,37 @@
 #pragma once
 
-#include "compare/app/context.hpp"
-#include "compare/app/options.hpp"
+#include <vector>
 
-/// The commands of the program, one source file each. Each returns the exit status; errors are thrown.
+#include "compare/app/command.hpp"
+
+/// The commands of the program, one source file each.
 namespace fiberchain::app {
 
-/// `fiberchain columns`: the dictionary of the columns.
-int run_columns(const ColumnsOptions& options, Context& context);
+Command calibrate_command();       ///< damping of the bonds for a damping of the fiber, and the reverse
+Command columns_command();         ///< the dictionary of the columns
+Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
+Command run_command();             ///< one scene
+Command tables_damping_command();  ///< damping of the fiber by that of the bonds, Figs 6 to 9
+Command tables_static_command();   ///< departure of the chain from the Elastica, its causes, Figs 3 and 4
+Command validate_command();        ///< the validation matrix
 
-/// `fiberchain run SCENE`: one scene.
-int run_scene(const RunOptions& options, Context& context);
+/// A name that commands share, "tables", and what it stands for.
+struct Group {
+  std::string name;
+  std::string description;
+  std::string footer;
+};
 
-/// `fiberchain tables static`: departure of the chain from the Elastica, its causes, Figs 3 and 4.
-int run_tables_static(const TablesStaticOptions& options, Context& context);
+/// All of them, in the order of the help.
+inline std::vector<Command> all_commands() {
+  return {columns_command(),        run_command(), tables_static_command(),
+          tables_damping_command(), fit_command(), calibrate_command(),
+          validate_command()};
+}
 
-/// `fiberchain tables damping`: damping of the fiber by that of the bonds, Figs 6 to 9.
-int run_tables_damping(const TablesDampingOptions& options, Context& context);
-
-/// `fiberchain validate`: the validation matrix.
-int run_validate(const ValidateOptions& options, Context& context);
+inline std::vector<Group> all_groups() {
+  return {{"tables", "make the paper's tables and figures",
+           "Example:\n  fiberchain tables static --load 0.05..10:log:12"}};
+}
 
 }  // namespace fiberchain::app

@@ -7,7 +7,6 @@
 #include <iostream>
 
 #include "compare/app/command_line.hpp"
-#include "compare/app/commands.hpp"
 #include "compare/errors.hpp"
 #include "dem/errors.hpp"
 #include "dem/io/scene_error.hpp"
@@ -17,25 +16,6 @@ namespace {
 
 using namespace fiberchain;
 using namespace fiberchain::app;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-
-int dispatch(const Request& request, Context& context) {
-  return std::visit(
-      Overloaded{[&](const Message& message) {
-                   context.out << message.text;
-                   return kSuccess;
-                 },
-                 [&](const ColumnsOptions& options) { return run_columns(options, context); },
-                 [&](const RunOptions& options) { return run_scene(options, context); },
-                 [&](const TablesStaticOptions& options) { return run_tables_static(options, context); },
-                 [&](const TablesDampingOptions& options) { return run_tables_damping(options, context); },
-                 [&](const ValidateOptions& options) { return run_validate(options, context); }},
-      request);
-}
 
 /// Messages as "fiberchain: text", warnings and errors with their level.
 std::shared_ptr<spdlog::logger> make_log() {
@@ -56,7 +36,9 @@ int report(const std::exception& error, int status) {
 int run(const std::vector<std::string>& command_line) {
   Context context{compare::collect_provenance(command_line), std::cout, std::cerr, make_log(),
                   compare::someone_watches()};
-  const int status = dispatch(parse_command_line({command_line.begin() + 1, command_line.end()}), context);
+  const Request request = parse_command_line({command_line.begin() + 1, command_line.end()});
+  context.out << request.text;
+  const int status = request.command ? request.command->run(request.arguments, context) : kSuccess;
   if (!std::cout.flush()) throw compare::OutputError("standard output", "is it closed, or its disk full?");
   return status;
 }

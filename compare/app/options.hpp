@@ -1,44 +1,65 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "compare/damping_table.hpp"
-#include "compare/static_table.hpp"
+#include "compare/app/command.hpp"
+#include "compare/ranges.hpp"
 
-/// What the command line asks for, as plain values.
+/// Options that several commands have, and how options become values.
 namespace fiberchain::app {
 
-/// Options every command with results has.
 struct OutputOptions {
   bool json = false;                         ///< rows as one JSON object on standard output
   std::optional<std::filesystem::path> out;  ///< results directory; without it "results", or none with --json
-  std::optional<std::filesystem::path> data;  ///< data directory, in place of the program's own
-  int jobs = 1;                               ///< threads
+  int jobs = 1;                              ///< threads
 };
 
-struct ColumnsOptions {
-  bool json = false;
-};
+/// --json
+Option json_option();
 
-struct RunOptions {
-  std::filesystem::path scene;
-  OutputOptions output;
-};
+/// These options with --json, --out and --jobs behind them.
+std::vector<Option> with_output(std::vector<Option> options);
 
-struct TablesStaticOptions {
-  compare::StaticSweep sweep;
-  OutputOptions output;
-};
+/// @throws compare::InputError if --jobs is no number of threads
+OutputOptions output_options(const Arguments& arguments);
 
-struct TablesDampingOptions {
-  compare::DampingSweep sweep;
-  bool chosen = false;  ///< a sweep was asked for; without one the figures' cases are run
-  OutputOptions output;
-};
+/// What a footer says of lists and ranges.
+inline constexpr const char* kListHelp =
+    "\nLists and ranges: 10,13   5..60   5..60:5 (step)   0.05..10:log:12 (number of values)";
 
-struct ValidateOptions {
-  OutputOptions output;
-};
+/// Poisson's ratios that an isotropic material can have.
+inline constexpr dem::io::Interval kPoissonRatios{.low = -1, .high = 0.5, .low_open = true};
+
+/// A list of numbers or integers in place of the usual one, if the option was typed.
+/// @throws compare::InputError naming option, value and what is allowed
+void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+               std::vector<double>& values);
+void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+               std::vector<int>& values);
+
+/// A single number, likewise.
+void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+                 double& value);
+void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+                 int& value);
+
+/// A list of words, each standing for a value, likewise.
+template <class Value>
+void read_choices(const Arguments& arguments, const std::string& option, std::vector<Value>& chosen,
+                  const std::vector<std::pair<std::string, Value>>& choices) {
+  if (!arguments.has(option)) return;
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices) words.push_back(word);
+  chosen.clear();
+  for (const std::string& word : compare::parse_words(option, arguments.text(option), words)) {
+    chosen.push_back(
+        choices[static_cast<std::size_t>(std::ranges::find(words, word) - words.begin())].second);
+  }
+}
 
 }  // namespace fiberchain::app

@@ -14,7 +14,10 @@ std::string heading_of(const Results& results) {
 /// {"provenance": ..., "rows": [...]} and the rows of every further table under its name.
 nlohmann::ordered_json json_of(const Results& results, const compare::Provenance& provenance) {
   auto document = to_json(results.table, provenance);
-  for (const auto& [name, table] : results.more_tables) document[name] = to_json(table, provenance)["rows"];
+  for (const auto& [name, table] : results.more_tables) {
+    const bool of_these = name.starts_with(results.name + "-");
+    document[of_these ? name.substr(results.name.size() + 1) : name] = to_json(table, provenance)["rows"];
+  }
   return document;
 }
 

@@ -1,34 +1,84 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/damping_table.hpp"
+#include "compare/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
 
-const std::vector<std::string> kShown = {"aspect_ratio",  "bond_damping",        "load",
-                                         "fiber_damping", "fiber_damping_paper", "fiber_damping_modes",
-                                         "fiber_damping_elastica", "fiber_damping_closed_form", "fiber_damping_eq20",
+const std::vector<std::string> kShown = {"aspect_ratio",
+                                         "bond_damping",
+                                         "load",
+                                         "fiber_damping",
+                                         "fiber_damping_paper",
+                                         "fiber_damping_modes",
+                                         "fiber_damping_elastica",
+                                         "fiber_damping_closed_form",
+                                         "fiber_damping_eq20",
                                          "status"};
 
 using Points = std::vector<compare::DampingPoint>;
 using Cases = std::vector<compare::DampingCase>;
 
-Points measure(const Cases& cases, const TablesDampingOptions& options, const Context& context) {
+compare::PeakRange peak_range(const Arguments& arguments, const compare::PeakRange& usual) {
+  if (!arguments.has("--peaks")) return usual;
+  std::vector<int> peaks;
+  read_list(arguments, "--peaks", {.low = 0, .high = 10000}, peaks);
+  if (peaks.size() < 2 || peaks.back() - peaks.front() + 1 != static_cast<int>(peaks.size())) {
+    throw compare::InputError(fmt::format(
+        "--peaks: '{}' is not allowed: give a range a..b of at least two peaks", arguments.text("--peaks")));
+  }
+  return {peaks.front(), peaks.back()};
+}
+
+compare::DampingSweep sweep_of(const Arguments& arguments) {
+  using dem::BondForm;
+  using dem::BondModel;
+  using dem::DashpotLaw;
+  compare::DampingSweep sweep;
+  read_list(arguments, "--aspect-ratio", {.low = 2, .high = 1e4}, sweep.aspect_ratio);
+  read_list(arguments, "--poisson-ratio", kPoissonRatios, sweep.poisson_ratio);
+  read_list(arguments, "--bond-damping", {.low = 0, .high = 1e6, .low_open = true}, sweep.bond_damping);
+  read_list(arguments, "--load", {.low = 0, .high = 10, .low_open = true}, sweep.load);
+  read_choices<BondModel>(arguments, "--bond", sweep.bond,
+                          {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
+  read_choices<BondForm>(arguments, "--form", sweep.form,
+                         {{"total", BondForm::total}, {"incremental", BondForm::incremental}});
+  read_choices<DashpotLaw>(arguments, "--dashpots", sweep.dashpots,
+                           {{"bond_damping", DashpotLaw::bond_damping},
+                            {"retardation_time", DashpotLaw::retardation_time},
+                            {"bending_only", DashpotLaw::bending_only}});
+  sweep.peaks = peak_range(arguments, sweep.peaks);
+  return sweep;
+}
+
+/// Whether any case was asked for; without, the figures' own are run.
+bool chose_cases(const Arguments& arguments) {
+  const auto options = {"--aspect-ratio", "--poisson-ratio", "--bond-damping", "--load",
+                        "--dashpots",     "--bond",          "--form"};
+  return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
+}
+
+Points measure(const Cases& cases, int jobs, const Context& context) {
   const auto progress = context.progress(cases.size());
-  return compare::damping_points(cases, {.jobs = options.output.jobs, .advance = [&] { progress->advance(); }});
+  return compare::damping_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
 }
 
 /// All figures' cases measured together, then handed back figure by figure.
-compare::DampingFigurePoints measure_figures(const TablesDampingOptions& options, const Context& context, Points& all) {
-  const compare::DampingFigureCases wanted = compare::damping_figure_cases(options.sweep.peaks);
+compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
+                                             const Context& context, Points& all) {
+  const compare::DampingFigureCases wanted = compare::damping_figure_cases(peaks);
   compare::DampingFigurePoints figures;
   Cases cases;
   for (const Cases* part : {&wanted.bond_damping, &wanted.load, &wanted.modulus, &wanted.aspect_ratio}) {
     cases.insert(cases.end(), part->begin(), part->end());
   }
-  all = measure(cases, options, context);
+  all = measure(cases, jobs, context);
   auto next = all.begin();
   const auto take = [&](const Cases& part) {
     const auto first = next;
@@ -42,27 +92,52 @@ compare::DampingFigurePoints measure_figures(const TablesDampingOptions& options
   return figures;
 }
 
-}  // namespace
-
-int run_tables_damping(const TablesDampingOptions& options, Context& context) {
-  const auto directory = open_output(options.output);
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const compare::DampingSweep sweep = sweep_of(arguments);
+  const auto directory = open_output(output);
   Points points;
-  Results results{.name = "damping", .heading = "Damping of the fiber by dashpots in its bonds",
+  Results results{.name = "damping",
+                  .heading = "Damping of the fiber by dashpots in its bonds",
                   .table = compare::damping_table({})};
-  if (options.chosen) {
-    points = measure(compare::cases(options.sweep), options, context);
+  if (chose_cases(arguments)) {
+    points = measure(compare::cases(sweep), output.jobs, context);
   } else {
-    const compare::DampingFigurePoints figures = measure_figures(options, context, points);
+    const compare::DampingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
     const compare::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
     results.more_tables = {{"fig-6", ring_down}, {"damping-dashpots", compare::dashpot_table(10, 0.3)}};
     results.figures = compare::damping_figures(figures, ring_down);
   }
   results.table = compare::damping_table(points);
-  deliver(results, results.table.select(kShown), options.output, directory, context);
-  const auto failed = std::ranges::count_if(points, [](const auto& point) { return point.status != "measured"; });
+  deliver(results, results.table.select(kShown), output, directory, context);
+  const auto failed =
+      std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
   if (failed == 0) return kSuccess;
   context.log->error("error: {} of {} cases could not be measured, see column status", failed, points.size());
   return kRunFailed;
+}
+
+}  // namespace
+
+Command tables_damping_command() {
+  return {
+      .name = "tables damping",
+      .description = "damping of the fiber by that of the bonds and what it is made of (Figs 6 to 9)",
+      .footer = std::string("Without a choice of cases those of the figures are run.\n"
+                            "Example:\n  fiberchain tables damping --aspect-ratio 13 --poisson-ratio 0.17 "
+                            "--bond-damping 0.7 --load 0.05 --json\n") +
+                kListHelp,
+      .options = with_output(
+          {{"--aspect-ratio", "LIST", "r_f = L/d, number of bonds [10]"},
+           {"--poisson-ratio", "LIST", "Poisson's ratio [0.3]"},
+           {"--bond-damping", "LIST", "xi_b; with --dashpots retardation_time the time over t_b [1]"},
+           {"--load", "LIST", "load before the release, P L^2/(E I) [0.05]"},
+           {"--dashpots", "LIST",
+            "what sets the dashpots: bond_damping, retardation_time, bending_only [bond_damping]"},
+           {"--bond", "LIST", "bond law: paper, corrected [paper]"},
+           {"--form", "LIST", "form of the bond law: total, incremental [incremental]"},
+           {"--peaks", "LIST", "peaks of fiber_damping_paper; 0 is the point of release [1..10]"}}),
+      .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "compare/app/commands.hpp"
@@ -12,32 +14,74 @@ const std::vector<std::string> kShown = {
     "bond",        "method",  "aspect_ratio", "poisson_ratio",    "load",  "tip_y",
     "departure_y", "shear_y", "stretch_y",    "discretization_y", "status"};
 
-std::vector<compare::StaticPoint> points_of(const TablesStaticOptions& options, const Context& context) {
-  const std::vector<compare::StaticCase> cases = compare::cases(options.sweep);
-  const auto progress = context.progress(cases.size());
-  return static_points(cases, {.jobs = options.output.jobs, .advance = [&] { progress->advance(); }});
+compare::StaticSweep sweep_of(const Arguments& arguments) {
+  using compare::StaticMethod;
+  using dem::BondForm;
+  using dem::BondModel;
+  compare::StaticSweep sweep;
+  read_list(arguments, "--aspect-ratio", {.low = 1, .high = 1e5}, sweep.aspect_ratio);
+  read_list(arguments, "--poisson-ratio", kPoissonRatios, sweep.poisson_ratio);
+  read_list(arguments, "--load", {.low = 0, .high = 1000, .low_open = true}, sweep.load);
+  read_choices<BondModel>(arguments, "--bond", sweep.bond,
+                          {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
+  read_choices<StaticMethod>(arguments, "--method", sweep.method,
+                             {{"solve", StaticMethod::solve}, {"march", StaticMethod::march}});
+  read_choices<BondForm>(arguments, "--form", sweep.form,
+                         {{"total", BondForm::total}, {"incremental", BondForm::incremental}});
+  read_choices<int>(arguments, "--dimension", sweep.dimension, {{"planar", 2}, {"spatial", 3}});
+  return sweep;
 }
 
-}  // namespace
+std::vector<compare::StaticPoint> points_of(const compare::StaticSweep& sweep, int jobs,
+                                            const Context& context) {
+  const std::vector<compare::StaticCase> cases = compare::cases(sweep);
+  const auto progress = context.progress(cases.size());
+  return static_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
+}
 
-int run_tables_static(const TablesStaticOptions& options, Context& context) {
-  const auto directory = open_output(options.output);
-  const std::vector<compare::StaticPoint> points = points_of(options, context);
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const compare::StaticSweep sweep = sweep_of(arguments);
+  const auto directory = open_output(output);
+  const std::vector<compare::StaticPoint> points = points_of(sweep, output.jobs, context);
   Results results{.name = "static",
                   .heading = "Departure of the chain's free end from the Elastica",
                   .table = compare::static_table(points)};
   if (directory) {
-    const compare::Table orders =
-        compare::static_order_table(options.sweep.poisson_ratio.front(), options.output.jobs);
+    const compare::Table orders = compare::static_order_table(sweep.poisson_ratio.front(), output.jobs);
     results.more_tables = {{"static-order", orders}};
     results.figures = compare::static_figures(points, orders);
   }
-  deliver(results, results.table.select(kShown), options.output, directory, context);
+  deliver(results, results.table.select(kShown), output, directory, context);
   const auto failed =
       std::ranges::count_if(points, [](const auto& point) { return point.status != "converged"; });
   if (failed == 0) return kSuccess;
   context.log->error("error: {} of {} cases did not converge, see column status", failed, points.size());
   return kRunFailed;
+}
+
+}  // namespace
+
+Command tables_static_command() {
+  const compare::StaticSweep usual;
+  return {
+      .name = "tables static",
+      .description = "departure of the chain from the Elastica and its causes (Figs 3, 4)",
+      .footer = std::string("Example:\n  fiberchain tables static --aspect-ratio 10,13 --poisson-ratio 0.17 "
+                            "--load 0.5,6 --json\n") +
+                kListHelp,
+      .options = with_output(
+          {{"--aspect-ratio", "LIST",
+            fmt::format("r_f = L/d, number of bonds [{}]", fmt::join(usual.aspect_ratio, ","))},
+           {"--poisson-ratio", "LIST",
+            fmt::format("Poisson's ratio [{}]", fmt::join(usual.poisson_ratio, ","))},
+           {"--load", "LIST",
+            fmt::format("dead load at the free end, P L^2/(E I) [{}]", fmt::join(usual.load, ","))},
+           {"--bond", "LIST", "bond law: paper, corrected [paper]"},
+           {"--method", "LIST", "way to the equilibrium: solve, march [solve]"},
+           {"--form", "LIST", "form of the bond law: total, incremental (march only) [total]"},
+           {"--dimension", "LIST", "planar, spatial [planar]"}}),
+      .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -10,9 +10,9 @@ namespace fiberchain::app {
 namespace {
 
 /// The rows of every part of the program, in the order of the matrix.
-std::vector<compare::MatrixRow> all_rows(const std::vector<compare::PublishedValue>& published,
-                                         const ValidateOptions& options, const Context& context) {
-  const compare::ValidationInput input{published, options.output.jobs};
+std::vector<compare::MatrixRow> all_rows(const std::vector<compare::PublishedValue>& published, int jobs,
+                                         const Context& context) {
+  const compare::ValidationInput input{published, jobs};
   const auto& steps = compare::validation_steps();
   const auto progress = context.progress(steps.size());
   std::vector<compare::MatrixRow> all;
@@ -31,19 +31,33 @@ void log_summary(const std::vector<compare::MatrixRow>& rows, const Context& con
                     count(compare::Verdict::disputed), count(compare::Verdict::fails));
 }
 
-}  // namespace
-
-int run_validate(const ValidateOptions& options, Context& context) {
-  const auto published = compare::read_all_published(compare::find_data_directory(options.output.data));
-  const auto directory = open_output(options.output);
-  const std::vector<compare::MatrixRow> rows = all_rows(published, options, context);
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  std::optional<std::filesystem::path> data;
+  if (arguments.has("--data")) data = arguments.text("--data");
+  const auto published = compare::read_all_published(compare::find_data_directory(data));
+  const auto directory = open_output(output);
+  const std::vector<compare::MatrixRow> rows = all_rows(published, output.jobs, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
   const compare::Table shown = results.table.select(
       {"id", "feature", "reference_kind", "expected", "measured", "difference", "tolerance", "verdict"});
-  deliver(results, shown, options.output, directory, context);
+  deliver(results, shown, output, directory, context);
   log_summary(rows, context);
   return compare::all_hold(rows) ? kSuccess : kCheckFailed;
+}
+
+}  // namespace
+
+Command validate_command() {
+  return {.name = "validate",
+          .description = "hold the program against exact and published values",
+          .footer =
+              "Example:\n  fiberchain validate --out results\n"
+              "Exit status 1 if a row that must hold does not.",
+          .options = with_output(
+              {{"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),
+          .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -59,8 +59,8 @@ struct Usage {
 std::ostream& operator<<(std::ostream& out, const Usage& usage) { return out << usage.says; }
 
 const Usage kUsages[] = {
-    {{}, "which command?"},
-    {{"tables"}, "which table?"},
+    {{}, "give a command: columns, run"},
+    {{"tables"}, "give a command of 'tables': static, damping"},
     {{"nonsense"}, "not expected: nonsense"},
     {{"columns", "--nonsense"}, "not expected: --nonsense"},
     {{"run"}, "SCENE is required"},

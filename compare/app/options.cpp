@@ -1,0 +1,67 @@
+#include "compare/app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "compare/errors.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+template <class Number>
+Number only_one(const std::string& option, const std::string& text, const std::vector<Number>& values) {
+  if (values.size() != 1)
+    throw compare::InputError(fmt::format("{}: '{}' is no single number", option, text));
+  return values.front();
+}
+
+}  // namespace
+
+Option json_option() {
+  return {"--json", "", "print the rows as one JSON object, and nothing else, to standard output",
+          OptionKind::flag};
+}
+
+std::vector<Option> with_output(std::vector<Option> options) {
+  options.push_back(json_option());
+  options.push_back(
+      {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"});
+  options.push_back({"--jobs", "N", "threads [all cores]"});
+  return options;
+}
+
+OutputOptions output_options(const Arguments& arguments) {
+  OutputOptions options;
+  options.json = arguments.has("--json");
+  if (arguments.has("--out")) options.out = arguments.text("--out");
+  options.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  read_number(arguments, "--jobs", {.low = 1, .high = 1024}, options.jobs);
+  return options;
+}
+
+void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+               std::vector<double>& values) {
+  if (arguments.has(option)) values = compare::parse_numbers(option, arguments.text(option), allowed);
+}
+
+void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+               std::vector<int>& values) {
+  if (arguments.has(option)) values = compare::parse_integers(option, arguments.text(option), allowed);
+}
+
+void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+                 double& value) {
+  if (!arguments.has(option)) return;
+  const std::string text = arguments.text(option);
+  value = only_one(option, text, compare::parse_numbers(option, text, allowed));
+}
+
+void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+                 int& value) {
+  if (!arguments.has(option)) return;
+  const std::string text = arguments.text(option);
+  value = only_one(option, text, compare::parse_integers(option, text, allowed));
+}
+
+}  // namespace fiberchain::app
