@@ -32,7 +32,8 @@ void add_option(Registered& entry, const Option& option) {
 CLI::App& parent_of(CLI::App& program, const std::string& name) {
   for (const Group& group : all_groups()) {
     if (!name.starts_with(group.name + " ")) continue;
-    if (CLI::App* known = program.get_subcommand_no_throw(group.name)) return *known;
+    const auto known = program.get_subcommands([&](CLI::App* app) { return app->get_name() == group.name; });
+    if (!known.empty()) return *known.front();
     return *program.add_subcommand(group.name, group.description)->footer(group.footer);
   }
   return program;
