@@ -49,7 +49,7 @@ double quantity(const Arguments& arguments, const std::string& option, const std
   try {
     return dem::io::Units().to_si(text, si);
   } catch (const dem::io::UnitError& error) {
-    throw InputError(fmt::format("{}: {}", option, error.what()));
+    throw InputError(fmt::format("{}: '{}' {}", option, text, error.what()));
   }
 }
 
