@@ -46,8 +46,9 @@ double quantity(const Arguments& arguments, const std::string& option, const std
   if (!arguments.has(option)) return usual;
   const std::string text = arguments.text(option);
   if (const auto number = dem::io::parse_number(text)) return *number;
+  const dem::io::Units units;
   try {
-    return dem::io::Units().to_si(text, si);
+    return units.to_si(text, si);
   } catch (const dem::io::UnitError& error) {
     throw InputError(fmt::format("{}: '{}' {}", option, text, error.what()));
   }
