@@ -11,6 +11,7 @@
 #include "dem/errors.hpp"
 #include "dem/io/scene_error.hpp"
 #include "reference/errors.hpp"
+#include "reference/gsl_status.hpp"
 
 namespace {
 
@@ -46,6 +47,7 @@ int run(const std::vector<std::string>& command_line) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  reference::report_gsl_errors_by_status();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit shall be an error of the write, not the end
   try {
     return run({arguments, arguments + count});
