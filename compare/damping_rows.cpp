@@ -4,6 +4,7 @@
 
 #include "compare/damping_table.hpp"
 #include "compare/validation.hpp"
+#include "reference/damped_elastica.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -128,6 +129,9 @@ std::vector<MatrixRow> damping_rows(const ValidationInput& in) {
       method_row("closed-form-modes", "damped vibration", 0, worst_closed_form(), 0.0025,
                  "(beta_1^2/sqrt(20)) xi_b/(r_f + 1/2)^2 against the quadratic eigenproblem",
                  "largest relative difference, r_f = 5 to 60, nu = 0 to 0.49, xi_b = 1"),
+      method_row("amplitude-frequency", "damped Elastica", 0.0194, reference::amplitude_frequency_coefficient(), 5e-5,
+                 "undamped amplitude-frequency relation omega/omega_0 = 1 + c (a/L)^2",
+                 "c by averaging over a period; the damped Elastica's runs are tested against it"),
       exact_row("rod-modes", "damped vibration", 0, worst_rod_mode(), 1e-10, "sqrt(2) xi_b sin(pi/(4 r_f + 2))",
                 "first axial and twisting mode of the linear chain, r_f = 13, nu = 0.17, xi_b = 0.7")};
   for (MatrixRow& row : load_rows(in)) rows.push_back(std::move(row));

@@ -110,7 +110,7 @@ DampingFigureCases damping_figure_cases(PeakRange peaks) {
       }
     }
   }
-  for (const double force : {0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.008, 0.01, 0.0125, 0.015, 0.0175, 0.02}) {
+  for (const double force : {0.00025, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.008, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.025, 0.03}) {
     figures.load.push_back({.load = load_of(force, 10), .peaks = peaks});
   }
   for (const double shear_modulus : {0.05e6, 0.07e6, 0.1e6, 0.15e6, 0.2e6, 0.3e6, 0.5e6, 0.7e6, 1e6, 1.5e6, 2e6}) {

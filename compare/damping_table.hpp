@@ -28,7 +28,7 @@ std::vector<DampingCase> cases(const DampingSweep& sweep);
 /// The cases of Figs 7, 8 and 9, of the nominal fiber where newton and pascal are asked for.
 struct DampingFigureCases {
   std::vector<DampingCase> bond_damping;   ///< Fig 7: xi_b = 0.01 to 10 at r_f = 8 and 10, small load and P = 0.02 N
-  std::vector<DampingCase> load;           ///< Fig 8: P = 0.001 to 0.02 N
+  std::vector<DampingCase> load;           ///< Fig 8: P = 0.00025 to 0.03 N, PL^2/EI = 0.05 to 6
   std::vector<DampingCase> modulus;        ///< Fig 8: G = 0.05 to 2 MPa at P = 0.002 N
   std::vector<DampingCase> aspect_ratio;   ///< Fig 9: r_f = 5 to 60
 };
