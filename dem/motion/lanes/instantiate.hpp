@@ -30,9 +30,15 @@ void start_block(const LaneBlock& block) {
   start_march<P, Real>(typed<P, Real>(block));
 }
 
-/// Flattened: a call inside the loop would pass its vectors through memory.
+/// Flattened: a call inside the loop would pass its vectors through memory. Not under the sanitizers, whose checks in
+/// every copy would take the compiler minutes a file.
+#ifdef FIBERCHAIN_SANITIZED
+#define FIBERCHAIN_FLATTEN
+#else
+#define FIBERCHAIN_FLATTEN __attribute__((flatten))
+#endif
 template <Physics P, class Real>
-__attribute__((flatten)) void march_block(const LaneBlock& block, double steps_before, int steps) {
+FIBERCHAIN_FLATTEN void march_block(const LaneBlock& block, double steps_before, int steps) {
   const ChainBlock<P, Real> chain = typed<P, Real>(block);
   for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n);
 }
@@ -52,3 +58,5 @@ template <class Real>
 inline constexpr KernelTable<Real> kernels_of = kernel_table<Real>(std::make_index_sequence<built_physics.size()>{});
 
 }  // namespace fiberchain::dem
+
+#undef FIBERCHAIN_FLATTEN
