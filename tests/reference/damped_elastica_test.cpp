@@ -117,6 +117,43 @@ BOOST_AUTO_TEST_CASE(linear_frequencies_are_the_beam_s) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_body_at_the_tip_and_turning_sections_lower_the_frequencies) {
+  // w = A (cosh - cos)(bs) + B (sinh - sin)(bs) with w'' = b^4 j w' and w''' = -b^4 m w at s = 1
+  const double m = 0.31;
+  const double j = 0.027;
+  for (int k = 0; k < 4; ++k) {
+    const double b = std::sqrt(ref::beam_frequencies({0, m, j, 0}, 20)[static_cast<std::size_t>(k)]);
+    const double c = std::cos(b) / std::cosh(b);
+    const double s = std::sin(b) / std::cosh(b);
+    const double t = std::tanh(b);
+    const double moment_a = 1 + c - b * b * b * j * (t + s);
+    const double moment_b = t + s - b * b * b * j * (1 - c);
+    const double force_a = t - s + b * m * (1 - c);
+    const double force_b = 1 + c + b * m * (t - s);
+    const double size = std::abs(moment_a * force_b) + std::abs(moment_b * force_a);
+    BOOST_TEST(std::abs(moment_a * force_b - moment_b * force_a) < 1e-8 * size, "mode " << k + 1);
+  }
+  // small rotary inertia r: omega falls by r/2 int phi'^2 / int phi^2 = 4.647778319 r/2 (25-digit quadrature)
+  const double r = 1e-6;
+  const double fall = 1 - ref::beam_frequencies({0, 0, 0, r}, 14)[0] / ref::beam_frequencies({}, 14)[0];
+  BOOST_TEST(fall == 4.647778319 * r / 2, boost::test_tools::tolerance(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE(chain_layout_is_the_chain_s_own_numbers) {
+  const auto chain = ref::linear_chain({7, 1.3, 2.6, 0.3, 1.1});
+  const double length = 7 * chain.spacing;
+  const double mu = chain.mass / chain.spacing;
+  const double unit = std::sqrt(mu * std::pow(length, 4) / (chain.stiffness.bend * chain.spacing));
+  const BeamLayout layout = ref::chain_layout(7, 0.7);
+  const auto equal = boost::test_tools::tolerance(1e-13);
+  BOOST_TEST(layout.tip_mass == chain.mass / 2 / (mu * length), equal);
+  BOOST_TEST(layout.tip_inertia == chain.inertia / 2 / (mu * length * length * length), equal);
+  BOOST_TEST(layout.rotary_inertia == chain.inertia / chain.spacing / (mu * length * length), equal);
+  const double dashpot = ref::with_bond_damping(chain, 0.7).dashpot.bend;
+  BOOST_TEST(layout.retardation == dashpot / chain.stiffness.bend / unit, equal);
+  BOOST_TEST(ref::chain_time_unit(7) * ref::bond_time(chain) == unit, equal);
+}
+
 BOOST_AUTO_TEST_CASE(chain_layout_is_second_order_and_first_without_the_half_sphere) {
   // first undamped frequency of the chain over that of the beam, in the chain's bond times
   const auto error = [](int bonds, bool half_sphere) {
