@@ -14,7 +14,7 @@ struct MarchOptions {
   BondForm form = BondForm::total;
   double bond_damping = 0.25;   ///< xi_b while settling, in place of the fiber's own; 0 allowed
   double drag = 1.0;            ///< drag on every sphere over the critical one of the first bending mode; 0: as the paper
-  std::optional<double> step_ratio;  ///< dt / t_b; left out: 0.8 of the largest stable step of each chain
+  std::optional<double> step_ratio = std::nullopt;  ///< dt / t_b; left out: 0.8 of the largest stable step of each chain
   double ramp_periods = 2.0;    ///< length of each load ramp in periods of the first bending mode
   double residual = 1e-10;      ///< at rest: Imbalance::moment and speed / (omega_1 L) both below this
   double max_periods = 2000.0;  ///< of the first bending mode, after the last ramp

@@ -23,7 +23,7 @@ struct Release {
 
 struct ReleaseOptions {
   BondForm form = BondForm::incremental;  ///< as the paper
-  std::optional<double> step_ratio;       ///< largest dt / t_b; left out: 0.25, at most 0.8 of the stable step
+  std::optional<double> step_ratio = std::nullopt;  ///< largest dt / t_b; left out: 0.25, at most 0.8 of the stable step
   int samples_per_period = 200;
   bool energy = false;  ///< record the energy with each sample
   InstructionSet instruction_set = best_instruction_set();
