@@ -44,7 +44,7 @@ int steps_per_sample(const Release<Dim>& release, const ReleaseOptions& options)
     if (!(step > 0)) {
       throw InvalidInput(fmt::format("step_ratio = {} is not allowed: it must be greater than 0", *options.step_ratio));
     }
-    if (step >= limit) {
+    if (step >= limit && !options.allow_unstable) {
       throw InvalidInput(fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain is {:.4f} "
                                      "t_b", *options.step_ratio, limit / t_b));
     }
@@ -137,7 +137,10 @@ void march_block(const std::vector<Release<Dim>>& all, const std::vector<std::si
   }
   for (std::size_t lane = 0; lane < members.size(); ++lane) {
     records[members[lane]].time_step = steps[lane];
-    records[members[lane]].steps = static_cast<double>(samples) * stride;
+    const double marched = static_cast<double>(samples) * stride;
+    records[members[lane]].steps = marched;
+    records[members[lane]].integrator = Integrator::leapfrog;
+    records[members[lane]].work = {.steps = marched, .bond_evaluations = marched * chains[lane].fiber.aspect_ratio};
   }
 }
 
@@ -155,6 +158,7 @@ std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& relea
   for (std::size_t i = 0; i < releases.size(); ++i) {
     const Release<Dim>& r = releases[i];
     check(r, options);
+    if (options.integrator != Integrator::leapfrog) throw InvalidInput("this integrator is not built");
     const int samples = static_cast<int>(std::ceil(r.periods * options.samples_per_period));
     groups[{r.chain.fiber.aspect_ratio, damped(r.chain.fiber), r.chain.natural.empty(), steps_per_sample(r, options),
             samples}].push_back(i);

@@ -5,6 +5,7 @@
 
 #include "dem/boundary.hpp"
 #include "dem/chain.hpp"
+#include "dem/motion/integrator.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
 // Damped vibration: chains let go from a given state, marched side by side in lanes, their free end recorded.
@@ -23,7 +24,13 @@ struct Release {
 
 struct ReleaseOptions {
   BondForm form = BondForm::incremental;  ///< as the paper
-  std::optional<double> step_ratio = std::nullopt;  ///< largest dt / t_b; left out: 0.25, at most 0.8 of the stable step
+  Integrator integrator = Integrator::leapfrog;
+  /// Largest dt / t_b. Left out: explicit schemes 0.25, at most 0.8 of the stable step; implicit the sample interval.
+  /// CVODE chooses its own steps.
+  std::optional<double> step_ratio = std::nullopt;
+  bool allow_unstable = false;  ///< march even beyond the stable step
+  double tolerance = 1e-6;      ///< CVODE: relative, and absolute in parts of L
+  double error = 1e-3;          ///< automatic: wanted error of xi_f, relative
   int samples_per_period = 200;
   bool energy = false;  ///< record the energy with each sample
   InstructionSet instruction_set = best_instruction_set();
@@ -40,8 +47,10 @@ struct TipSample {
 
 template <int Dim>
 struct ReleaseRecord {
-  double time_step;  ///< [s]; a whole number of them make a sample
+  double time_step;  ///< [s]; a whole number of them make a sample (CVODE: the mean)
   double steps;
+  Integrator integrator;  ///< that was used
+  Work work;
   std::vector<TipSample<Dim>> samples;  ///< the first is the moment of release
 };
 
