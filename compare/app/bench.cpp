@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/bench_problems.hpp"
+#include "compare/bench_skips.hpp"
+#include "compare/bench_tables.hpp"
+#include "compare/markdown.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+using compare::BenchOptions;
+using compare::PrecisionProblem;
+
+enum class Case { statics, damping, history, skips, kernels };
+using Cases = std::vector<Case>;
+
+const std::vector<std::string> kShownKernels = {"physics",         "instruction_set", "bond_step_ns",     "bond_step_target_ns",
+                                                "lone_bond_step_ns", "lone_target_ns",  "arithmetic_bound_ns", "divider_bound_ns",
+                                                "bound_fraction"};
+
+bool has(const Cases& cases, Case wanted) { return std::ranges::find(cases, wanted) != cases.end(); }
+
+std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions& options) {
+  std::vector<PrecisionProblem> problems;
+  if (has(cases, Case::statics)) {
+    for (const double load : options.quick ? std::vector{3.0} : std::vector{0.5, 3.0}) {
+      problems.push_back(compare::elastica_problem(load, options));
+      problems.push_back(compare::equilibrium_problem(load, options));
+    }
+  }
+  if (has(cases, Case::damping)) {
+    auto sizes = options.aspect_ratio;
+    if (sizes.empty()) sizes = options.quick ? std::vector{10, 30} : std::vector{10, 30, 100};
+    for (const int aspect_ratio : sizes) problems.push_back(compare::damping_problem(aspect_ratio, options));
+  }
+  if (has(cases, Case::history)) problems.push_back(compare::history_problem(10, 2, options));
+  return problems;
+}
+
+/// Tables that go with the main one, or are it where no problem was asked for.
+void add_table(Results& results, const std::string& name, compare::Table table) {
+  results.more_tables.emplace_back(name, std::move(table));
+}
+
+void add_problems(Results& results, const std::vector<PrecisionProblem>& problems) {
+  if (problems.empty()) return;
+  add_table(results, "bench-precision", compare::precision_table(problems));
+  results.table = compare::wanted_table(problems);
+  results.notes += "For a wanted error the cheapest method, least run time of one chain:\n\n" + compare::wanted_markdown(problems) + "\n" +
+                   compare::precision_notes(problems) + "\n";
+  results.figures = compare::precision_figures(problems);
+}
+
+void add_loops(Results& results, const Cases& cases, const BenchOptions& options) {
+  if (!has(cases, Case::skips) && !has(cases, Case::kernels)) return;
+  const auto times = compare::kernel_times(options);
+  if (has(cases, Case::skips)) {
+    auto skips = compare::kernel_skips(times);
+    for (auto& row : compare::answer_skips(options)) skips.push_back(std::move(row));
+    const compare::Table summary = compare::skip_summary(skips);
+    add_table(results, "bench-skips", compare::skip_table(skips));
+    results.notes += "What a scene saves, time with over time without:\n\n" + compare::to_markdown(summary) + "\n";
+  }
+  if (has(cases, Case::kernels)) {
+    const auto peaks = compare::measured_peaks(times, options);
+    const compare::Table kernels = compare::kernel_table(times, peaks), peak = compare::peak_table(peaks);
+    add_table(results, "bench-kernels", kernels);
+    add_table(results, "bench-peaks", peak);
+    results.notes += "A bond-step of each inner loop, chains of 11 spheres, and what bounds it:\n\n" +
+                     compare::to_markdown(kernels.select(kShownKernels)) + "\nThe core's peak, time of one operation on one double:\n\n" +
+                     compare::to_markdown(peak) + "\n";
+  }
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  Cases cases{Case::statics, Case::damping, Case::history, Case::skips, Case::kernels};
+  read_choices<Case>(arguments, "--case", cases,
+                     {{"static", Case::statics}, {"damping", Case::damping}, {"history", Case::history}, {"skips", Case::skips}, {"kernels", Case::kernels}});
+  BenchOptions options{.quick = arguments.has("--quick")};
+  read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
+  const auto directory = open_output(output);
+  Results results{.name = "bench", .heading = "Run time against error", .table = compare::wanted_table({})};
+  add_problems(results, problems_of(cases, options));
+  add_loops(results, cases, options);
+  deliver(results, results.table, output, directory, context);
+  return kSuccess;
+}
+
+}  // namespace
+
+Command bench_command() {
+  return {.name = "bench",
+          .description = "run time against error of every method, what each skip saves, what bounds the inner loops",
+          .footer = std::string("One thread; a method that fails keeps its row with its status.\n"
+                                "Example:\n  fiberchain bench --quick --case static\n") +
+                    kListHelp,
+          .options = {{"--quick", "", "fewer settings and runs: half a minute in all, not five", OptionKind::flag},
+                      {"--case", "LIST", "static, damping, history, skips, kernels [all]"},
+                      {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
+                      json_option(),
+                      {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"}},
+          .run = &run};
+}
+
+}  // namespace fiberchain::app

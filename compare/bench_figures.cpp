@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compare/bench_tables.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using Value = double (*)(const PrecisionRow&);
+
+std::vector<std::string> methods_of(const PrecisionProblem& problem) {
+  std::vector<std::string> methods;
+  for (const PrecisionRow& row : problem.rows) {
+    if (std::ranges::find(methods, row.method) == methods.end()) methods.push_back(row.method);
+  }
+  return methods;
+}
+
+/// The settings of a method, coarse to fine; those that failed or cost nothing of this kind leave no point.
+Series series_of(const PrecisionProblem& problem, const std::string& method, Value value, int color) {
+  Series series{method, {}, {}, Mark::line_and_points, Dash::solid, color};
+  for (const PrecisionRow& row : problem.rows) {
+    if (row.method != method || !(row.error > 0) || !(value(row) > 0)) continue;
+    series.x.push_back(row.error);
+    series.y.push_back(value(row));
+  }
+  return series;
+}
+
+/// A line at the reference's own error where that is not far below what is drawn.
+void show_reference(Figure& figure, double error) {
+  double left = 1, low = 1e300, high = 0;
+  for (const Series& series : figure.series) {
+    for (const double x : series.x) left = std::min(left, x);
+    for (const double y : series.y) low = std::min(low, y), high = std::max(high, y);
+  }
+  if (error < left / 10 || high == 0) return;
+  figure.series.push_back({"the reference's own error", {error, error}, {low, high}, Mark::line, Dash::dotted, 6});
+}
+
+Figure figure_of(const PrecisionProblem& problem, Value value, const char* label, bool lanes) {
+  Figure figure{problem.title, {problem.error_label, true}, {label, true}, {}};
+  int color = 0;
+  for (const std::string& method : methods_of(problem)) {
+    const auto row = std::ranges::find(problem.rows, method, &PrecisionRow::method);
+    Series series = series_of(problem, method, value, color++);
+    if (!series.x.empty() && (lanes || row->lanes == 1)) figure.series.push_back(std::move(series));
+  }
+  show_reference(figure, problem.reference_error);
+  return figure;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, Figure>> precision_figures(const std::vector<PrecisionProblem>& problems) {
+  std::vector<std::pair<std::string, Figure>> figures;
+  for (const PrecisionProblem& problem : problems) {
+    const Figure time = figure_of(problem, [](const PrecisionRow& row) { return row.time.least; }, "run time of one chain, s", true);
+    const Figure work = figure_of(problem, [](const PrecisionRow& row) { return row.work.bond_evaluations; }, "evaluations of a bond", false);
+    if (!time.series.empty()) figures.emplace_back("bench-" + problem.id, time);
+    if (!work.series.empty()) figures.emplace_back("bench-" + problem.id + "-work", work);
+  }
+  return figures;
+}
+
+}  // namespace fiberchain::compare

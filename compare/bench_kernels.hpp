@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/bench_count.hpp"
+#include "compare/bench_peak.hpp"
+#include "compare/bench_problems.hpp"
+#include "compare/table.hpp"
+
+// The inner loops: how long a bond-step takes, what the operations in it must take at least, and what a scene saves that
+// lacks something. Chains of 11 spheres.
+namespace fiberchain::compare {
+
+inline constexpr int kernel_bonds = 10;
+
+/// "spatial incremental damped", the features that a physics has.
+std::string text(const dem::Physics& physics);
+
+/// One inner loop by one instruction set, timed in turns with all the others.
+struct KernelTime {
+  dem::Physics physics;
+  dem::InstructionSet set;
+  int lanes;
+  double ensemble;  ///< [s] of a bond-step, all lanes full
+  double lone;      ///< [s] of a bond-step, one chain alone
+};
+
+/// Every physics built, by every instruction set that this processor has; quick: by the widest and one lane at a time.
+std::vector<KernelTime> kernel_times(const BenchOptions& options);
+
+/// What bounds a loop.
+struct KernelBound {
+  OperationCount count;  ///< of a step of `kernel_bonds` bonds
+  double arithmetic;     ///< [s] a bond-step's additions, multiplications and circular functions take at the peak
+  double divider;        ///< [s] its divisions and square roots take, which one unit does beside the others
+
+  double least() const { return arithmetic > divider ? arithmetic : divider; }
+};
+
+KernelBound bound_of(const OperationCount& count, const CorePeak& peak);
+
+/// Largest time wanted of a loop by the widest lanes [s]: planar damped 2 ns and alone 15 ns, spatial damped
+/// incremental 10 and 60 ns; nothing for the others.
+struct KernelTarget {
+  double ensemble, lone;
+};
+std::optional<KernelTarget> target_of(const dem::Physics& physics);
+
+struct MeasuredPeak {
+  dem::InstructionSet set;
+  CorePeak peak;
+};
+
+std::vector<MeasuredPeak> measured_peaks(const std::vector<KernelTime>& times, const BenchOptions& options);
+
+Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks);
+Table peak_table(const std::vector<MeasuredPeak>& peaks);
+
+}  // namespace fiberchain::compare
