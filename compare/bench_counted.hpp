@@ -12,7 +12,8 @@ struct OperationCount {
   long multiplications = 0;
   long divisions = 0;
   long square_roots = 0;
-  long circular = 0;  ///< sin, cos, atan
+  long sines = 0;  ///< and cosines
+  long arc_tangents = 0;
 
   friend bool operator==(const OperationCount&, const OperationCount&) = default;
 };
@@ -33,9 +34,9 @@ class Counted {
   friend Counted operator/(const Counted& a, const Counted& b) { return done(a, b, a.value_ / b.value_, &OperationCount::divisions); }
   friend Counted operator-(const Counted& a) { return {-a.value_, a.count_}; }
   friend Counted sqrt(const Counted& a) { return done(a, a, std::sqrt(a.value_), &OperationCount::square_roots); }
-  friend Counted sin(const Counted& a) { return done(a, a, std::sin(a.value_), &OperationCount::circular); }
-  friend Counted cos(const Counted& a) { return done(a, a, std::cos(a.value_), &OperationCount::circular); }
-  friend Counted atan(const Counted& a) { return done(a, a, std::atan(a.value_), &OperationCount::circular); }
+  friend Counted sin(const Counted& a) { return done(a, a, std::sin(a.value_), &OperationCount::sines); }
+  friend Counted cos(const Counted& a) { return done(a, a, std::cos(a.value_), &OperationCount::sines); }
+  friend Counted atan(const Counted& a) { return done(a, a, std::atan(a.value_), &OperationCount::arc_tangents); }
   friend Counted min(const Counted& a, const Counted& b) { return a.value_ < b.value_ ? a : b; }
   friend Counted max(const Counted& a, const Counted& b) { return a.value_ > b.value_ ? a : b; }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bench_kernels.hpp"
 #include "compare/bench_tables.hpp"
 
 namespace fiberchain::compare {
@@ -61,6 +62,26 @@ std::vector<std::pair<std::string, Figure>> precision_figures(const std::vector<
     if (!work.series.empty()) figures.emplace_back("bench-" + problem.id + "-work", work);
   }
   return figures;
+}
+
+Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
+  Figure figure{"Inner loops: a bond-step against what its operations take at least",
+                {"least time at the core's peak, ns", true}, {"measured, ns, chains of 11 spheres", true}, {}};
+  double low = 1e300, high = 0;
+  int color = 1;
+  for (const MeasuredPeak& peak : peaks) {
+    Series series{std::string(dem::name(peak.set)), {}, {}, Mark::points, Dash::solid, color++};
+    for (const KernelTime& t : times) {
+      if (t.set != peak.set) continue;
+      series.x.push_back(1e9 * bound_of(operations_of_step(t.physics, kernel_bonds), peak.peak).least());
+      series.y.push_back(1e9 * t.ensemble);
+      low = std::min(low, series.x.back());
+      high = std::max(high, series.x.back());
+    }
+    figure.series.push_back(std::move(series));
+  }
+  figure.series.push_back({"bound", {low, high}, {low, high}, Mark::line, Dash::dashed, 0});
+  return figure;
 }
 
 }  // namespace fiberchain::compare

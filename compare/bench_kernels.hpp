@@ -7,16 +7,13 @@
 #include "compare/bench_count.hpp"
 #include "compare/bench_peak.hpp"
 #include "compare/bench_problems.hpp"
+#include "compare/bench_swing.hpp"
+#include "compare/figure.hpp"
 #include "compare/table.hpp"
 
 // The inner loops: how long a bond-step takes, what the operations in it must take at least, and what a scene saves that
 // lacks something. Chains of 11 spheres.
 namespace fiberchain::compare {
-
-inline constexpr int kernel_bonds = 10;
-
-/// "spatial incremental damped", the features that a physics has.
-std::string text(const dem::Physics& physics);
 
 /// One inner loop by one instruction set, timed in turns with all the others.
 struct KernelTime {
@@ -55,7 +52,13 @@ struct MeasuredPeak {
 
 std::vector<MeasuredPeak> measured_peaks(const std::vector<KernelTime>& times, const BenchOptions& options);
 
+/// The loops by the widest lanes, and those that take a lone chain fastest where a time is wanted of it.
+std::vector<KernelTime> widest_or_wanted(const std::vector<KernelTime>& times);
+
 Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks);
 Table peak_table(const std::vector<MeasuredPeak>& peaks);
+
+/// Time of a bond-step against the bound, every loop by every instruction set.
+Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks);
 
 }  // namespace fiberchain::compare

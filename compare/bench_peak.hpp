@@ -17,7 +17,7 @@ struct PeakLoop {
 
 struct PeakLoops {
   PeakLoop multiply_add;  ///< as many additions as multiplications, not fused
-  PeakLoop divide, square_root, sine, cosine, arc_tangent;
+  PeakLoop divide, square_root, sine, arc_tangent;
 };
 
 PeakLoops peak_kernels_scalar();
@@ -29,10 +29,9 @@ PeakLoops peak_loops(dem::InstructionSet set);
 
 /// Least time of one operation on one double [s].
 struct CorePeak {
-  double multiply_add, divide, square_root, sine, cosine, arc_tangent;
-
-  /// The mean of the three.
-  double circular() const { return (sine + cosine + arc_tangent) / 3; }
+  double multiply_add, divide, square_root;
+  double sine;  ///< or cosine, the mean of both
+  double arc_tangent;
 };
 
 /// Measured now, on this core.

@@ -26,7 +26,7 @@ PrecisionProblem elastica_problem(double load, const BenchOptions& options);
 PrecisionProblem equilibrium_problem(double load, const BenchOptions& options);
 
 /// Damping ratio xi_f of the first mode at small amplitude, xi_b = 1: relative error. Reference: all modes by a dense
-/// eigensolve; its own error from the same chain in other units, which rounds differently.
+/// eigensolve; its own error from the same chain in other units, which rounds differently, and from the amplitude.
 PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options);
 
 /// Free end's path after the release from a large deflection, xi_b = 1: largest |dr|/L over three periods. Reference:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "compare/bench_problems.hpp"
 #include "compare/bench_static_reference.hpp"
@@ -18,6 +19,7 @@ using Point = dem::Vec<double, 2>;
 using Distance = std::function<double(const dem::Poses<2>&)>;
 
 constexpr double poisson_ratio = 0.3;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 dem::MarchCase<2> cantilever(int aspect_ratio, BondModel bond, double load) {
   const dem::Fiber fiber = nominal_fiber(aspect_ratio, poisson_ratio, bond);
@@ -71,42 +73,71 @@ struct Bench {
   }
 };
 
-void residual_rows(Bench& bench, const dem::MarchCase<2>& job, const Distance& distance) {
-  const auto limits = bench.options.quick ? std::vector{1e-2, 1e-4, 1e-6} : std::vector{1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10};
-  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
-    for (const double limit : limits) {
-      dem::MarchOptions march;
-      march.form = form;
-      march.residual = limit;
-      bench.add(marched_row({.method = fmt::format("march, {}", dem::name(form)), .setting = fmt::format("residual {:.0e}", limit)},
-                            job, distance, march, bench.budget));
-    }
-  }
-}
-
-void step_rows(Bench& bench, const dem::MarchCase<2>& job, const Distance& distance) {
-  const auto parts = bench.options.quick ? std::vector{0.95, 0.25} : std::vector{0.95, 0.5, 0.25, 0.125, 0.0625};
-  for (const double part : parts) {
-    dem::MarchOptions march;
-    march.form = BondForm::incremental;
-    march.residual = 1e-10;
-    bench.add(marched_row({.method = "march, incremental, to rest", .setting = fmt::format("dt = {:g} of the limit", part)}, job,
-                          distance, at_step(march, job.chain.fiber, part), bench.budget));
-  }
+dem::MarchOptions march_options(BondForm form, double residual) {
+  dem::MarchOptions march;
+  march.form = form;
+  march.residual = residual;
+  return march;
 }
 
 /// No drag: the dashpots of the bonds alone bring the chain to rest, xi_b = 1.
-void paper_rows(Bench& bench, const dem::MarchCase<2>& job, const Distance& distance) {
-  const auto limits = bench.options.quick ? std::vector{1e-2} : std::vector{1e-2, 1e-4, 1e-6};
-  for (const double limit : limits) {
-    dem::MarchOptions march;
-    march.form = BondForm::incremental;
-    march.bond_damping = 1;
-    march.drag = 0;
-    march.residual = limit;
-    bench.add(marched_row({.method = "march, bond damping alone (paper)", .setting = fmt::format("residual {:.0e}", limit),
-                           .as_paper = true},
-                          job, distance, march, {bench.budget.seconds, 2, 3}));
+dem::MarchOptions paper_march(double residual) {
+  dem::MarchOptions march = march_options(BondForm::incremental, residual);
+  march.bond_damping = 1;
+  march.drag = 0;
+  return march;
+}
+
+std::string name_of(BondForm form) { return fmt::format("march, {}", dem::name(form)); }
+constexpr const char* paper_name = "march, bond damping alone (paper)";
+TimingBudget long_budget(const TimingBudget& budget) { return {budget.seconds, 2, 3}; }
+
+/// Number of bonds, each bond solved; marched as far as residual 1e-6 is worth.
+void add_elastica_rows(Bench& bench, double load, const Point& tip) {
+  const bool quick = bench.options.quick;
+  const auto distance = [&](const dem::MarchCase<2>& job) { return distance_from(tip, job.chain.fiber); };
+  for (const BondModel bond : {BondModel::paper, BondModel::corrected}) {
+    for (const int r_f : quick ? std::vector{5, 10, 20, 50} : std::vector{3, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+      const auto job = cantilever(r_f, bond, load);
+      bench.add(solved_row({.method = fmt::format("solve, {} bond", dem::name(bond)), .setting = fmt::format("r_f = {}", r_f)},
+                           job, distance(job), {}, bench.budget));
+    }
+  }
+  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
+    for (const int r_f : quick ? std::vector{5, 10} : std::vector{3, 5, 10, 20, 60}) {
+      const auto job = cantilever(r_f, BondModel::paper, load);
+      bench.add(marched_row({.method = name_of(form), .setting = fmt::format("r_f = {}", r_f)}, job, distance(job),
+                            march_options(form, 1e-6), bench.budget));
+    }
+  }
+  for (const int r_f : quick ? std::vector{5} : std::vector{3, 5, 10}) {
+    const auto job = cantilever(r_f, BondModel::paper, load);
+    bench.add(marched_row({.method = paper_name, .setting = fmt::format("r_f = {}", r_f), .as_paper = true}, job,
+                          distance(job), paper_march(1e-4), long_budget(bench.budget)));
+  }
+}
+
+/// Tolerance of Newton's method, residual limits of each form, steps of the incremental one, the paper's way.
+void add_equilibrium_rows(Bench& bench, const dem::MarchCase<2>& job, const Distance& distance) {
+  const bool quick = bench.options.quick;
+  for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-9}) {
+    dem::SolveOptions solve;
+    solve.tolerance = tolerance;
+    bench.add(solved_row({.method = "solve", .setting = fmt::format("tolerance {:.0e}", tolerance)}, job, distance, solve, bench.budget));
+  }
+  const auto residual = [](double limit) { return fmt::format("residual {:.0e}", limit); };
+  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
+    for (const double limit : quick ? std::vector{1e-2, 1e-4, 1e-6} : std::vector{1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
+      bench.add(marched_row({.method = name_of(form), .setting = residual(limit)}, job, distance, march_options(form, limit), bench.budget));
+    }
+  }
+  for (const double part : quick ? std::vector{0.95, 0.25} : std::vector{0.95, 0.5, 0.25, 0.125, 0.0625}) {
+    bench.add(marched_row({.method = "march, incremental, by step", .setting = fmt::format("dt = {:g} of the limit", part)}, job,
+                          distance, at_step(march_options(BondForm::incremental, 1e-10), job.chain.fiber, part), bench.budget));
+  }
+  for (const double limit : quick ? std::vector{1e-2} : std::vector{1e-2, 1e-4, 1e-6}) {
+    bench.add(marched_row({.method = paper_name, .setting = residual(limit), .as_paper = true}, job, distance, paper_march(limit),
+                          long_budget(bench.budget)));
   }
 }
 
@@ -123,29 +154,10 @@ PrecisionProblem elastica_problem(double load, const BenchOptions& options) {
                .error_label = "free end's distance from the Elastica's over {/:Italic L}",
                .short_title = fmt::format("free end against the Elastica, PL²/EI = {:g}", load),
                .reference = "Elastica by elliptic integrals; own error: distance from the shooting solution",
-               .reference_error = std::hypot(exact.y - other.y, exact.x - other.x),
+               .reference_error = rounding + std::hypot(exact.y - other.y, exact.x - other.x),
                .rows = {}},
               options};
-  const Point point{1 - exact.x, exact.y};
-  const auto sizes = options.quick ? std::vector{5, 10, 20, 50} : std::vector{3, 5, 10, 20, 50, 100, 200, 500, 1000};
-  for (const BondModel bond : {BondModel::paper, BondModel::corrected}) {
-    for (const int r_f : sizes) {
-      const auto job = cantilever(r_f, bond, load);
-      bench.add(solved_row({.method = fmt::format("solve, {} bond", dem::name(bond)), .setting = fmt::format("r_f = {}", r_f), .aspect_ratio = r_f},
-                           job, distance_from(point, job.chain.fiber), {}, bench.budget));
-    }
-  }
-  const auto marched = options.quick ? std::vector{5, 10} : std::vector{3, 5, 10, 20, 50};
-  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
-    for (const int r_f : marched) {
-      const auto job = cantilever(r_f, BondModel::paper, load);
-      dem::MarchOptions march;
-      march.form = form;
-      march.residual = 1e-6;
-      bench.add(marched_row({.method = fmt::format("march, {}", dem::name(form)), .setting = fmt::format("r_f = {}", r_f), .aspect_ratio = r_f},
-                            job, distance_from(point, job.chain.fiber), march, bench.budget));
-    }
-  }
+  add_elastica_rows(bench, load, {1 - exact.x, exact.y});
   return std::move(bench.problem);
 }
 
@@ -158,19 +170,10 @@ PrecisionProblem equilibrium_problem(double load, const BenchOptions& options) {
                .error_label = "free end's distance from equilibrium over {/:Italic L}",
                .short_title = fmt::format("free end of the chain at rest, r_f = {}, PL²/EI = {:g}", r_f, load),
                .reference = "GSL's hybrid root search on the balance of forces; own error: distance of two starts",
-               .reference_error = exact.error,
+               .reference_error = rounding + exact.error,
                .rows = {}},
               options};
-  const Distance distance = distance_from(exact.tip, job.chain.fiber);
-  for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-9}) {
-    dem::SolveOptions solve;
-    solve.tolerance = tolerance;
-    bench.add(solved_row({.method = "solve", .setting = fmt::format("tolerance {:.0e}", tolerance), .aspect_ratio = r_f}, job, distance, solve,
-                         bench.budget));
-  }
-  residual_rows(bench, job, distance);
-  step_rows(bench, job, distance);
-  paper_rows(bench, job, distance);
+  add_equilibrium_rows(bench, job, distance_from(exact.tip, job.chain.fiber));
   return std::move(bench.problem);
 }
 

@@ -65,11 +65,13 @@ void add_loops(Results& results, const Cases& cases, const BenchOptions& options
   }
   if (has(cases, Case::kernels)) {
     const auto peaks = compare::measured_peaks(times, options);
-    const compare::Table kernels = compare::kernel_table(times, peaks), peak = compare::peak_table(peaks);
-    add_table(results, "bench-kernels", kernels);
+    const compare::Table peak = compare::peak_table(peaks);
+    const compare::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks);
+    add_table(results, "bench-kernels", compare::kernel_table(times, peaks));
+    results.figures.emplace_back("bench-kernels", compare::kernel_figure(times, peaks));
     add_table(results, "bench-peaks", peak);
     results.notes += "A bond-step of each inner loop, chains of 11 spheres, and what bounds it:\n\n" +
-                     compare::to_markdown(kernels.select(kShownKernels)) + "\nThe core's peak, time of one operation on one double:\n\n" +
+                     compare::to_markdown(shown.select(kShownKernels)) + "\nThe core's peak, time of one operation on one double:\n\n" +
                      compare::to_markdown(peak) + "\n";
   }
 }
@@ -85,6 +87,7 @@ int run(const Arguments& arguments, Context& context) {
   Results results{.name = "bench", .heading = "Run time against error", .table = compare::wanted_table({})};
   add_problems(results, problems_of(cases, options));
   add_loops(results, cases, options);
+  if (results.table.rows().empty()) results.table = results.more_tables.front().second;
   deliver(results, results.table, output, directory, context);
   return kSuccess;
 }

@@ -1,0 +1,66 @@
+#include "compare/bench_swing.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+
+#include "compare/static_point.hpp"
+#include "dem/errors.hpp"
+#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/time_step.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using dem::InstructionSet;
+using dem::Physics;
+
+template <int Dim>
+dem::Chain<Dim> chain_of(const Physics& physics) {
+  dem::Fiber fiber = kernel_fiber();
+  fiber.bond_damping = physics.damped ? 0.5 : 0.0;
+  return physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber);
+}
+
+template <int Dim>
+std::function<void()> swing(const Physics& physics, InstructionSet set, int chains, int steps) {
+  const dem::Chain<Dim> chain = chain_of<Dim>(physics);
+  const double drag = physics.drag ? 1e-3 / dem::bond_time_step(chain.fiber) : 0.0;
+  const auto n = static_cast<std::size_t>(chains);
+  const auto block = std::make_shared<dem::MarchingBlock<Dim>>(
+      std::vector(n, chain), dem::Clamps{true, false}, std::vector(n, 0.5 * dem::stable_time_step(chain.fiber, drag)),
+      std::vector(n, drag), physics, set);
+  dem::Load<Dim> end{kernel_bonds, {}, {}};
+  end.force[1] = dem::load_force(chain.fiber, 0.5);
+  for (int lane = 0; lane < chains; ++lane) block->set_ramp(lane, {}, {{0}, {end}}, 500);
+  return [=] {
+    block->march(steps);
+    if (!std::isfinite(block->sphere(0, kernel_bonds).pose.position[1])) throw dem::Diverged("a timed chain diverged");
+  };
+}
+
+}  // namespace
+
+dem::Fiber kernel_fiber() { return nominal_fiber(kernel_bonds, 0.3, dem::BondModel::paper); }
+
+std::string text(const Physics& p) {
+  std::string all = fmt::format("{} {}", p.dimension == 2 ? "planar" : "spatial", dem::name(p.form));
+  if (p.damped) all += " damped";
+  if (p.drag) all += " drag";
+  if (p.curved) all += " curved";
+  return all;
+}
+
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> all;
+  for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (set <= dem::best_instruction_set()) all.push_back(set);
+  }
+  return all;
+}
+
+std::function<void()> swinging_chains(const Physics& physics, InstructionSet set, int chains, int steps) {
+  return physics.dimension == 2 ? swing<2>(physics, set, chains, steps) : swing<3>(physics, set, chains, steps);
+}
+
+}  // namespace fiberchain::compare
