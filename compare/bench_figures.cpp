@@ -73,7 +73,7 @@ Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<Mea
     Series series{std::string(dem::name(peak.set)), {}, {}, Mark::points, Dash::solid, color++};
     for (const KernelTime& t : times) {
       if (t.set != peak.set) continue;
-      series.x.push_back(1e9 * bound_of(operations_of_step(t.physics, kernel_bonds), peak.peak).least());
+      series.x.push_back(1e9 * bound_of(operations_of_bond_step(t.physics), peak.peak).least());
       series.y.push_back(1e9 * t.ensemble);
       low = std::min(low, series.x.back());
       high = std::max(high, series.x.back());

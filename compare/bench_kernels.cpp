@@ -39,15 +39,13 @@ std::vector<KernelTime> kernel_times(const BenchOptions& options) {
 }
 
 KernelBound bound_of(const OperationCount& count, const CorePeak& peak) {
-  const auto time = [](long operations, double each) { return static_cast<double>(operations) * each / kernel_bonds; };
-  return {count,
-          time(count.additions + count.multiplications, peak.multiply_add) + time(count.sines, peak.sine) +
-              time(count.arc_tangents, peak.arc_tangent),
-          time(count.divisions, peak.divide) + time(count.square_roots, peak.square_root)};
+  const double instructions = count.additions + count.multiplications - (peak.fused ? count.fusable : 0);
+  return {count, instructions * peak.multiply_add + count.sines * peak.sine + count.arc_tangents * peak.arc_tangent,
+          count.divisions * peak.divide + count.square_roots * peak.square_root};
 }
 
 std::optional<KernelTarget> target_of(const Physics& p) {
-  if (!p.damped || p.drag || p.curved) return std::nullopt;
+  if (!p.damped || p.drag || p.curved || p.solved || p.rolling != dem::Rolling::none) return std::nullopt;
   if (p.dimension == 2) return KernelTarget{2e-9, 15e-9};
   if (p.form == dem::BondForm::incremental) return KernelTarget{10e-9, 60e-9};
   return std::nullopt;
@@ -88,15 +86,14 @@ std::vector<KernelTime> widest_or_wanted(const std::vector<KernelTime>& times) {
 
 Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
   Table table({"physics", "instruction_set", "lanes", "bond_step_ns", "bond_step_target_ns", "lone_bond_step_ns",
-               "lone_target_ns", "additions", "multiplications", "divisions", "square_roots", "sines", "arc_tangents",
+               "lone_target_ns", "additions", "multiplications", "fusable", "divisions", "square_roots", "sines", "arc_tangents",
                "arithmetic_bound_ns", "divider_bound_ns", "bound_fraction"});
   const InstructionSet best = dem::best_instruction_set();
   for (const KernelTime& t : times) {
     const auto peak = std::ranges::find(peaks, t.set, &MeasuredPeak::set);
-    const KernelBound bound = bound_of(operations_of_step(t.physics, kernel_bonds), peak->peak);
+    const KernelBound bound = bound_of(operations_of_bond_step(t.physics), peak->peak);
     const auto target = t.set == best ? target_of(t.physics) : std::nullopt;
     const auto alone = is_fastest_alone(times, t) ? target_of(t.physics) : std::nullopt;
-    const auto per_bond = [](long n) { return static_cast<double>(n) / kernel_bonds; };
     table.append({{"physics", text(t.physics)},
                   {"instruction_set", std::string(dem::name(t.set))},
                   {"lanes", std::int64_t{t.lanes}},
@@ -104,12 +101,13 @@ Table kernel_table(const std::vector<KernelTime>& times, const std::vector<Measu
                   {"bond_step_target_ns", target ? Cell{1e9 * target->ensemble} : Cell{}},
                   {"lone_bond_step_ns", 1e9 * t.lone},
                   {"lone_target_ns", alone ? Cell{1e9 * alone->lone} : Cell{}},
-                  {"additions", per_bond(bound.count.additions)},
-                  {"multiplications", per_bond(bound.count.multiplications)},
-                  {"divisions", per_bond(bound.count.divisions)},
-                  {"square_roots", per_bond(bound.count.square_roots)},
-                  {"sines", per_bond(bound.count.sines)},
-                  {"arc_tangents", per_bond(bound.count.arc_tangents)},
+                  {"additions", bound.count.additions},
+                  {"multiplications", bound.count.multiplications},
+                  {"fusable", bound.count.fusable},
+                  {"divisions", bound.count.divisions},
+                  {"square_roots", bound.count.square_roots},
+                  {"sines", bound.count.sines},
+                  {"arc_tangents", bound.count.arc_tangents},
                   {"arithmetic_bound_ns", 1e9 * bound.arithmetic},
                   {"divider_bound_ns", 1e9 * bound.divider},
                   {"bound_fraction", bound.least() / t.ensemble}});

@@ -29,7 +29,7 @@ std::vector<KernelTime> kernel_times(const BenchOptions& options);
 
 /// What bounds a loop.
 struct KernelBound {
-  OperationCount count;  ///< of a step of `kernel_bonds` bonds
+  OperationCount count;  ///< of a bond-step
   double arithmetic;     ///< [s] a bond-step's additions, multiplications and circular functions take at the peak
   double divider;        ///< [s] its divisions and square roots take, which one unit does beside the others
 

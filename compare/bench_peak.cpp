@@ -29,7 +29,8 @@ PeakLoops peak_loops(InstructionSet set) {
 
 CorePeak measured_peak(InstructionSet set, const TimingBudget& budget) {
   const PeakLoops loops = peak_loops(set);
-  return {time_of(loops.multiply_add, budget), time_of(loops.divide, budget), time_of(loops.square_root, budget),
+  return {loops.fused,
+          time_of(loops.multiply_add, budget), time_of(loops.divide, budget), time_of(loops.square_root, budget),
           time_of(loops.sine, budget),         time_of(loops.arc_tangent, budget)};
 }
 

@@ -16,7 +16,8 @@ struct PeakLoop {
 };
 
 struct PeakLoops {
-  PeakLoop multiply_add;  ///< as many additions as multiplications, not fused
+  bool fused;
+  PeakLoop multiply_add;  ///< as many additions as multiplications; one operation where they are fused
   PeakLoop divide, square_root, sine, arc_tangent;
 };
 
@@ -29,6 +30,7 @@ PeakLoops peak_loops(dem::InstructionSet set);
 
 /// Least time of one operation on one double [s].
 struct CorePeak {
+  bool fused;  ///< an addition of a product is one instruction
   double multiply_add, divide, square_root;
   double sine;  ///< or cosine, the mean of both
   double arc_tangent;

@@ -74,8 +74,13 @@ double peak_arc_tangent(long rounds, double start) {
 
 template <class Real>
 PeakLoops peak_loops_of() {
+#if defined(__FMA__) || defined(__AVX512F__)
+  constexpr bool fused = true;
+#else
+  constexpr bool fused = false;
+#endif
   constexpr int doubles = peak_chains * peak_lanes<Real>;
-  return {{peak_multiply_add<Real>, 2 * doubles}, {peak_divide<Real>, doubles},  {peak_square_root<Real>, doubles},
+  return {fused, {peak_multiply_add<Real>, (fused ? 1 : 2) * doubles}, {peak_divide<Real>, doubles},  {peak_square_root<Real>, doubles},
           {peak_sine<Real>, 2 * doubles},         {peak_arc_tangent<Real>, doubles}};
 }
 

@@ -17,13 +17,8 @@ int lanes() { return dem::lane_kernel(dem::built_physics[0], dem::best_instructi
 
 /// Largest stable dt / t_b: the dashpots matter only where they are taken at the lagged velocity.
 double limit_of(const dem::Fiber& fiber, Integrator integrator) {
-  dem::Fiber free = fiber;
-  if (integrator == Integrator::leapfrog_damped) {
-    free.bond_damping = 0;
-    free.retardation_time = 0;
-    free.dashpots = dem::DashpotLaw::bond_damping;
-  }
-  return dem::stable_time_step(free) / dem::bond_time_step(fiber);
+  const bool lagged = integrator == Integrator::leapfrog;
+  return (lagged ? dem::stable_time_step(fiber) : dem::undamped_time_step(fiber)) / dem::bond_time_step(fiber);
 }
 
 struct StepParts {

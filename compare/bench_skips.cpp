@@ -26,6 +26,8 @@ struct Feature {
 constexpr Feature features[] = {
     {"planar instead of spatial", [](Physics p) { p.dimension = 2; return p; }},
     {"no bond damping", [](Physics p) { p.damped = false; return p; }},
+    {"damping lagged instead of solved in the step", [](Physics p) { p.solved = false; return p; }},
+    {"no rolling friction", [](Physics p) { p.rolling = dem::Rolling::none; return p; }},
     {"no drag", [](Physics p) { p.drag = false; return p; }},
     {"straight at rest instead of curved", [](Physics p) { p.curved = false; return p; }},
     {"increments instead of total strain", [](Physics p) { p.form = BondForm::incremental; return p; }},

@@ -16,23 +16,13 @@ using dem::InstructionSet;
 using dem::Physics;
 
 template <int Dim>
-dem::Chain<Dim> chain_of(const Physics& physics) {
-  dem::Fiber fiber = kernel_fiber();
-  fiber.bond_damping = physics.damped ? 0.5 : 0.0;
-  return physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber);
-}
-
-template <int Dim>
-std::function<void()> swing(const Physics& physics, InstructionSet set, int chains, int steps) {
-  const dem::Chain<Dim> chain = chain_of<Dim>(physics);
-  const double drag = physics.drag ? 1e-3 / dem::bond_time_step(chain.fiber) : 0.0;
+std::function<void()> swinging(const Physics& physics, InstructionSet set, int chains, int steps) {
+  const Swing<Dim> swing = swing_of<Dim>(physics);
   const auto n = static_cast<std::size_t>(chains);
-  const auto block = std::make_shared<dem::MarchingBlock<Dim>>(
-      std::vector(n, chain), dem::Clamps{true, false}, std::vector(n, 0.5 * dem::stable_time_step(chain.fiber, drag)),
-      std::vector(n, drag), physics, set);
-  dem::Load<Dim> end{kernel_bonds, {}, {}};
-  end.force[1] = dem::load_force(chain.fiber, 0.5);
-  for (int lane = 0; lane < chains; ++lane) block->set_ramp(lane, {}, {{0}, {end}}, 500);
+  const auto block = std::make_shared<dem::MarchingBlock<Dim>>(std::vector(n, swing.chain), dem::Clamps{true, false},
+                                                               std::vector(n, swing.step), std::vector(n, swing.drag),
+                                                               physics, set);
+  for (int lane = 0; lane < chains; ++lane) block->set_ramp(lane, {}, {{0}, {swing.load}}, swing.ramp_steps);
   return [=] {
     block->march(steps);
     if (!std::isfinite(block->sphere(0, kernel_bonds).pose.position[1])) throw dem::Diverged("a timed chain diverged");
@@ -43,11 +33,27 @@ std::function<void()> swing(const Physics& physics, InstructionSet set, int chai
 
 dem::Fiber kernel_fiber() { return nominal_fiber(kernel_bonds, 0.3, dem::BondModel::paper); }
 
+template <int Dim>
+Swing<Dim> swing_of(const Physics& physics) {
+  dem::Fiber fiber = kernel_fiber();
+  fiber.bond_damping = physics.damped ? 0.5 : 0.0;
+  fiber.rolling_friction = physics.rolling == dem::Rolling::none ? 0.0 : 0.5;
+  const double drag = physics.drag ? 1e-3 / dem::bond_time_step(fiber) : 0.0;
+  dem::Load<Dim> load{kernel_bonds, {}, {}};
+  load.force[1] = dem::load_force(fiber, 0.5);
+  return {physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber),
+          0.5 * dem::stable_time_step(fiber, drag), drag, load, 500};
+}
+
+template Swing<2> swing_of<2>(const Physics&);
+template Swing<3> swing_of<3>(const Physics&);
+
 std::string text(const Physics& p) {
   std::string all = fmt::format("{} {}", p.dimension == 2 ? "planar" : "spatial", dem::name(p.form));
-  if (p.damped) all += " damped";
+  if (p.damped) all += p.solved ? " damped in the step" : " damped";
   if (p.drag) all += " drag";
   if (p.curved) all += " curved";
+  if (p.rolling != dem::Rolling::none) all += fmt::format(" rolling {}", dem::name(p.rolling));
   return all;
 }
 
@@ -60,7 +66,7 @@ std::vector<InstructionSet> instruction_sets() {
 }
 
 std::function<void()> swinging_chains(const Physics& physics, InstructionSet set, int chains, int steps) {
-  return physics.dimension == 2 ? swing<2>(physics, set, chains, steps) : swing<3>(physics, set, chains, steps);
+  return physics.dimension == 2 ? swinging<2>(physics, set, chains, steps) : swinging<3>(physics, set, chains, steps);
 }
 
 }  // namespace fiberchain::compare

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "dem/fiber.hpp"
+#include "dem/boundary.hpp"
+#include "dem/chain.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
 // What the inner loops are timed on: chains of 11 spheres swinging under a dead load.
@@ -14,6 +15,19 @@ inline constexpr int kernel_bonds = 10;
 
 /// The nominal fiber with that many bonds, undamped.
 dem::Fiber kernel_fiber();
+
+/// A cantilever under a dead load that rises over so many steps; as damped, curved and so on as the physics.
+template <int Dim>
+struct Swing {
+  dem::Chain<Dim> chain;
+  double step;           ///< [s]: half of the largest stable one
+  double drag;           ///< [1/s]
+  dem::Load<Dim> load;
+  double ramp_steps;
+};
+
+template <int Dim>
+Swing<Dim> swing_of(const dem::Physics& physics);
 
 /// "spatial incremental damped": the features that a physics has.
 std::string text(const dem::Physics& physics);

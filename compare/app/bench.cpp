@@ -16,6 +16,8 @@ using compare::PrecisionProblem;
 enum class Case { statics, damping, history, skips, kernels };
 using Cases = std::vector<Case>;
 
+const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",   "method",
+                                               "setting", "error",        "run_time", "speedup"};
 const std::vector<std::string> kShownKernels = {"physics",         "instruction_set", "bond_step_ns",     "bond_step_target_ns",
                                                 "lone_bond_step_ns", "lone_target_ns",  "arithmetic_bound_ns", "divider_bound_ns",
                                                 "bound_fraction"};
@@ -39,40 +41,48 @@ std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions
   return problems;
 }
 
-/// Tables that go with the main one, or are it where no problem was asked for.
-void add_table(Results& results, const std::string& name, compare::Table table) {
-  results.more_tables.emplace_back(name, std::move(table));
-}
+/// What is printed: the first table as the command's own, the others as notes below it.
+struct Report {
+  Results results{.name = "bench", .heading = "Run time against error", .table = compare::wanted_table({})};
+  std::optional<compare::Table> shown;
 
-void add_problems(Results& results, const std::vector<PrecisionProblem>& problems) {
+  /// `whole` goes to the files, `short_one` to the reader.
+  void add(const std::string& name, const std::string& title, const compare::Table& whole, const compare::Table& short_one) {
+    results.more_tables.emplace_back(name, whole);
+    if (shown) {
+      results.notes += title + ":\n\n" + compare::to_markdown(short_one) + "\n";
+    } else {
+      results.table = whole;
+      shown = short_one;
+    }
+  }
+};
+
+void add_problems(Report& report, const std::vector<PrecisionProblem>& problems) {
   if (problems.empty()) return;
-  add_table(results, "bench-precision", compare::precision_table(problems));
-  results.table = compare::wanted_table(problems);
-  results.notes += "For a wanted error the cheapest method, least run time of one chain:\n\n" + compare::wanted_markdown(problems) + "\n" +
-                   compare::precision_notes(problems) + "\n";
-  results.figures = compare::precision_figures(problems);
+  const compare::Table wanted = compare::wanted_table(problems);
+  report.add("bench-wanted", "", wanted, wanted.select(kShownWanted));
+  report.results.more_tables.emplace_back("bench-precision", compare::precision_table(problems));
+  report.results.notes += "The same in short, least run time of one chain:\n\n" + compare::wanted_markdown(problems) + "\n" +
+                          compare::precision_notes(problems) + "\n";
+  report.results.figures = compare::precision_figures(problems);
 }
 
-void add_loops(Results& results, const Cases& cases, const BenchOptions& options) {
+void add_loops(Report& report, const Cases& cases, const BenchOptions& options) {
   if (!has(cases, Case::skips) && !has(cases, Case::kernels)) return;
   const auto times = compare::kernel_times(options);
   if (has(cases, Case::skips)) {
     auto skips = compare::kernel_skips(times);
     for (auto& row : compare::answer_skips(options)) skips.push_back(std::move(row));
-    const compare::Table summary = compare::skip_summary(skips);
-    add_table(results, "bench-skips", compare::skip_table(skips));
-    results.notes += "What a scene saves, time with over time without:\n\n" + compare::to_markdown(summary) + "\n";
+    report.add("bench-skips", "What a scene saves, time with over time without", compare::skip_table(skips), compare::skip_summary(skips));
   }
   if (has(cases, Case::kernels)) {
     const auto peaks = compare::measured_peaks(times, options);
-    const compare::Table peak = compare::peak_table(peaks);
-    const compare::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks);
-    add_table(results, "bench-kernels", compare::kernel_table(times, peaks));
-    results.figures.emplace_back("bench-kernels", compare::kernel_figure(times, peaks));
-    add_table(results, "bench-peaks", peak);
-    results.notes += "A bond-step of each inner loop, chains of 11 spheres, and what bounds it:\n\n" +
-                     compare::to_markdown(shown.select(kShownKernels)) + "\nThe core's peak, time of one operation on one double:\n\n" +
-                     compare::to_markdown(peak) + "\n";
+    const compare::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks), peak = compare::peak_table(peaks);
+    report.add("bench-kernels", "A bond-step of each inner loop, chains of 11 spheres, and what bounds it",
+               compare::kernel_table(times, peaks), shown.select(kShownKernels));
+    report.add("bench-peaks", "The core's peak", peak, peak);
+    report.results.figures.emplace_back("bench-kernels", compare::kernel_figure(times, peaks));
   }
 }
 
@@ -84,11 +94,10 @@ int run(const Arguments& arguments, Context& context) {
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   const auto directory = open_output(output);
-  Results results{.name = "bench", .heading = "Run time against error", .table = compare::wanted_table({})};
-  add_problems(results, problems_of(cases, options));
-  add_loops(results, cases, options);
-  if (results.table.rows().empty()) results.table = results.more_tables.front().second;
-  deliver(results, results.table, output, directory, context);
+  Report report;
+  add_problems(report, problems_of(cases, options));
+  add_loops(report, cases, options);
+  deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }
 

@@ -78,6 +78,10 @@ const Usage kUsages[] = {
     {{"tables", "static", "--form", "incremental"}, "--form incremental is not allowed with --method solve"},
     {{"tables", "static", "--jobs", "0"}, "--jobs: '0' is out of range"},
     {{"tables", "static", "--jobs", "1,2"}, "--jobs: '1,2' is no single number"},
+    {{"bench", "--case", "guess"}, "--case: 'guess' is not among static, damping, history, skips, kernels"},
+    {{"bench", "--aspect-ratio", "1"}, "--aspect-ratio: '1' is out of range"},
+    {{"bench", "--aspect-ratio", "9.5"}, "--aspect-ratio: '9.5' wants whole numbers"},
+    {{"bench", "--jobs", "2"}, "not expected: "},
     {{"validate", "--data", "/nonexistent"}, "no directory 'published'"},
 };
 

@@ -21,7 +21,8 @@ using Command = std::vector<std::string>;
 
 const Command kCommands[] = {{},         {"columns"},          {"run"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
-                             {"fit"},    {"calibrate"},        {"validate"}};
+                             {"fit"},    {"calibrate"},        {"validate"},
+                             {"bench"}};
 
 const Command kJsonCommands[] = {
     {"columns"},
@@ -34,6 +35,8 @@ const Command kJsonCommands[] = {
     {"calibrate", "--damping-ratio", "0.01", "--aspect-ratio", "13", "--poisson-ratio", "0.17"},
     {"tables", "damping", "--aspect-ratio", "7", "--load", "0.05"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
+    {"bench", "--quick", "--case", "static"},
+    {"bench", "--quick", "--case", "skips,kernels"},
     {"validate"},
 };
 
