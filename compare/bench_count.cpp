@@ -54,12 +54,15 @@ OperationCount counted_bond_step() {
   std::vector<dem::BondHistory<Counted, Dim>> history(
       kernel_bonds, counted<dem::BondHistory<Counted, Dim>>(dem::BondHistory<double, Dim>{}, &count));
   std::vector<dem::NaturalEnds<Counted, Dim>> natural;
-  for (const auto& ends : swing.chain.natural) natural.push_back(counted<dem::NaturalEnds<Counted, Dim>>(ends, &count));
+  for (const auto& ends : swing.chain.natural)
+    natural.push_back(counted<dem::NaturalEnds<Counted, Dim>>(ends, &count));
   std::vector<Counted> workspace(dem::workspace_reals<P, Counted>(kernel_bonds));
   // parameters without a count: what is made of them alone is made before the loop
   const dem::ChainBlock<P, Counted> block{
-      kernel_bonds, {true, false}, spheres.data(), history.data(), natural.data(),
-      counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing), nullptr), workspace.data()};
+      kernel_bonds,    {true, false},
+      spheres.data(),  history.data(),
+      natural.data(),  counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing), nullptr),
+      workspace.data()};
   dem::start_march<P, Counted>(block);
   for (int n = 0; n < steps_before; ++n) dem::march_step<P, Counted>(block, n);
   count = {};
@@ -71,7 +74,8 @@ template <std::size_t... I>
 OperationCount counted_bond_step(const dem::Physics& physics, std::index_sequence<I...>) {
   OperationCount count;
   const bool found =
-      ((physics == dem::built_physics[I] && (count = counted_bond_step<dem::built_physics[I]>(), true)) || ...);
+      ((physics == dem::built_physics[I] && (count = counted_bond_step<dem::built_physics[I]>(), true)) ||
+       ...);
   if (!found) throw dem::InvalidInput("operations are counted only for a physics that is built");
   return count;
 }
@@ -79,8 +83,8 @@ OperationCount counted_bond_step(const dem::Physics& physics, std::index_sequenc
 }  // namespace
 
 OperationCount operator/(const OperationCount& c, double number) {
-  return {c.additions / number, c.multiplications / number, c.fusable / number, c.divisions / number,
-          c.square_roots / number, c.sines / number, c.arc_tangents / number};
+  return {c.additions / number,    c.multiplications / number, c.fusable / number,     c.divisions / number,
+          c.square_roots / number, c.sines / number,           c.arc_tangents / number};
 }
 
 OperationCount operations_of_bond_step(const dem::Physics& physics) {

@@ -2,18 +2,18 @@
 
 #include <cmath>
 
-// A number that counts what is done to it: the inner loops of dem/ are templates on their number type, so that the
-// operations of a bond-step are counted from the very lines that run.
+// A number that counts what is done to it: the inner loops of dem/ are templates on their number type, so
+// that the operations of a bond-step are counted from the very lines that run.
 namespace fiberchain::compare {
 
 /// Floating-point operations; changes of sign, selections and comparisons are not among them.
 struct OperationCount {
   double additions = 0;  ///< and subtractions
   double multiplications = 0;
-  double fusable = 0;    ///< additions of a product: one instruction takes both where there are fused ones
+  double fusable = 0;  ///< additions of a product: one instruction takes both where there are fused ones
   double divisions = 0;
   double square_roots = 0;
-  double sines = 0;      ///< and cosines
+  double sines = 0;  ///< and cosines
   double arc_tangents = 0;
 
   friend bool operator==(const OperationCount&, const OperationCount&) = default;
@@ -22,8 +22,8 @@ struct OperationCount {
 /// All of them over a number: a mean.
 OperationCount operator/(const OperationCount& count, double number);
 
-/// A double that reports to the count it was made with, or to the other operand's. Two numbers without a count are
-/// constants, and what is done to them alone the compiler does.
+/// A double that reports to the count it was made with, or to the other operand's. Two numbers without a
+/// count are constants, and what is done to them alone the compiler does.
 class Counted {
  public:
   Counted() = default;
@@ -46,14 +46,20 @@ class Counted {
     a.value_ = -a.value_;
     return a;
   }
-  friend Counted sqrt(const Counted& a) { return done(a, a, std::sqrt(a.value_), &OperationCount::square_roots); }
+  friend Counted sqrt(const Counted& a) {
+    return done(a, a, std::sqrt(a.value_), &OperationCount::square_roots);
+  }
   friend Counted sin(const Counted& a) { return done(a, a, std::sin(a.value_), &OperationCount::sines); }
   friend Counted cos(const Counted& a) { return done(a, a, std::cos(a.value_), &OperationCount::sines); }
-  friend Counted atan(const Counted& a) { return done(a, a, std::atan(a.value_), &OperationCount::arc_tangents); }
+  friend Counted atan(const Counted& a) {
+    return done(a, a, std::atan(a.value_), &OperationCount::arc_tangents);
+  }
   friend Counted abs(const Counted& a) { return {std::abs(a.value_), a.count_}; }
   friend Counted min(const Counted& a, const Counted& b) { return a < b ? a : b; }
   friend Counted max(const Counted& a, const Counted& b) { return a > b ? a : b; }
-  friend Counted select(bool condition, const Counted& yes, const Counted& no) { return condition ? yes : no; }
+  friend Counted select(bool condition, const Counted& yes, const Counted& no) {
+    return condition ? yes : no;
+  }
   friend bool operator<(const Counted& a, const Counted& b) { return a.value_ < b.value_; }
   friend bool operator>(const Counted& a, const Counted& b) { return a.value_ > b.value_; }
 

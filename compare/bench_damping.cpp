@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <optional>
 
 #include "compare/bench_problems.hpp"
@@ -27,8 +27,8 @@ struct Exact {
 };
 
 double dense_damping(const dem::Fiber& fiber) {
-  const auto modes =
-      reference::chain_modes(linear_twin(fiber), reference::ChainMotion::bending, reference::ChainEnds::clamped_free);
+  const auto modes = reference::chain_modes(linear_twin(fiber), reference::ChainMotion::bending,
+                                            reference::ChainEnds::clamped_free);
   return modes.front().damping;
 }
 
@@ -54,9 +54,15 @@ double fitted_damping(const dem::ReleaseRecord<2>& record, const dem::Fiber& fib
 }
 
 PrecisionRow eigenvalue_row(const dem::Fiber& fiber, const Exact& exact, const TimingBudget& budget) {
-  PrecisionRow row{.method = "eigenvalue", .setting = "inverse iteration", .aspect_ratio = fiber.aspect_ratio, .in_time = false};
-  return measured_row(row, budget, [&] { return reference::first_bending_mode(linear_twin(fiber)).damping; },
-                      [&](double found) -> Judged { return {std::abs(found / exact.damping - 1), {}}; });
+  PrecisionRow row{.method = "eigenvalue",
+                   .setting = "inverse iteration",
+                   .aspect_ratio = fiber.aspect_ratio,
+                   .in_time = false};
+  return measured_row(
+      row, budget, [&] { return reference::first_bending_mode(linear_twin(fiber)).damping; },
+      [&](double found) -> Judged {
+        return {std::abs(found / exact.damping - 1), {}};
+      });
 }
 
 }  // namespace
@@ -70,7 +76,9 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
       .title = fmt::format("Damping ratio {{/Symbol x}}_f, r_f = {}, {{/Symbol x}}_b = 1", aspect_ratio),
       .error_label = "relative error of {/Symbol x}_f",
       .short_title = fmt::format("ξ_f, r_f = {}, ξ_b = 1", aspect_ratio),
-      .reference = "all modes of the linear chain by a dense eigensolve; own error: the same chain in other units, and the amplitude",
+      .reference =
+          "all modes of the linear chain by a dense eigensolve; own error: the same chain in other units, "
+          "and the amplitude",
       .reference_error = exact.error,
       .rows = {}};
   problem.rows.push_back(eigenvalue_row(fiber, exact, row_budget(options)));
@@ -78,9 +86,10 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
   const ChainMode mode = reference::first_bending_mode(linear_twin(fiber));
   const dem::Release<2> release = mode_release(fiber, mode, amplitude, periods);
   for (const RingDownSetting& setting : ring_down_settings(release, options.quick)) {
-    problem.rows.push_back(ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
-      return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
-    }));
+    problem.rows.push_back(
+        ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
+          return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
+        }));
     options.advance();
   }
   return problem;

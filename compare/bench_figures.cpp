@@ -36,7 +36,8 @@ void show_reference(Figure& figure, double error) {
     for (const double y : series.y) low = std::min(low, y), high = std::max(high, y);
   }
   if (error < left / 10 || high == 0) return;
-  figure.series.push_back({"the reference's own error", {error, error}, {low, high}, Mark::line, Dash::dotted, 6});
+  figure.series.push_back(
+      {"the reference's own error", {error, error}, {low, high}, Mark::line, Dash::dotted, 6});
 }
 
 Figure figure_of(const PrecisionProblem& problem, Value value, const char* label, bool lanes) {
@@ -56,8 +57,11 @@ Figure figure_of(const PrecisionProblem& problem, Value value, const char* label
 std::vector<std::pair<std::string, Figure>> precision_figures(const std::vector<PrecisionProblem>& problems) {
   std::vector<std::pair<std::string, Figure>> figures;
   for (const PrecisionProblem& problem : problems) {
-    const Figure time = figure_of(problem, [](const PrecisionRow& row) { return row.time.least; }, "run time of one chain, s", true);
-    const Figure work = figure_of(problem, [](const PrecisionRow& row) { return row.work.bond_evaluations; }, "evaluations of a bond", false);
+    const Figure time = figure_of(
+        problem, [](const PrecisionRow& row) { return row.time.least; }, "run time of one chain, s", true);
+    const Figure work = figure_of(
+        problem, [](const PrecisionRow& row) { return row.work.bond_evaluations; }, "evaluations of a bond",
+        false);
     if (!time.series.empty()) figures.emplace_back("bench-" + problem.id, time);
     if (!work.series.empty()) figures.emplace_back("bench-" + problem.id + "-work", work);
   }
@@ -66,14 +70,16 @@ std::vector<std::pair<std::string, Figure>> precision_figures(const std::vector<
 
 Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
   Figure figure{"Inner loops: a bond-step against what its operations take at least",
-                {"least time at the core's peak, ns", true}, {"measured, ns, chains of 11 spheres", true}, {}};
+                {"least time at the core's peak, ns", true},
+                {"measured, ns, chains of 11 spheres", true},
+                {}};
   double low = 1e300, high = 0;
   int color = 1;
   for (const MeasuredPeak& peak : peaks) {
     Series series{std::string(dem::name(peak.set)), {}, {}, Mark::points, Dash::solid, color++};
     for (const KernelTime& t : times) {
       if (t.set != peak.set) continue;
-      series.x.push_back(1e9 * bound_of(operations_of_bond_step(t.physics), peak.peak).least());
+      series.x.push_back(1e9 * bound_of(t.count, peak.peak).least());
       series.y.push_back(1e9 * t.ensemble);
       low = std::min(low, series.x.back());
       high = std::max(high, series.x.back());

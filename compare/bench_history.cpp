@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "compare/bench_history_reference.hpp"
 #include "compare/bench_problems.hpp"
@@ -46,22 +46,27 @@ double path_error(const dem::ReleaseRecord<2>& record, const Path& exact, double
 PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptions& options) {
   dem::Fiber fiber = nominal_fiber(aspect_ratio, 0.3, dem::BondModel::paper);
   fiber.bond_damping = 1;
-  const dem::Release<2> release = static_release(fiber, reference::first_bending_mode(linear_twin(fiber)), load, periods);
+  const dem::Release<2> release =
+      static_release(fiber, reference::first_bending_mode(linear_twin(fiber)), load, periods);
   const std::vector<double> times = times_of(release.period);
-  const Path exact = tip_path_by_runge_kutta(release, times, 1e-12), looser = tip_path_by_runge_kutta(release, times, 1e-11);
+  const Path exact = tip_path_by_runge_kutta(release, times, 1e-12),
+             looser = tip_path_by_runge_kutta(release, times, 1e-11);
   PrecisionProblem problem{
       .id = fmt::format("history-{}", aspect_ratio),
-      .title = fmt::format("Free end after the release, r_f = {}, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}, {{/Symbol x}}_b = 1",
+      .title = fmt::format("Free end after the release, r_f = {}, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}, "
+                           "{{/Symbol x}}_b = 1",
                            aspect_ratio, load),
       .error_label = "largest |{/Symbol D}{/:Bold r}|/{/:Italic L} of the free end over three periods",
       .short_title = fmt::format("path of the free end, r_f = {}, PL²/EI = {:g}", aspect_ratio, load),
-      .reference = "GSL's Prince-Dormand 8(9) at 1e-12 on the chain's equations; own error: its distance from 1e-11",
+      .reference =
+          "GSL's Prince-Dormand 8(9) at 1e-12 on the chain's equations; own error: its distance from 1e-11",
       .reference_error = largest_distance(exact, looser),
       .rows = {}};
   for (const RingDownSetting& setting : ring_down_settings(release, options.quick)) {
-    problem.rows.push_back(ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
-      return path_error(record, exact, dem::fiber_length(fiber));
-    }));
+    problem.rows.push_back(
+        ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
+          return path_error(record, exact, dem::fiber_length(fiber));
+        }));
     options.advance();
   }
   return problem;

@@ -30,7 +30,7 @@ class ChainEquations {
       const Vec<double, 2> v = release_.velocity.empty() ? Vec<double, 2>{} : release_.velocity[i];
       const double w = release_.spin.empty() ? 0 : release_.spin[i][0];
       const double values[] = {pose.position[0] / length_, pose.position[1] / length_, pose.orientation,
-                               v[0] * time_ / length_, v[1] * time_ / length_, w * time_};
+                               v[0] * time_ / length_,     v[1] * time_ / length_,     w * time_};
       std::copy(std::begin(values), std::end(values), at);
     }
     return state;
@@ -74,8 +74,10 @@ class ChainEquations {
     const auto springs = dem::bond_loads(k, dem::bond_stress(law_, k.separation, k.rotation));
     const Vec<double, 2> separation = b.pose.position - a.pose.position;
     const Vec<double, 2> axis = (1 / dem::norm(separation)) * separation;
-    const dem::RelativeMotion<double, 2> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin), b.spin - a.spin};
-    const auto loads = springs + dem::act_at_middle(separation, dem::dashpot_action(law_, separation, axis, motion));
+    const dem::RelativeMotion<double, 2> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin),
+                                                b.spin - a.spin};
+    const auto loads =
+        springs + dem::act_at_middle(separation, dem::dashpot_action(law_, separation, axis, motion));
     a.force = a.force + loads.force_on_first;
     a.moment += loads.moment_on_first[0];
     b.force = b.force - loads.force_on_first;
@@ -90,8 +92,8 @@ class ChainEquations {
 
 }  // namespace
 
-std::vector<Vec<double, 2>> tip_path_by_runge_kutta(const dem::Release<2>& release, const std::vector<double>& times,
-                                                    double tolerance) {
+std::vector<Vec<double, 2>> tip_path_by_runge_kutta(const dem::Release<2>& release,
+                                                    const std::vector<double>& times, double tolerance) {
   const ChainEquations equations(release);
   std::vector<double> state = equations.start();
   reference::detail::OdeIntegrator integrator(

@@ -11,8 +11,8 @@
 #include "compare/figure.hpp"
 #include "compare/table.hpp"
 
-// The inner loops: how long a bond-step takes, what the operations in it must take at least, and what a scene saves that
-// lacks something. Chains of 11 spheres.
+// The inner loops: how long a bond-step takes, what the operations in it must take at least, and what a scene
+// saves that lacks something. Chains of 11 spheres.
 namespace fiberchain::compare {
 
 /// One inner loop by one instruction set, timed in turns with all the others.
@@ -20,18 +20,20 @@ struct KernelTime {
   dem::Physics physics;
   dem::InstructionSet set;
   int lanes;
-  double ensemble;  ///< [s] of a bond-step, all lanes full
-  double lone;      ///< [s] of a bond-step, one chain alone
+  double ensemble;         ///< [s] of a bond-step, all lanes full
+  double lone;             ///< [s] of a bond-step, one chain alone
+  OperationCount count{};  ///< of a bond-step
 };
 
-/// Every physics built, by every instruction set that this processor has; quick: by the widest and one lane at a time.
+/// Every physics built, by every instruction set that this processor has; quick: by the widest and one lane
+/// at a time.
 std::vector<KernelTime> kernel_times(const BenchOptions& options);
 
 /// What bounds a loop.
 struct KernelBound {
-  OperationCount count;  ///< of a bond-step
-  double arithmetic;     ///< [s] a bond-step's additions, multiplications and circular functions take at the peak
-  double divider;        ///< [s] its divisions and square roots take, which one unit does beside the others
+  double
+      arithmetic;  ///< [s] a bond-step's additions, multiplications and circular functions take at the peak
+  double divider;  ///< [s] its divisions and square roots take, which one unit does beside the others
 
   double least() const { return arithmetic > divider ? arithmetic : divider; }
 };

@@ -20,18 +20,25 @@ double time_of(const PeakLoop& loop, const TimingBudget& budget) {
 PeakLoops peak_loops(InstructionSet set) {
   dem::lane_kernel(dem::built_physics[0], set);  // throws where the processor lacks it
   switch (set) {
-    case InstructionSet::avx512: return peak_kernels_avx512();
-    case InstructionSet::avx2: return peak_kernels_avx2();
-    case InstructionSet::sse2: return peak_kernels_sse2();
-    default: return peak_kernels_scalar();
+    case InstructionSet::avx512:
+      return peak_kernels_avx512();
+    case InstructionSet::avx2:
+      return peak_kernels_avx2();
+    case InstructionSet::sse2:
+      return peak_kernels_sse2();
+    default:
+      return peak_kernels_scalar();
   }
 }
 
 CorePeak measured_peak(InstructionSet set, const TimingBudget& budget) {
   const PeakLoops loops = peak_loops(set);
   return {loops.fused,
-          time_of(loops.multiply_add, budget), time_of(loops.divide, budget), time_of(loops.square_root, budget),
-          time_of(loops.sine, budget),         time_of(loops.arc_tangent, budget)};
+          time_of(loops.multiply_add, budget),
+          time_of(loops.divide, budget),
+          time_of(loops.square_root, budget),
+          time_of(loops.sine, budget),
+          time_of(loops.arc_tangent, budget)};
 }
 
 }  // namespace fiberchain::compare

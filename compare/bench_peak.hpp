@@ -8,8 +8,8 @@
 // What one core does at most: throughput of independent operations on full vectors, in registers.
 namespace fiberchain::compare {
 
-/// The loops of one instruction set: each does `rounds` rounds on independent vectors and returns a number that depends
-/// on all of them. `operations` is how many operations on doubles a round is.
+/// The loops of one instruction set: each does `rounds` rounds on independent vectors and returns a number
+/// that depends on all of them. `operations` is how many operations on doubles a round is.
 struct PeakLoop {
   double (*run)(long rounds, double start);
   int operations;

@@ -5,11 +5,12 @@
 
 #include "compare/bench_peak.hpp"
 
-// Included by one source file an instruction set; everything here is a template on that set's number type, as in
-// dem/motion/lanes/instantiate.hpp.
+// Included by one source file an instruction set; everything here is a template on that set's number type, as
+// in dem/motion/lanes/instantiate.hpp.
 namespace fiberchain::compare {
 
-/// Independent chains of operations: enough to fill two units four cycles deep, few enough for sixteen registers.
+/// Independent chains of operations: enough to fill two units four cycles deep, few enough for sixteen
+/// registers.
 inline constexpr int peak_chains = 12;
 
 template <class Real>
@@ -54,7 +55,10 @@ double peak_divide(long rounds, double start) {
 
 template <class Real>
 double peak_square_root(long rounds, double start) {
-  return peak_run<Real>(rounds, start, [](const Real& x) { using std::sqrt; return sqrt(x); });
+  return peak_run<Real>(rounds, start, [](const Real& x) {
+    using std::sqrt;
+    return sqrt(x);
+  });
 }
 
 /// Sine of a cosine: two operations a round.
@@ -69,7 +73,10 @@ double peak_sine(long rounds, double start) {
 
 template <class Real>
 double peak_arc_tangent(long rounds, double start) {
-  return peak_run<Real>(rounds, start, [](const Real& x) { using std::atan; return atan(x); });
+  return peak_run<Real>(rounds, start, [](const Real& x) {
+    using std::atan;
+    return atan(x);
+  });
 }
 
 template <class Real>
@@ -80,8 +87,12 @@ PeakLoops peak_loops_of() {
   constexpr bool fused = false;
 #endif
   constexpr int doubles = peak_chains * peak_lanes<Real>;
-  return {fused, {peak_multiply_add<Real>, (fused ? 1 : 2) * doubles}, {peak_divide<Real>, doubles},  {peak_square_root<Real>, doubles},
-          {peak_sine<Real>, 2 * doubles},         {peak_arc_tangent<Real>, doubles}};
+  return {fused,
+          {peak_multiply_add<Real>, (fused ? 1 : 2) * doubles},
+          {peak_divide<Real>, doubles},
+          {peak_square_root<Real>, doubles},
+          {peak_sine<Real>, 2 * doubles},
+          {peak_arc_tangent<Real>, doubles}};
 }
 
 }  // namespace fiberchain::compare

@@ -18,7 +18,8 @@ int lanes() { return dem::lane_kernel(dem::built_physics[0], dem::best_instructi
 /// Largest stable dt / t_b: the dashpots matter only where they are taken at the lagged velocity.
 double limit_of(const dem::Fiber& fiber, Integrator integrator) {
   const bool lagged = integrator == Integrator::leapfrog;
-  return (lagged ? dem::stable_time_step(fiber) : dem::undamped_time_step(fiber)) / dem::bond_time_step(fiber);
+  return (lagged ? dem::stable_time_step(fiber) : dem::undamped_time_step(fiber)) /
+         dem::bond_time_step(fiber);
 }
 
 struct StepParts {
@@ -26,8 +27,8 @@ struct StepParts {
   int samples_per_period;
 };
 
-void add_explicit(std::vector<RingDownSetting>& all, const dem::Fiber& fiber, Integrator integrator, BondForm form,
-                  const StepParts& steps, int side_by_side) {
+void add_explicit(std::vector<RingDownSetting>& all, const dem::Fiber& fiber, Integrator integrator,
+                  BondForm form, const StepParts& steps, int side_by_side) {
   std::string method(dem::name(integrator));
   if (form == BondForm::total) method += ", total form";
   if (side_by_side > 1) method += fmt::format(", {} in lanes", side_by_side);
@@ -38,8 +39,8 @@ void add_explicit(std::vector<RingDownSetting>& all, const dem::Fiber& fiber, In
     options.step_ratio = part * limit_of(fiber, integrator);
     options.samples_per_period = steps.samples_per_period;
     all.push_back({method, fmt::format("dt = {:.3g} t_b", *options.step_ratio),
-                   integrator == Integrator::leapfrog && form == BondForm::incremental && side_by_side == 1, options,
-                   side_by_side});
+                   integrator == Integrator::leapfrog && form == BondForm::incremental && side_by_side == 1,
+                   options, side_by_side});
   }
 }
 
@@ -49,22 +50,25 @@ std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, 
   const dem::Fiber& fiber = release.chain.fiber;
   const bool is_long = fiber.aspect_ratio > long_chain;
   const StepParts steps{quick || is_long ? std::vector{0.95, 0.5} : std::vector{0.95, 0.5, 0.25, 0.125}, 50};
-  const StepParts finer{quick || is_long ? std::vector{0.95, 0.5} : std::vector{0.95, 0.5, 0.25, 0.125, 0.0625}, 50};
+  const StepParts finer{
+      quick || is_long ? std::vector{0.95, 0.5} : std::vector{0.95, 0.5, 0.25, 0.125, 0.0625}, 50};
   std::vector<RingDownSetting> all;
   add_explicit(all, fiber, Integrator::leapfrog, BondForm::incremental, steps, 1);
-  add_explicit(all, fiber, Integrator::leapfrog, BondForm::total, quick || is_long ? StepParts{{0.95}, 50} : steps, 1);
+  add_explicit(all, fiber, Integrator::leapfrog, BondForm::total,
+               quick || is_long ? StepParts{{0.95}, 50} : steps, 1);
   if (!is_long) add_explicit(all, fiber, Integrator::leapfrog, BondForm::incremental, steps, lanes());
   add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::incremental, finer, 1);
   if (!is_long) add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::incremental, finer, lanes());
-  for (const int steps_a_period : quick ? std::vector{25, 100} : std::vector{10, 25, 50, 100, 200, 400, 800}) {
+  for (const int steps_a_period :
+       quick ? std::vector{25, 100} : std::vector{10, 25, 50, 100, 200, 400, 800}) {
     dem::ReleaseOptions options;
     options.form = BondForm::total;
     options.integrator = Integrator::implicit;
     options.samples_per_period = steps_a_period;
     all.push_back({"implicit", fmt::format("dt = T/{}", steps_a_period), false, options});
   }
-  for (const double tolerance : quick ? std::vector{1e-3, 1e-5, 1e-8}
-                                      : std::vector{1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+  for (const double tolerance :
+       quick ? std::vector{1e-3, 1e-5, 1e-8} : std::vector{1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
     dem::ReleaseOptions options;
     options.form = BondForm::total;
     options.integrator = Integrator::cvode;
@@ -75,16 +79,20 @@ std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, 
   return all;
 }
 
-PrecisionRow ring_down_row(const RingDownSetting& setting, const dem::Release<2>& release, const TimingBudget& budget,
+PrecisionRow ring_down_row(const RingDownSetting& setting, const dem::Release<2>& release,
+                           const TimingBudget& budget,
                            const std::function<double(const dem::ReleaseRecord<2>&)>& error) {
-  PrecisionRow row{.method = setting.method, .setting = setting.text, .aspect_ratio = release.chain.fiber.aspect_ratio,
+  PrecisionRow row{.method = setting.method,
+                   .setting = setting.text,
+                   .aspect_ratio = release.chain.fiber.aspect_ratio,
                    .lanes = setting.side_by_side,
                    .as_paper = setting.as_paper};
   const std::vector<dem::Release<2>> all(static_cast<std::size_t>(setting.side_by_side), release);
-  row = measured_row(row, budget, [&] { return dem::ring_down<2>(all, setting.options); },
-                     [&](const std::vector<dem::ReleaseRecord<2>>& records) -> Judged {
-                       return {error(records.front()), records.front().work};
-                     });
+  row = measured_row(
+      row, budget, [&] { return dem::ring_down<2>(all, setting.options); },
+      [&](const std::vector<dem::ReleaseRecord<2>>& records) -> Judged {
+        return {error(records.front()), records.front().work};
+      });
   row.time.least /= setting.side_by_side;
   row.time.median /= setting.side_by_side;
   return row;

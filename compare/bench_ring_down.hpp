@@ -11,18 +11,20 @@
 namespace fiberchain::compare {
 
 struct RingDownSetting {
-  std::string method;        ///< as PrecisionRow has it
-  std::string text;          ///< its setting
+  std::string method;  ///< as PrecisionRow has it
+  std::string text;    ///< its setting
   bool as_paper = false;
   dem::ReleaseOptions options{};
   int side_by_side = 1;  ///< equal chains in lanes; the time is that of one
 };
 
-/// Leapfrogs by parts of their largest stable step, alone and in lanes; implicit by steps a period; CVODE by tolerance.
+/// Leapfrogs by parts of their largest stable step, alone and in lanes; implicit by steps a period; CVODE by
+/// tolerance.
 std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, bool quick);
 
 /// One setting, measured; `error` judges the record of the free end.
-PrecisionRow ring_down_row(const RingDownSetting& setting, const dem::Release<2>& release, const TimingBudget& budget,
+PrecisionRow ring_down_row(const RingDownSetting& setting, const dem::Release<2>& release,
+                           const TimingBudget& budget,
                            const std::function<double(const dem::ReleaseRecord<2>&)>& error);
 
 }  // namespace fiberchain::compare

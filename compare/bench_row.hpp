@@ -11,7 +11,8 @@
 // Run time against error: what the bench measures, as values.
 namespace fiberchain::compare {
 
-/// One method at one setting on one problem. A method that fails keeps its row with the reason, its error NaN.
+/// One method at one setting on one problem. A method that fails keeps its row with the reason, its error
+/// NaN.
 struct PrecisionRow {
   std::string method;
   std::string setting;    ///< what sets its accuracy, e.g. "dt = 0.2 t_b"
@@ -22,17 +23,17 @@ struct PrecisionRow {
   double error = std::numeric_limits<double>::quiet_NaN();
   Timing time{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(), 0};
   dem::Work work{};
-  std::string status{};   ///< "measured", else why not
+  std::string status{};  ///< "measured", else why not
 };
 
 /// A question with a known answer, and the rows of all that were asked.
 struct PrecisionProblem {
-  std::string id;               ///< "damping-10"; part of file names
-  std::string title;            ///< in gnuplot's enhanced notation
-  std::string error_label;      ///< what the error is, likewise
-  std::string short_title;      ///< in Markdown
-  std::string reference;        ///< what the error is measured against; none of the ranked methods
-  double reference_error;       ///< its own, estimated as `reference` says
+  std::string id;           ///< "damping-10"; part of file names
+  std::string title;        ///< in gnuplot's enhanced notation
+  std::string error_label;  ///< what the error is, likewise
+  std::string short_title;  ///< in Markdown
+  std::string reference;    ///< what the error is measured against; none of the ranked methods
+  double reference_error;   ///< its own, estimated as `reference` says
   std::vector<PrecisionRow> rows;
 };
 
@@ -46,7 +47,8 @@ struct Judged {
 
 /// Runs `run`, judges what it returned, then times it warm. What either throws becomes the status of the row.
 template <class Run, class Judge>
-PrecisionRow measured_row(PrecisionRow asked, const TimingBudget& budget, const Run& run, const Judge& judge) {
+PrecisionRow measured_row(PrecisionRow asked, const TimingBudget& budget, const Run& run,
+                          const Judge& judge) {
   try {
     const Judged found = judge(run());
     asked.time = time_warm([&] { static_cast<void>(run()); }, budget);
@@ -66,8 +68,9 @@ enum class Among {
   as_paper  ///< the paper's way alone
 };
 
-/// The row with the least run time that keeps `wanted`; nullptr if there is none. Rows of a method stand from coarse to
-/// fine, and a row keeps an error only if the finer ones of its method do too: an error that passes zero is no merit.
+/// The row with the least run time that keeps `wanted`; nullptr if there is none. Rows of a method stand from
+/// coarse to fine, and a row keeps an error only if the finer ones of its method do too: an error that passes
+/// zero is no merit.
 const PrecisionRow* cheapest(const std::vector<PrecisionRow>& rows, double wanted, Among among);
 
 }  // namespace fiberchain::compare

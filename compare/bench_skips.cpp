@@ -1,7 +1,7 @@
 #include "compare/bench_skips.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <optional>
 
 #include "compare/damping_release.hpp"
@@ -24,17 +24,46 @@ struct Feature {
 };
 
 constexpr Feature features[] = {
-    {"planar instead of spatial", [](Physics p) { p.dimension = 2; return p; }},
-    {"no bond damping", [](Physics p) { p.damped = false; return p; }},
-    {"damping lagged instead of solved in the step", [](Physics p) { p.solved = false; return p; }},
-    {"no rolling friction", [](Physics p) { p.rolling = dem::Rolling::none; return p; }},
-    {"no drag", [](Physics p) { p.drag = false; return p; }},
-    {"straight at rest instead of curved", [](Physics p) { p.curved = false; return p; }},
-    {"increments instead of total strain", [](Physics p) { p.form = BondForm::incremental; return p; }},
+    {"planar instead of spatial",
+     [](Physics p) {
+       p.dimension = 2;
+       return p;
+     }},
+    {"no bond damping",
+     [](Physics p) {
+       p.damped = false;
+       return p;
+     }},
+    {"damping lagged instead of solved in the step",
+     [](Physics p) {
+       p.solved = false;
+       return p;
+     }},
+    {"no rolling friction",
+     [](Physics p) {
+       p.rolling = dem::Rolling::none;
+       return p;
+     }},
+    {"no drag",
+     [](Physics p) {
+       p.drag = false;
+       return p;
+     }},
+    {"straight at rest instead of curved",
+     [](Physics p) {
+       p.curved = false;
+       return p;
+     }},
+    {"increments instead of total strain",
+     [](Physics p) {
+       p.form = BondForm::incremental;
+       return p;
+     }},
 };
 
 const KernelTime* find(const std::vector<KernelTime>& times, const Physics& physics, InstructionSet set) {
-  const auto found = std::ranges::find_if(times, [&](const KernelTime& t) { return t.physics == physics && t.set == set; });
+  const auto found =
+      std::ranges::find_if(times, [&](const KernelTime& t) { return t.physics == physics && t.set == set; });
   return found == times.end() ? nullptr : &*found;
 }
 
@@ -53,8 +82,10 @@ std::vector<Ways> equilibrium_ways() {
     dem::MarchOptions march;
     march.form = form;
     march.residual = 1e-6;
-    ways.push_back({"equilibrium instead of marching", fmt::format("planar {}, r_f = 10, PL^2/EI = 1", dem::name(form)),
-                    [=] { dem::march_to_rest<2>({job}, march); }, [=] { dem::solve_equilibrium(job.chain, job.loading[0]); }});
+    ways.push_back({"equilibrium instead of marching",
+                    fmt::format("planar {}, r_f = 10, PL^2/EI = 1", dem::name(form)),
+                    [=] { dem::march_to_rest<2>({job}, march); },
+                    [=] { dem::solve_equilibrium(job.chain, job.loading[0]); }});
   }
   return ways;
 }
@@ -62,7 +93,8 @@ std::vector<Ways> equilibrium_ways() {
 Ways eigenvalue_ways() {
   dem::Fiber fiber = nominal_fiber(10, 0.3, dem::BondModel::paper);
   fiber.bond_damping = 1;
-  const dem::Release<2> release = mode_release(fiber, reference::first_bending_mode(linear_twin(fiber)), 1e-3, 2.2);
+  const dem::Release<2> release =
+      mode_release(fiber, reference::first_bending_mode(linear_twin(fiber)), 1e-3, 2.2);
   return {"eigenvalue instead of marching", "planar incremental damped, r_f = 10, two periods",
           [=] { dem::ring_down<2>({release}); }, [=] { reference::first_bending_mode(linear_twin(fiber)); }};
 }
@@ -83,7 +115,8 @@ std::vector<SkipRow> kernel_skips(const std::vector<KernelTime>& times) {
   for (const KernelTime& scalar : times) {
     const KernelTime* wide = find(times, scalar.physics, best);
     if (scalar.set != InstructionSet::scalar || !wide) continue;
-    rows.push_back({fmt::format("{} chains at a time instead of one", wide->lanes), text(scalar.physics), scalar.ensemble, wide->ensemble});
+    rows.push_back({fmt::format("{} chains at a time instead of one", wide->lanes), text(scalar.physics),
+                    scalar.ensemble, wide->ensemble});
   }
   return rows;
 }
@@ -96,7 +129,8 @@ std::vector<SkipRow> answer_skips(const BenchOptions& options) {
     runs.push_back(way.with);
     runs.push_back(way.without);
   }
-  const auto timings = time_in_turns(runs, options.quick ? TimingBudget{0.02, 3, 9} : TimingBudget{0.3, 7, 40});
+  const auto timings =
+      time_in_turns(runs, options.quick ? TimingBudget{0.02, 3, 9} : TimingBudget{0.3, 7, 40});
   std::vector<SkipRow> rows;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     rows.push_back({ways[i].skipped, ways[i].scene, timings[2 * i].least, timings[2 * i + 1].least});
@@ -107,7 +141,11 @@ std::vector<SkipRow> answer_skips(const BenchOptions& options) {
 Table skip_table(const std::vector<SkipRow>& rows) {
   Table table({"skipped", "scene", "time_with", "time_without", "saving"});
   for (const SkipRow& row : rows) {
-    table.append({{"skipped", row.skipped}, {"scene", row.scene}, {"time_with", row.with}, {"time_without", row.without}, {"saving", row.saving()}});
+    table.append({{"skipped", row.skipped},
+                  {"scene", row.scene},
+                  {"time_with", row.with},
+                  {"time_without", row.without},
+                  {"saving", row.saving()}});
   }
   return table;
 }
@@ -120,7 +158,8 @@ Table skip_summary(const std::vector<SkipRow>& rows) {
   }
   for (const std::string& name : names) {
     std::vector<double> savings;
-    for (const SkipRow& row : rows) if (row.skipped == name) savings.push_back(row.saving());
+    for (const SkipRow& row : rows)
+      if (row.skipped == name) savings.push_back(row.saving());
     std::ranges::sort(savings);
     const std::size_t n = savings.size();
     table.append({{"skipped", name},

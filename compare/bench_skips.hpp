@@ -17,7 +17,8 @@ struct SkipRow {
   double saving() const { return with / without; }
 };
 
-/// Every pair of inner loops that differ in one feature by the widest lanes, and one chain at a time against full lanes.
+/// Every pair of inner loops that differ in one feature by the widest lanes, and one chain at a time against
+/// full lanes.
 std::vector<SkipRow> kernel_skips(const std::vector<KernelTime>& times);
 
 /// Answers found without marching: equilibrium by Newton, damping by the eigenvalue, r_f = 10.

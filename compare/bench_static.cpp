@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 #include "compare/bench_problems.hpp"
@@ -34,8 +34,8 @@ Distance distance_from(const Point& point, const dem::Fiber& fiber) {
   return [=](const dem::Poses<2>& poses) { return dem::norm((1 / length) * poses.back().position - point); };
 }
 
-PrecisionRow solved_row(PrecisionRow row, const dem::MarchCase<2>& job, const Distance& distance, const dem::SolveOptions& solve,
-                        const TimingBudget& budget) {
+PrecisionRow solved_row(PrecisionRow row, const dem::MarchCase<2>& job, const Distance& distance,
+                        const dem::SolveOptions& solve, const TimingBudget& budget) {
   row.in_time = false;
   row.aspect_ratio = job.chain.fiber.aspect_ratio;
   const auto run = [&] { return dem::solve_equilibrium(job.chain, job.loading[0], solve); };
@@ -51,7 +51,8 @@ PrecisionRow marched_row(PrecisionRow row, const dem::MarchCase<2>& job, const D
   row.aspect_ratio = job.chain.fiber.aspect_ratio;
   const auto run = [&] { return dem::march_to_rest<2>({job}, march)[0]; };
   return measured_row(row, budget, run, [&](const dem::MarchResult<2>& found) -> Judged {
-    return {distance(found.poses), {.steps = found.steps, .bond_evaluations = found.steps * row.aspect_ratio}};
+    return {distance(found.poses),
+            {.steps = found.steps, .bond_evaluations = found.steps * row.aspect_ratio}};
   });
 }
 
@@ -97,23 +98,25 @@ void add_elastica_rows(Bench& bench, double load, const Point& tip) {
   const bool quick = bench.options.quick;
   const auto distance = [&](const dem::MarchCase<2>& job) { return distance_from(tip, job.chain.fiber); };
   for (const BondModel bond : {BondModel::paper, BondModel::corrected}) {
-    for (const int r_f : quick ? std::vector{5, 10, 20, 50} : std::vector{3, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+    for (const int r_f :
+         quick ? std::vector{5, 10, 20, 50} : std::vector{3, 5, 10, 20, 50, 100, 200, 500, 1000}) {
       const auto job = cantilever(r_f, bond, load);
-      bench.add(solved_row({.method = fmt::format("solve, {} bond", dem::name(bond)), .setting = fmt::format("r_f = {}", r_f)},
-                           job, distance(job), {}, bench.budget));
+      bench.add(solved_row(
+          {.method = fmt::format("solve, {} bond", dem::name(bond)), .setting = fmt::format("r_f = {}", r_f)},
+          job, distance(job), {}, bench.budget));
     }
   }
   for (const BondForm form : {BondForm::total, BondForm::incremental}) {
     for (const int r_f : quick ? std::vector{5, 10} : std::vector{3, 5, 10, 20, 60}) {
       const auto job = cantilever(r_f, BondModel::paper, load);
-      bench.add(marched_row({.method = name_of(form), .setting = fmt::format("r_f = {}", r_f)}, job, distance(job),
-                            march_options(form, 1e-6), bench.budget));
+      bench.add(marched_row({.method = name_of(form), .setting = fmt::format("r_f = {}", r_f)}, job,
+                            distance(job), march_options(form, 1e-6), bench.budget));
     }
   }
   for (const int r_f : quick ? std::vector{5} : std::vector{3, 5, 10}) {
     const auto job = cantilever(r_f, BondModel::paper, load);
-    bench.add(marched_row({.method = paper_name, .setting = fmt::format("r_f = {}", r_f), .as_paper = true}, job,
-                          distance(job), paper_march(1e-4), long_budget(bench.budget)));
+    bench.add(marched_row({.method = paper_name, .setting = fmt::format("r_f = {}", r_f), .as_paper = true},
+                          job, distance(job), paper_march(1e-4), long_budget(bench.budget)));
   }
 }
 
@@ -123,21 +126,26 @@ void add_equilibrium_rows(Bench& bench, const dem::MarchCase<2>& job, const Dist
   for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-9}) {
     dem::SolveOptions solve;
     solve.tolerance = tolerance;
-    bench.add(solved_row({.method = "solve", .setting = fmt::format("tolerance {:.0e}", tolerance)}, job, distance, solve, bench.budget));
+    bench.add(solved_row({.method = "solve", .setting = fmt::format("tolerance {:.0e}", tolerance)}, job,
+                         distance, solve, bench.budget));
   }
   const auto residual = [](double limit) { return fmt::format("residual {:.0e}", limit); };
   for (const BondForm form : {BondForm::total, BondForm::incremental}) {
-    for (const double limit : quick ? std::vector{1e-2, 1e-4, 1e-6} : std::vector{1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
-      bench.add(marched_row({.method = name_of(form), .setting = residual(limit)}, job, distance, march_options(form, limit), bench.budget));
+    for (const double limit :
+         quick ? std::vector{1e-2, 1e-4, 1e-6} : std::vector{1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
+      bench.add(marched_row({.method = name_of(form), .setting = residual(limit)}, job, distance,
+                            march_options(form, limit), bench.budget));
     }
   }
   for (const double part : quick ? std::vector{0.95, 0.25} : std::vector{0.95, 0.5, 0.25, 0.125, 0.0625}) {
-    bench.add(marched_row({.method = "march, incremental, by step", .setting = fmt::format("dt = {:g} of the limit", part)}, job,
-                          distance, at_step(march_options(BondForm::incremental, 1e-10), job.chain.fiber, part), bench.budget));
+    bench.add(marched_row(
+        {.method = "march, incremental, by step", .setting = fmt::format("dt = {:g} of the limit", part)},
+        job, distance, at_step(march_options(BondForm::incremental, 1e-10), job.chain.fiber, part),
+        bench.budget));
   }
   for (const double limit : quick ? std::vector{1e-2} : std::vector{1e-2, 1e-4, 1e-6}) {
-    bench.add(marched_row({.method = paper_name, .setting = residual(limit), .as_paper = true}, job, distance, paper_march(limit),
-                          long_budget(bench.budget)));
+    bench.add(marched_row({.method = paper_name, .setting = residual(limit), .as_paper = true}, job, distance,
+                          paper_march(limit), long_budget(bench.budget)));
   }
 }
 
@@ -148,9 +156,11 @@ TimingBudget row_budget(const BenchOptions& options) {
 }
 
 PrecisionProblem elastica_problem(double load, const BenchOptions& options) {
-  const reference::TipState exact = reference::elastica_closed_form(load), other = reference::elastica_shooting(load);
+  const reference::TipState exact = reference::elastica_closed_form(load),
+                            other = reference::elastica_shooting(load);
   Bench bench{{.id = fmt::format("elastica-{:g}", load),
-               .title = fmt::format("Cantilever against the Elastica, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}", load),
+               .title = fmt::format(
+                   "Cantilever against the Elastica, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}", load),
                .error_label = "free end's distance from the Elastica's over {/:Italic L}",
                .short_title = fmt::format("free end against the Elastica, PL²/EI = {:g}", load),
                .reference = "Elastica by elliptic integrals; own error: distance from the shooting solution",
@@ -165,14 +175,16 @@ PrecisionProblem equilibrium_problem(double load, const BenchOptions& options) {
   constexpr int r_f = 10;
   const auto job = cantilever(r_f, BondModel::paper, load);
   const RootSearchTip exact = equilibrium_by_root_search(job.chain, job.loading[0], load);
-  Bench bench{{.id = fmt::format("equilibrium-{:g}", load),
-               .title = fmt::format("Equilibrium of the chain, r_f = {}, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}", r_f, load),
-               .error_label = "free end's distance from equilibrium over {/:Italic L}",
-               .short_title = fmt::format("free end of the chain at rest, r_f = {}, PL²/EI = {:g}", r_f, load),
-               .reference = "GSL's hybrid root search on the balance of forces; own error: distance of two starts",
-               .reference_error = rounding + exact.error,
-               .rows = {}},
-              options};
+  Bench bench{
+      {.id = fmt::format("equilibrium-{:g}", load),
+       .title = fmt::format("Equilibrium of the chain, r_f = {}, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}",
+                            r_f, load),
+       .error_label = "free end's distance from equilibrium over {/:Italic L}",
+       .short_title = fmt::format("free end of the chain at rest, r_f = {}, PL²/EI = {:g}", r_f, load),
+       .reference = "GSL's hybrid root search on the balance of forces; own error: distance of two starts",
+       .reference_error = rounding + exact.error,
+       .rows = {}},
+      options};
   add_equilibrium_rows(bench, job, distance_from(exact.tip, job.chain.fiber));
   return std::move(bench.problem);
 }

@@ -16,7 +16,8 @@
 namespace fiberchain::compare {
 namespace {
 
-/// Unknowns x/L, y/L, angle of every sphere but the clamped first; equations: force and moment over load and load L.
+/// Unknowns x/L, y/L, angle of every sphere but the clamped first; equations: force and moment over load and
+/// load L.
 struct Balance {
   const dem::Chain<2>& chain;
   const dem::Boundary<2>& boundary;
@@ -28,7 +29,8 @@ struct Balance {
     dem::Poses<2> all = chain.poses;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const std::size_t k = 3 * (i - 1);
-      all[i] = {{length * gsl_vector_get(unknown, k), length * gsl_vector_get(unknown, k + 1)}, gsl_vector_get(unknown, k + 2)};
+      all[i] = {{length * gsl_vector_get(unknown, k), length * gsl_vector_get(unknown, k + 1)},
+                gsl_vector_get(unknown, k + 2)};
     }
     return all;
   }
@@ -84,7 +86,8 @@ dem::Vec<double, 2> tip_from(Balance& balance, double start_load) {
 
 }  // namespace
 
-RootSearchTip equilibrium_by_root_search(const dem::Chain<2>& chain, const dem::Boundary<2>& boundary, double load) {
+RootSearchTip equilibrium_by_root_search(const dem::Chain<2>& chain, const dem::Boundary<2>& boundary,
+                                         double load) {
   Balance balance{chain, boundary, dem::fiber_length(chain.fiber), dem::load_force(chain.fiber, load)};
   const dem::Vec<double, 2> tip = tip_from(balance, load), other = tip_from(balance, 0.9 * load);
   return {tip, dem::norm(tip - other)};

@@ -1,7 +1,7 @@
 #include "compare/bench_swing.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <memory>
 
 #include "compare/static_point.hpp"
@@ -19,13 +19,14 @@ template <int Dim>
 std::function<void()> swinging(const Physics& physics, InstructionSet set, int chains, int steps) {
   const Swing<Dim> swing = swing_of<Dim>(physics);
   const auto n = static_cast<std::size_t>(chains);
-  const auto block = std::make_shared<dem::MarchingBlock<Dim>>(std::vector(n, swing.chain), dem::Clamps{true, false},
-                                                               std::vector(n, swing.step), std::vector(n, swing.drag),
-                                                               physics, set);
+  const auto block = std::make_shared<dem::MarchingBlock<Dim>>(
+      std::vector(n, swing.chain), dem::Clamps{true, false}, std::vector(n, swing.step),
+      std::vector(n, swing.drag), physics, set);
   for (int lane = 0; lane < chains; ++lane) block->set_ramp(lane, {}, {{0}, {swing.load}}, swing.ramp_steps);
   return [=] {
     block->march(steps);
-    if (!std::isfinite(block->sphere(0, kernel_bonds).pose.position[1])) throw dem::Diverged("a timed chain diverged");
+    if (!std::isfinite(block->sphere(0, kernel_bonds).pose.position[1]))
+      throw dem::Diverged("a timed chain diverged");
   };
 }
 
@@ -41,8 +42,9 @@ Swing<Dim> swing_of(const Physics& physics) {
   const double drag = physics.drag ? 1e-3 / dem::bond_time_step(fiber) : 0.0;
   dem::Load<Dim> load{kernel_bonds, {}, {}};
   load.force[1] = dem::load_force(fiber, 0.5);
-  return {physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber),
-          0.5 * dem::stable_time_step(fiber, drag), drag, load, 500};
+  return {
+      physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber),
+      0.5 * dem::stable_time_step(fiber, drag), drag, load, 500};
 }
 
 template Swing<2> swing_of<2>(const Physics&);
@@ -59,14 +61,16 @@ std::string text(const Physics& p) {
 
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> all;
-  for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const InstructionSet set :
+       {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set <= dem::best_instruction_set()) all.push_back(set);
   }
   return all;
 }
 
 std::function<void()> swinging_chains(const Physics& physics, InstructionSet set, int chains, int steps) {
-  return physics.dimension == 2 ? swinging<2>(physics, set, chains, steps) : swinging<3>(physics, set, chains, steps);
+  return physics.dimension == 2 ? swinging<2>(physics, set, chains, steps)
+                                : swinging<3>(physics, set, chains, steps);
 }
 
 }  // namespace fiberchain::compare

@@ -20,8 +20,8 @@ dem::Fiber kernel_fiber();
 template <int Dim>
 struct Swing {
   dem::Chain<Dim> chain;
-  double step;           ///< [s]: half of the largest stable one
-  double drag;           ///< [1/s]
+  double step;  ///< [s]: half of the largest stable one
+  double drag;  ///< [1/s]
   dem::Load<Dim> load;
   double ramp_steps;
 };
@@ -35,8 +35,9 @@ std::string text(const dem::Physics& physics);
 /// Those of this processor, the narrowest first.
 std::vector<dem::InstructionSet> instruction_sets();
 
-/// A function that marches `chains` equal cantilevers side by side by `steps` steps each time it is called. It throws
-/// dem::Diverged if numbers stop being finite, and what dem::MarchingBlock throws.
-std::function<void()> swinging_chains(const dem::Physics& physics, dem::InstructionSet set, int chains, int steps);
+/// A function that marches `chains` equal cantilevers side by side by `steps` steps each time it is called.
+/// It throws dem::Diverged if numbers stop being finite, and what dem::MarchingBlock throws.
+std::function<void()> swinging_chains(const dem::Physics& physics, dem::InstructionSet set, int chains,
+                                      int steps);
 
 }  // namespace fiberchain::compare

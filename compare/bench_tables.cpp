@@ -1,8 +1,8 @@
 #include "compare/bench_tables.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace fiberchain::compare {
 namespace {
@@ -37,7 +37,9 @@ bool has_both(const PrecisionProblem& problem) {
   return std::ranges::any_of(problem.rows, [](const PrecisionRow& row) { return !row.in_time; });
 }
 
-std::string power(double error) { return fmt::format("10⁻{}", std::array{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶"}[std::lround(-std::log10(error))]); }
+std::string power(double error) {
+  return fmt::format("10⁻{}", std::array{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶"}[std::lround(-std::log10(error))]);
+}
 
 }  // namespace
 
@@ -47,12 +49,15 @@ const std::vector<double>& wanted_errors() {
 }
 
 Table precision_table(const std::vector<PrecisionProblem>& problems) {
-  Table table({"problem", "method", "setting", "aspect_ratio", "lanes", "error", "reference_error", "run_time", "run_time_median",
-               "runs", "steps", "bond_evaluations", "linear_solves", "factorizations", "status"});
+  Table table({"problem", "method", "setting", "aspect_ratio", "lanes", "error", "reference_error",
+               "run_time", "run_time_median", "runs", "steps", "bond_evaluations", "linear_solves",
+               "factorizations", "status"});
   for (const PrecisionProblem& problem : problems) {
     for (const PrecisionRow& row : problem.rows) {
       const bool measured = row.status == measured_status;
-      const auto work = [&](double n) { return measured ? Cell{static_cast<std::int64_t>(std::llround(n))} : Cell{}; };
+      const auto work = [&](double n) {
+        return measured ? Cell{static_cast<std::int64_t>(std::llround(n))} : Cell{};
+      };
       table.append({{"problem", problem.id},
                     {"method", row.method},
                     {"setting", row.setting},
@@ -74,7 +79,8 @@ Table precision_table(const std::vector<PrecisionProblem>& problems) {
 }
 
 Table wanted_table(const std::vector<PrecisionProblem>& problems) {
-  Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time", "run_time_paper", "speedup"});
+  Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time", "run_time_paper",
+               "speedup"});
   for (const PrecisionProblem& problem : problems) {
     for (const double wanted : wanted_errors()) {
       for (const Choice& choice : choices) {
@@ -83,7 +89,10 @@ Table wanted_table(const std::vector<PrecisionProblem>& problems) {
         const PrecisionRow* paper = cheapest(problem.rows, wanted, Among::as_paper);
         NamedRow row{{"problem", problem.id}, {"wanted_error", wanted}, {"among", std::string(choice.name)}};
         if (best) {
-          row.insert(row.end(), {{"method", best->method}, {"setting", best->setting}, {"error", best->error}, {"run_time", best->time.least}});
+          row.insert(row.end(), {{"method", best->method},
+                                 {"setting", best->setting},
+                                 {"error", best->error},
+                                 {"run_time", best->time.least}});
         }
         if (paper) row.push_back({"run_time_paper", paper->time.least});
         if (best && paper) row.push_back({"speedup", paper->time.least / best->time.least});
@@ -102,7 +111,8 @@ std::string wanted_markdown(const std::vector<PrecisionProblem>& problems) {
     for (const Choice& choice : choices) {
       if (choice.among == Among::in_time && !has_both(problem)) continue;
       text += "| " + problem.short_title + (choice.among == Among::in_time ? ", marched" : "") + " |";
-      for (const double wanted : wanted_errors()) text += " " + cell_of(cheapest(problem.rows, wanted, choice.among)) + " |";
+      for (const double wanted : wanted_errors())
+        text += " " + cell_of(cheapest(problem.rows, wanted, choice.among)) + " |";
       text += "\n";
     }
   }
@@ -112,9 +122,11 @@ std::string wanted_markdown(const std::vector<PrecisionProblem>& problems) {
 std::string precision_notes(const std::vector<PrecisionProblem>& problems) {
   std::string text;
   for (const PrecisionProblem& problem : problems) {
-    text += fmt::format("- {}: errors against {}, {:.1e}.\n", problem.id, problem.reference, problem.reference_error);
+    text += fmt::format("- {}: errors against {}, {:.1e}.\n", problem.id, problem.reference,
+                        problem.reference_error);
     for (const PrecisionRow& row : problem.rows) {
-      if (row.status != measured_status) text += fmt::format("  - {}, {}: {}\n", row.method, row.setting, row.status);
+      if (row.status != measured_status)
+        text += fmt::format("  - {}, {}: {}\n", row.method, row.setting, row.status);
     }
   }
   return text;

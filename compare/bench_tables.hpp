@@ -17,11 +17,13 @@ Table precision_table(const std::vector<PrecisionProblem>& problems);
 /// Errors that one may want, 1e-2 to 1e-6.
 const std::vector<double>& wanted_errors();
 
-/// For every problem and wanted error the cheapest method of all and, where it is another, the cheapest that follows the
-/// motion in time; beside it the paper's way at the cheapest of its settings that keeps the error, if any.
+/// For every problem and wanted error the cheapest method of all and, where it is another, the cheapest that
+/// follows the motion in time; beside it the paper's way at the cheapest of its settings that keeps the
+/// error, if any.
 Table wanted_table(const std::vector<PrecisionProblem>& problems);
 
-/// The same for reading: a line per problem, a column per wanted error, "method, setting: run time" in the cells.
+/// The same for reading: a line per problem, a column per wanted error, "method, setting: run time" in the
+/// cells.
 std::string wanted_markdown(const std::vector<PrecisionProblem>& problems);
 
 /// What was not measured and why, and against what the errors are, as Markdown.

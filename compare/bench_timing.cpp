@@ -26,7 +26,8 @@ struct Clocked {
 
   Clocked(const std::function<void()>& what, double once)
       : work(&what),
-        repetitions(std::clamp(static_cast<int>(std::ceil(shortest_run / std::max(once, 1e-9))), 1, most_repetitions)),
+        repetitions(std::clamp(static_cast<int>(std::ceil(shortest_run / std::max(once, 1e-9))), 1,
+                               most_repetitions)),
         spent(0) {}
 
   bool done(const TimingBudget& budget) const {
@@ -59,7 +60,8 @@ Timing time_warm(const std::function<void()>& work, const TimingBudget& budget) 
   return clocked.timing();
 }
 
-std::vector<Timing> time_in_turns(const std::vector<std::function<void()>>& works, const TimingBudget& budget_each) {
+std::vector<Timing> time_in_turns(const std::vector<std::function<void()>>& works,
+                                  const TimingBudget& budget_each) {
   std::vector<Clocked> all;
   for (const auto& work : works) {
     seconds_of(work, 1);

@@ -3,7 +3,8 @@
 #include <functional>
 #include <vector>
 
-// Wall-clock time of short computations: warm, repeated, the least taken. The median says how quiet the machine was.
+// Wall-clock time of short computations: warm, repeated, the least taken. The median says how quiet the
+// machine was.
 namespace fiberchain::compare {
 
 struct Timing {
@@ -18,12 +19,13 @@ struct TimingBudget {
   int most_runs = 15;
 };
 
-/// Times runs of `work`, which the caller has run before, so that caches and clocks are warm. What takes less than
-/// 50 microseconds is repeated within a run.
+/// Times runs of `work`, which the caller has run before, so that caches and clocks are warm. What takes less
+/// than 50 microseconds is repeated within a run.
 Timing time_warm(const std::function<void()>& work, const TimingBudget& budget);
 
-/// The same for several computations in turns, so that a disturbance of the machine meets all of them: ratios of the
-/// results are of one run. Each is run once before.
-std::vector<Timing> time_in_turns(const std::vector<std::function<void()>>& works, const TimingBudget& budget_each);
+/// The same for several computations in turns, so that a disturbance of the machine meets all of them: ratios
+/// of the results are of one run. Each is run once before.
+std::vector<Timing> time_in_turns(const std::vector<std::function<void()>>& works,
+                                  const TimingBudget& budget_each);
 
 }  // namespace fiberchain::compare

@@ -1,5 +1,6 @@
-// fiberchain_kernels: every inner loop by every instruction set, a lone chain, one bond's law and tangent, and the
-// elimination along a chain, under Google Benchmark. Counter ns is per bond-step (bond, block) and lane.
+// fiberchain_kernels: every inner loop by every instruction set, a lone chain, one bond's law and tangent,
+// and the elimination along a chain, under Google Benchmark. Counter ns is per bond-step (bond, block) and
+// lane.
 #include <benchmark/benchmark.h>
 
 #include "compare/bench_swing.hpp"

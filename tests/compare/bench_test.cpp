@@ -30,7 +30,11 @@ using compare::PrecisionRow;
 namespace {
 
 PrecisionRow row(const std::string& method, double error, double seconds) {
-  return {.method = method, .setting = "s", .error = error, .time = {seconds, seconds, 1}, .status = compare::measured_status};
+  return {.method = method,
+          .setting = "s",
+          .error = error,
+          .time = {seconds, seconds, 1},
+          .status = compare::measured_status};
 }
 
 const double not_a_number = std::nan("");
@@ -38,7 +42,8 @@ const double not_a_number = std::nan("");
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_cheapest_row_within_the_error_is_chosen) {
-  const std::vector<PrecisionRow> rows{row("coarse", 1e-2, 1), row("fine", 1e-3, 3), row("slow", 1e-4, 9), row("failed", not_a_number, 0.1)};
+  const std::vector<PrecisionRow> rows{row("coarse", 1e-2, 1), row("fine", 1e-3, 3), row("slow", 1e-4, 9),
+                                       row("failed", not_a_number, 0.1)};
   BOOST_TEST(compare::cheapest(rows, 2e-2, Among::all)->method == "coarse");
   BOOST_TEST(compare::cheapest(rows, 1e-2, Among::all)->method == "coarse");
   BOOST_TEST(compare::cheapest(rows, 9e-3, Among::all)->method == "fine");
@@ -48,13 +53,15 @@ BOOST_AUTO_TEST_CASE(the_cheapest_row_within_the_error_is_chosen) {
 
 // An error that passes through zero as a method is refined is no merit of that setting.
 BOOST_AUTO_TEST_CASE(a_lucky_setting_is_passed_over) {
-  const std::vector<PrecisionRow> rows{row("a", 1e-6, 1), row("a", 5e-3, 2), row("a", 1e-4, 4), row("b", 1e-4, 8)};
+  const std::vector<PrecisionRow> rows{row("a", 1e-6, 1), row("a", 5e-3, 2), row("a", 1e-4, 4),
+                                       row("b", 1e-4, 8)};
   BOOST_TEST(compare::cheapest(rows, 1e-3, Among::all)->time.least == 4.0);
   BOOST_TEST(compare::cheapest(rows, 1e-2, Among::all)->time.least == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_choice_can_be_held_to_marching_or_to_the_papers_way) {
-  std::vector<PrecisionRow> rows{row("eigenvalue", 1e-9, 0.001), row("implicit", 1e-4, 1), row("leapfrog", 1e-5, 7)};
+  std::vector<PrecisionRow> rows{row("eigenvalue", 1e-9, 0.001), row("implicit", 1e-4, 1),
+                                 row("leapfrog", 1e-5, 7)};
   rows[0].in_time = false;
   rows[2].as_paper = true;
   BOOST_TEST(compare::cheapest(rows, 1e-3, Among::all)->method == "eigenvalue");
@@ -67,13 +74,17 @@ BOOST_AUTO_TEST_CASE(a_choice_can_be_held_to_marching_or_to_the_papers_way) {
   BOOST_TEST(table.number(1, "speedup") == 7.0);
   const std::string text = compare::wanted_markdown({problem});
   BOOST_TEST(text.find("| the problem | eigenvalue, s: 1 ms |") != std::string::npos, text);
-  BOOST_TEST(text.find("| the problem, marched | implicit, s: 1 s | implicit, s: 1 s | implicit, s: 1 s | – |") != std::string::npos, text);
+  BOOST_TEST(
+      text.find("| the problem, marched | implicit, s: 1 s | implicit, s: 1 s | implicit, s: 1 s | – |") !=
+          std::string::npos,
+      text);
 }
 
 BOOST_AUTO_TEST_CASE(what_fails_keeps_its_row_with_the_reason) {
   int runs = 0;
   const auto judge = [](int) -> compare::Judged { return {0.5, {.steps = 3}}; };
-  const PrecisionRow good = compare::measured_row({.method = "m", .setting = "s"}, {0.0, 3, 3}, [&] { return ++runs; }, judge);
+  const PrecisionRow good = compare::measured_row(
+      {.method = "m", .setting = "s"}, {0.0, 3, 3}, [&] { return ++runs; }, judge);
   BOOST_TEST(good.error == 0.5);
   BOOST_TEST(good.work.steps == 3.0);
   BOOST_TEST(good.time.least > 0.0);
@@ -93,8 +104,9 @@ BOOST_AUTO_TEST_CASE(what_fails_keeps_its_row_with_the_reason) {
 
 BOOST_AUTO_TEST_CASE(computations_are_timed_in_turns) {
   std::string order;
-  const auto timings = compare::time_in_turns({[&] { order += order.size() < 400 ? "a" : ""; }, [&] { order += order.size() < 400 ? "b" : ""; }},
-                                              {0.0, 5, 5});
+  const auto timings = compare::time_in_turns(
+      {[&] { order += order.size() < 400 ? "a" : ""; }, [&] { order += order.size() < 400 ? "b" : ""; }},
+      {0.0, 5, 5});
   BOOST_TEST(timings.size() == 2u);
   BOOST_TEST(timings[0].runs == 5);
   BOOST_TEST(order.starts_with("aabb"), order);
@@ -105,18 +117,24 @@ BOOST_AUTO_TEST_CASE(operations_are_counted) {
   const Counted x(3.0, &count), y(4.0, &count), half(0.5);
   const dem::Vec<Counted, 2> v{x, y};
   BOOST_TEST(dem::norm(v).value() == 5.0);
-  BOOST_TEST((count == OperationCount{.additions = 1, .multiplications = 2, .fusable = 1, .square_roots = 1}));
+  BOOST_TEST(
+      (count == OperationCount{.additions = 1, .multiplications = 2, .fusable = 1, .square_roots = 1}));
   count = {};
   BOOST_TEST((half * half + half).value() == 0.75);  // constants: the compiler's work
   BOOST_TEST((count == OperationCount{}));
   const Counted z = -(half * x) - y / x + sin(x) + cos(x) * atan(y);
   BOOST_TEST(std::abs(z.value() - (-1.5 - 4.0 / 3 + std::sin(3.0) + std::cos(3.0) * std::atan(4.0))) < 1e-15);
-  BOOST_TEST((count == OperationCount{.additions = 3, .multiplications = 2, .fusable = 2, .divisions = 1, .sines = 2, .arc_tangents = 1}));
+  BOOST_TEST((count == OperationCount{.additions = 3,
+                                      .multiplications = 2,
+                                      .fusable = 2,
+                                      .divisions = 1,
+                                      .sines = 2,
+                                      .arc_tangents = 1}));
 }
 
-// Dashpots of a bond in the plane, counted by hand from dem/bond/dashpot.hpp: relative sliding 2 products and 2
-// differences; its component along the bond 2 products, 1 sum, times the difference of two constants; force 2 products
-// of each part and 2 sums; bending 1 product.
+// Dashpots of a bond in the plane, counted by hand from dem/bond/dashpot.hpp: relative sliding 2 products and
+// 2 differences; its component along the bond 2 products, 1 sum, times the difference of two constants; force
+// 2 products of each part and 2 sums; bending 1 product.
 BOOST_AUTO_TEST_CASE(a_bonds_dashpots_cost_what_their_formula_says) {
   OperationCount count;
   const auto n = [&](double value) { return Counted(value, &count); };
@@ -141,14 +159,23 @@ BOOST_AUTO_TEST_CASE(a_bond_step_costs_more_the_more_a_scene_has) {
   BOOST_TEST(plain > 30.0);
   BOOST_TEST(plain < 200.0);
   BOOST_TEST(flops({2, BondForm::incremental, true, false, false}) > plain);
-  BOOST_TEST(flops({2, BondForm::incremental, true, false, false, true}) > flops({2, BondForm::incremental, true, false, false}));
+  BOOST_TEST(flops({2, BondForm::incremental, true, false, false, true}) >
+             flops({2, BondForm::incremental, true, false, false}));
   BOOST_TEST(flops({3, BondForm::incremental, false, false, false}) > 2 * plain);
-  BOOST_CHECK_THROW(compare::operations_of_bond_step({3, BondForm::incremental, true, true, true}), dem::InvalidInput);
+  BOOST_CHECK_THROW(compare::operations_of_bond_step({3, BondForm::incremental, true, true, true}),
+                    dem::InvalidInput);
 }
 
 BOOST_AUTO_TEST_CASE(the_bound_is_the_larger_of_what_two_units_must_do) {
-  const OperationCount count{.additions = 10, .multiplications = 20, .fusable = 5, .divisions = 2, .square_roots = 1, .sines = 3, .arc_tangents = 1};
-  compare::CorePeak peak{.fused = false, .multiply_add = 1, .divide = 10, .square_root = 15, .sine = 4, .arc_tangent = 6};
+  const OperationCount count{.additions = 10,
+                             .multiplications = 20,
+                             .fusable = 5,
+                             .divisions = 2,
+                             .square_roots = 1,
+                             .sines = 3,
+                             .arc_tangents = 1};
+  compare::CorePeak peak{
+      .fused = false, .multiply_add = 1, .divide = 10, .square_root = 15, .sine = 4, .arc_tangent = 6};
   BOOST_TEST(compare::bound_of(count, peak).arithmetic == 30.0 + 12 + 6);
   BOOST_TEST(compare::bound_of(count, peak).divider == 35.0);
   BOOST_TEST(compare::bound_of(count, peak).least() == 48.0);
@@ -161,17 +188,19 @@ BOOST_AUTO_TEST_CASE(the_bound_is_the_larger_of_what_two_units_must_do) {
 BOOST_AUTO_TEST_CASE(savings_are_those_of_pairs_that_differ_in_one_thing) {
   const auto best = dem::best_instruction_set();
   using dem::BondForm;
-  const std::vector<compare::KernelTime> times{{{2, BondForm::incremental, false, false, false}, best, 4, 1e-9, 4e-9},
-                                               {{2, BondForm::incremental, true, false, false}, best, 4, 3e-9, 9e-9},
-                                               {{3, BondForm::incremental, true, false, false}, best, 4, 12e-9, 40e-9},
-                                               {{3, BondForm::total, true, true, false}, best, 4, 50e-9, 90e-9}};
+  const std::vector<compare::KernelTime> times{
+      {{2, BondForm::incremental, false, false, false}, best, 4, 1e-9, 4e-9},
+      {{2, BondForm::incremental, true, false, false}, best, 4, 3e-9, 9e-9},
+      {{3, BondForm::incremental, true, false, false}, best, 4, 12e-9, 40e-9},
+      {{3, BondForm::total, true, true, false}, best, 4, 50e-9, 90e-9}};
   const auto rows = compare::kernel_skips(times);
   BOOST_REQUIRE(rows.size() == 2u);
   BOOST_TEST(rows[0].skipped == "planar instead of spatial");
   BOOST_TEST(std::abs(rows[0].saving() - 4) < 1e-12);
   BOOST_TEST(rows[1].skipped == "no bond damping");
   BOOST_TEST(std::abs(rows[1].saving() - 3) < 1e-12);
-  const compare::Table summary = compare::skip_summary({{"s", "", 6, 1}, {"s", "", 4, 2}, {"t", "", 5, 1}, {"s", "", 9, 3}});
+  const compare::Table summary =
+      compare::skip_summary({{"s", "", 6, 1}, {"s", "", 4, 2}, {"t", "", 5, 1}, {"s", "", 9, 3}});
   BOOST_TEST(summary.number(0, "saving_least") == 2.0);
   BOOST_TEST(summary.number(0, "saving") == 3.0);
   BOOST_TEST(summary.number(0, "saving_largest") == 6.0);
@@ -198,6 +227,7 @@ BOOST_AUTO_TEST_CASE(the_runge_kutta_path_is_the_linear_mode_at_small_amplitude)
   const std::vector<double> times{0.0, 0.3 * release.period, release.period};
   const auto path = compare::tip_path_by_runge_kutta(release, times, 1e-12);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    BOOST_TEST(std::abs(path[i][1] - amplitude * std::exp(mode.eigenvalue * times[i]).real()) < 1e-8 * amplitude);
+    BOOST_TEST(std::abs(path[i][1] - amplitude * std::exp(mode.eigenvalue * times[i]).real()) <
+               1e-8 * amplitude);
   }
 }
