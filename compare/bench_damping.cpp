@@ -82,7 +82,6 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
       .reference_error = exact.error,
       .rows = {}};
   problem.rows.push_back(eigenvalue_row(fiber, exact, row_budget(options)));
-  options.advance();
   const ChainMode mode = reference::first_bending_mode(linear_twin(fiber));
   const dem::Release<2> release = mode_release(fiber, mode, amplitude, periods);
   for (const RingDownSetting& setting : ring_down_settings(release, options.quick)) {
@@ -90,7 +89,6 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
         ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
           return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
         }));
-    options.advance();
   }
   return problem;
 }

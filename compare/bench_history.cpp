@@ -67,7 +67,6 @@ PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptio
         ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
           return path_error(record, exact, dem::fiber_length(fiber));
         }));
-    options.advance();
   }
   return problem;
 }

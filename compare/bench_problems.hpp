@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "compare/bench_row.hpp"
@@ -10,9 +9,8 @@
 namespace fiberchain::compare {
 
 struct BenchOptions {
-  bool quick = false;                     ///< fewer settings and runs, under half a minute in all
-  std::vector<int> aspect_ratio{};        ///< of the damping problems; empty: 10, 30, 100 (quick 10, 30)
-  std::function<void()> advance = [] {};  ///< called after each row
+  bool quick = false;               ///< fewer settings and runs, under half a minute in all
+  std::vector<int> aspect_ratio{};  ///< of the damping problems; empty: 10, 30, 100 (quick 10, 30)
 };
 
 /// How long a row may be timed.

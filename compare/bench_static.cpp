@@ -68,10 +68,7 @@ struct Bench {
   const BenchOptions& options;
   TimingBudget budget = row_budget(options);
 
-  void add(PrecisionRow row) {
-    problem.rows.push_back(std::move(row));
-    options.advance();
-  }
+  void add(PrecisionRow row) { problem.rows.push_back(std::move(row)); }
 };
 
 dem::MarchOptions march_options(BondForm form, double residual) {

@@ -37,16 +37,7 @@ bool has_both(const PrecisionProblem& problem) {
   return std::ranges::any_of(problem.rows, [](const PrecisionRow& row) { return !row.in_time; });
 }
 
-std::string power(double error) {
-  return fmt::format("10⁻{}", std::array{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶"}[std::lround(-std::log10(error))]);
-}
-
 }  // namespace
-
-const std::vector<double>& wanted_errors() {
-  static const std::vector<double> all{1e-2, 1e-3, 1e-4, 1e-6};
-  return all;
-}
 
 Table precision_table(const std::vector<PrecisionProblem>& problems) {
   Table table({"problem", "method", "setting", "aspect_ratio", "lanes", "error", "reference_error",
@@ -82,7 +73,7 @@ Table wanted_table(const std::vector<PrecisionProblem>& problems) {
   Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time", "run_time_paper",
                "speedup"});
   for (const PrecisionProblem& problem : problems) {
-    for (const double wanted : wanted_errors()) {
+    for (const auto& [wanted, label] : wanted_errors) {
       for (const Choice& choice : choices) {
         if (choice.among == Among::in_time && !has_both(problem)) continue;
         const PrecisionRow* best = cheapest(problem.rows, wanted, choice.among);
@@ -105,13 +96,13 @@ Table wanted_table(const std::vector<PrecisionProblem>& problems) {
 
 std::string wanted_markdown(const std::vector<PrecisionProblem>& problems) {
   std::string text = "| error wanted |", rule = "|---|";
-  for (const double wanted : wanted_errors()) text += " " + power(wanted) + " |", rule += "---|";
+  for (const WantedError& wanted : wanted_errors) text += fmt::format(" {} |", wanted.text), rule += "---|";
   text += "\n" + rule + "\n";
   for (const PrecisionProblem& problem : problems) {
     for (const Choice& choice : choices) {
       if (choice.among == Among::in_time && !has_both(problem)) continue;
       text += "| " + problem.short_title + (choice.among == Among::in_time ? ", marched" : "") + " |";
-      for (const double wanted : wanted_errors())
+      for (const auto& [wanted, label] : wanted_errors)
         text += " " + cell_of(cheapest(problem.rows, wanted, choice.among)) + " |";
       text += "\n";
     }

@@ -14,8 +14,13 @@ namespace fiberchain::compare {
 /// A row per method and setting of every problem.
 Table precision_table(const std::vector<PrecisionProblem>& problems);
 
-/// Errors that one may want, 1e-2 to 1e-6.
-const std::vector<double>& wanted_errors();
+/// An error that one may want.
+struct WantedError {
+  double value;
+  const char* text;  ///< in Markdown
+};
+inline constexpr WantedError wanted_errors[] = {
+    {1e-2, "10⁻²"}, {1e-3, "10⁻³"}, {1e-4, "10⁻⁴"}, {1e-6, "10⁻⁶"}};
 
 /// For every problem and wanted error the cheapest method of all and, where it is another, the cheapest that
 /// follows the motion in time; beside it the paper's way at the cheapest of its settings that keeps the

@@ -24,20 +24,25 @@ const std::vector<std::string> kShownKernels = {
 
 bool has(const Cases& cases, Case wanted) { return std::ranges::find(cases, wanted) != cases.end(); }
 
-std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions& options) {
+std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions& options,
+                                          const Context& context) {
   std::vector<PrecisionProblem> problems;
+  const auto add = [&](PrecisionProblem problem) {
+    context.log->info("measured {}", problem.id);
+    problems.push_back(std::move(problem));
+  };
   if (has(cases, Case::statics)) {
     for (const double load : options.quick ? std::vector{3.0} : std::vector{0.5, 3.0}) {
-      problems.push_back(compare::elastica_problem(load, options));
-      problems.push_back(compare::equilibrium_problem(load, options));
+      add(compare::elastica_problem(load, options));
+      add(compare::equilibrium_problem(load, options));
     }
   }
   if (has(cases, Case::damping)) {
     auto sizes = options.aspect_ratio;
     if (sizes.empty()) sizes = options.quick ? std::vector{10, 30} : std::vector{10, 30, 100};
-    for (const int aspect_ratio : sizes) problems.push_back(compare::damping_problem(aspect_ratio, options));
+    for (const int aspect_ratio : sizes) add(compare::damping_problem(aspect_ratio, options));
   }
-  if (has(cases, Case::history)) problems.push_back(compare::history_problem(10, 2, options));
+  if (has(cases, Case::history)) add(compare::history_problem(10, 2, options));
   return problems;
 }
 
@@ -103,7 +108,7 @@ int run(const Arguments& arguments, Context& context) {
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   const auto directory = open_output(output);
   Report report;
-  add_problems(report, problems_of(cases, options));
+  add_problems(report, problems_of(cases, options, context));
   add_loops(report, cases, options);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;

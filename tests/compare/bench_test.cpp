@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(a_choice_can_be_held_to_marching_or_to_the_papers_way) {
   BOOST_TEST(compare::cheapest(rows, 1e-3, Among::as_paper)->method == "leapfrog");
   const compare::PrecisionProblem problem{"p", "", "", "the problem", "", 0, rows};
   const compare::Table table = compare::wanted_table({problem});
-  BOOST_TEST(table.rows().size() == 2 * compare::wanted_errors().size());
+  BOOST_TEST(table.rows().size() == 2 * std::size(compare::wanted_errors));
   BOOST_TEST(table.text(1, "method") == "implicit");
   BOOST_TEST(table.number(1, "speedup") == 7.0);
   const std::string text = compare::wanted_markdown({problem});
