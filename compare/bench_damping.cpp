@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "compare/bench_problems.hpp"
@@ -84,12 +85,11 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
   problem.rows.push_back(eigenvalue_row(fiber, exact, row_budget(options)));
   const ChainMode mode = reference::first_bending_mode(linear_twin(fiber));
   const dem::Release<2> release = mode_release(fiber, mode, amplitude, periods);
-  for (const RingDownSetting& setting : ring_down_settings(release, options.quick)) {
-    problem.rows.push_back(
-        ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
-          return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
-        }));
-  }
+  auto rows = ring_down_rows(ring_down_settings(release, options.quick, false), release, row_budget(options),
+                             [&](const dem::ReleaseRecord<2>& record) {
+                               return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
+                             });
+  std::ranges::move(rows, std::back_inserter(problem.rows));
   return problem;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "compare/bench_history_reference.hpp"
 #include "compare/bench_problems.hpp"
@@ -16,7 +17,7 @@ using Path = std::vector<dem::Vec<double, 2>>;
 
 constexpr double periods = 3;
 /// A multiple of every number of samples a period that a setting has.
-constexpr int samples_per_period = 800;
+constexpr int samples_per_period = 4050;
 
 double largest_distance(const Path& a, const Path& b) {
   double largest = 0;
@@ -62,12 +63,11 @@ PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptio
           "GSL's Prince-Dormand 8(9) at 1e-12 on the chain's equations; own error: its distance from 1e-11",
       .reference_error = largest_distance(exact, looser),
       .rows = {}};
-  for (const RingDownSetting& setting : ring_down_settings(release, options.quick)) {
-    problem.rows.push_back(
-        ring_down_row(setting, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
-          return path_error(record, exact, dem::fiber_length(fiber));
-        }));
-  }
+  auto rows = ring_down_rows(ring_down_settings(release, options.quick, true), release, row_budget(options),
+                             [&](const dem::ReleaseRecord<2>& record) {
+                               return path_error(record, exact, dem::fiber_length(fiber));
+                             });
+  std::ranges::move(rows, std::back_inserter(problem.rows));
   return problem;
 }
 

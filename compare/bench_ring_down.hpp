@@ -20,11 +20,17 @@ struct RingDownSetting {
 
 /// Leapfrogs by parts of their largest stable step, alone and in lanes; implicit by steps a period; CVODE by
 /// tolerance.
-std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, bool quick);
+/// `total_too`: the leapfrog by total strain as well, which differs where the deflection is large.
+std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, bool quick, bool total_too);
 
-/// One setting, measured; `error` judges the record of the free end.
-PrecisionRow ring_down_row(const RingDownSetting& setting, const dem::Release<2>& release,
-                           const TimingBudget& budget,
-                           const std::function<double(const dem::ReleaseRecord<2>&)>& error);
+/// A method is not asked for finer settings than the first that took this long [s]: each costs several times
+/// more.
+inline constexpr double patience = 10;
+
+/// Every setting in its order, measured; `error` judges the record of the free end. A setting that is past
+/// patience has a row too, and says so.
+std::vector<PrecisionRow> ring_down_rows(const std::vector<RingDownSetting>& settings,
+                                         const dem::Release<2>& release, const TimingBudget& budget,
+                                         const std::function<double(const dem::ReleaseRecord<2>&)>& error);
 
 }  // namespace fiberchain::compare

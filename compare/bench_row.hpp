@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,11 @@ template <class Run, class Judge>
 PrecisionRow measured_row(PrecisionRow asked, const TimingBudget& budget, const Run& run,
                           const Judge& judge) {
   try {
-    const Judged found = judge(run());
-    asked.time = time_warm([&] { static_cast<void>(run()); }, budget);
+    std::optional<decltype(run())> result;
+    const double first = time_once([&] { result = run(); });
+    const Judged found = judge(*result);
+    asked.time = first > budget.long_run ? Timing{first, first, 1}
+                                         : time_warm([&] { static_cast<void>(run()); }, budget);
     asked.error = found.error;
     asked.work = found.work;
     asked.status = measured_status;

@@ -50,6 +50,8 @@ struct Clocked {
 
 }  // namespace
 
+double time_once(const std::function<void()>& work) { return seconds_of(work, 1); }
+
 Timing time_warm(const std::function<void()>& work, const TimingBudget& budget) {
   Clocked first(work, shortest_run);
   first.run();
