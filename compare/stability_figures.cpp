@@ -63,9 +63,9 @@ Series level(double height, double from, double to, const std::string& label) {
 /// Theory as lines, measurement as points, a color per Poisson's ratio.
 Figure damping_curves(const Points& points) {
   const StabilityCase& any = points[0].asked;
-  Figure figure{.title = fmt::format("Largest stable step, {}, r_f = {} (lines: theory, points: runs)", kind_title(any), any.aspect_ratio),
+  Figure figure{.title = fmt::format("Largest stable step, {}, r_f = {}", kind_title(any), any.aspect_ratio),
                 .x = {"{/Symbol x}_b", true},
-                .y = {"d{/:Italic t}/{/:Italic t}_b", true},
+                .y = {"d{/:Italic t}/{/:Italic t}_b (lines theory, points runs)", true},
                 .series = {}};
   const std::set<double> damped = values(points, &StabilityCase::bond_damping);
   const double low = *std::ranges::find_if(damped, [](double xi) { return xi > 0; }) / 3, high = *damped.rbegin();
@@ -96,10 +96,10 @@ Figure damping_curves(const Points& points) {
 /// The limit over that of the endless chain, a color per damping.
 Figure aspect_ratio_curves(const Points& points) {
   const StabilityCase& any = points[0].asked;
-  Figure figure{.title = fmt::format("Limit of finite chains, {}, {{/Symbol n}} = {} (lines: theory, points: runs)",
+  Figure figure{.title = fmt::format("Limit of finite chains, {}, {{/Symbol n}} = {}",
                                      kind_title(any), any.poisson_ratio),
                 .x = {"{/:Italic r}_f", true},
-                .y = {"limit / endless chain's limit"},
+                .y = {"limit / endless chain's limit (lines theory, points runs)"},
                 .series = {}};
   std::set<int> aspect_ratios;
   for (const StabilityPoint& p : points) aspect_ratios.insert(p.asked.aspect_ratio);
@@ -137,7 +137,8 @@ void add_figures(std::vector<std::pair<std::string, Figure>>& figures, const std
     const std::set<double> nu = values(at, &StabilityCase::poisson_ratio), xi = values(at, &StabilityCase::bond_damping);
     const std::string name = fmt::format("{}-{}", kind, aspect_ratio);
     if (nu.size() > 1 && xi.size() > 1) figures.emplace_back("stability-map-" + name, heat_map(at));
-    if (*xi.rbegin() > 0 && xi.size() > 2 && (nu.contains(0.3) || nu.contains(0)))
+    const bool curves = *xi.rbegin() > 0 && xi.size() > 2 && (nu.size() > 1 || aspect_ratios.size() == 1);
+    if (curves && (nu.contains(0.3) || nu.contains(0)))
       figures.emplace_back("stability-damping-" + name, damping_curves(at));
   }
   Points usual;
