@@ -1,0 +1,42 @@
+// The long stress tests: 1e8 steps, 1e4 turns.
+#define BOOST_TEST_MODULE stress_slow
+#include <boost/test/unit_test.hpp>
+
+#include "tests/dem/energy_drift.hpp"
+#include "tests/dem/tumbling.hpp"
+
+namespace dem = fiberchain::dem;
+using dem::BondForm;
+
+BOOST_AUTO_TEST_CASE(a_hundred_million_steps_keep_energy_and_momenta) {
+  const auto drift = marching::energy_drift<3>(BondForm::total, {0.4, 0.2, 0.1, 0.05}, 1e8, 0.03);
+  for (const marching::EnergyDrift& d : drift) {
+    for (const double mean : d.mean) BOOST_TEST_MESSAGE("energy off by " << mean);
+    BOOST_TEST_MESSAGE("momentum " << d.momentum << ", angular momentum " << d.angular);
+    // a constant offset: no tenth of the run differs from the second by more than 5 %
+    for (const double mean : d.mean) BOOST_TEST(std::abs(mean / d.mean[1] - 1) < 0.05);
+    // round-off adds up as a random walk, 1e-16 sqrt(steps) times a number of the order of one
+    BOOST_TEST(d.momentum < 3e-12);
+    BOOST_TEST(d.angular < 3e-12);
+    BOOST_TEST(d.momentum > 1e-15);
+  }
+  for (std::size_t i = 1; i < drift.size(); ++i) {
+    const double order = std::log2(drift[i - 1].mean[5] / drift[i].mean[5]);
+    BOOST_TEST_MESSAGE("order " << order);
+    BOOST_TEST(order > 1.9);
+    BOOST_TEST(order < 2.2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ten_thousand_turns_change_nothing) {
+  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
+    const double bound = form == BondForm::total ? 1e-9 : 5e-5;
+    for (const auto& t : {marching::tumble<2>(form, 11000, 0.5), marching::tumble<3>(form, 11000, 0.5)}) {
+      BOOST_TEST_MESSAGE(t.turns << " turns, strain off by " << t.stretch << ", angular momentum by " << t.slowing);
+      BOOST_TEST(t.turns > 1e4);
+      BOOST_TEST(t.stretch < bound);
+      BOOST_TEST(t.slowing < 1e-11);
+      BOOST_TEST(t.momentum < 1e-11);
+    }
+  }
+}
