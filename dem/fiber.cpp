@@ -58,6 +58,8 @@ void check(const Fiber& fiber) {
           "it must be finite and 0 or more");
   require(std::isfinite(fiber.retardation_time) && fiber.retardation_time >= 0, "retardation_time",
           fiber.retardation_time, "it must be finite and 0 or more");
+  require(std::isfinite(fiber.rolling_friction) && fiber.rolling_friction >= 0, "rolling_friction",
+          fiber.rolling_friction, "it must be finite and 0 or more");
   if (fiber.dashpots == DashpotLaw::retardation_time) {
     require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping, "dashpots set by a retardation time take no xi_b");
   } else {

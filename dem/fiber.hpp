@@ -43,13 +43,15 @@ struct Fiber {
   double bond_damping = 0.0;             ///< xi_b of Eqs 7-10 [-]; 0 with DashpotLaw::retardation_time
   DashpotLaw dashpots = DashpotLaw::bond_damping;
   double retardation_time = 0.0;         ///< tau [s]; 0 unless DashpotLaw::retardation_time
+  double rolling_friction = 0.0;         ///< xi_r of Eq 21 [-]
 };
 
 /// Whether any dashpot of the bonds does anything.
 bool damped(const Fiber& fiber);
 
 /// Throws InvalidInput when a value is not finite or makes no physical sense:
-/// E, G, rho, d > 0; -1 < nu <= 0.5; r_f >= 1; xi_b, tau >= 0, and only the one that the dashpot law uses.
+/// E, G, rho, d > 0; -1 < nu <= 0.5; r_f >= 1; xi_b, tau, xi_r >= 0, of xi_b and tau only the one that the
+/// dashpot law uses.
 void check(const Fiber& fiber);
 
 /// Stiffness of one bond (Eqs 3-6).

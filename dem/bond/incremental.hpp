@@ -27,62 +27,127 @@ Vec<Real, Dim> unit(const Vec<Real, Dim>& u) {
   return (Real(1.0) / norm(u)) * u;
 }
 
+/// A bond's vector with its length, for one square root a step.
+template <class Real, int Dim>
+struct BondVector {
+  Vec<Real, Dim> vector;  ///< from sphere 1 to sphere 2 [m]
+  Real length_squared;
+  Real inverse_length;
+};
+
+/// `scale` is 1 / l_0: bonds keep their length within a few percent.
+template <class Real, int Dim>
+BondVector<Real, Dim> bond_vector(const Vec<Real, Dim>& vector, const Real& scale) {
+  const Real squared = dot(vector, vector);
+  return {vector, squared, scale * inverse_sqrt_near_one(squared * (scale * scale))};
+}
+
+/// The same for the bond's vector at an earlier moment of the step.
+template <class Real, int Dim>
+BondVector<Real, Dim> earlier(const BondVector<Real, Dim>& end, const Vec<Real, Dim>& vector) {
+  const Real squared = dot(vector, vector);
+  const Real ratio = squared * (end.inverse_length * end.inverse_length);
+  return {vector, squared, end.inverse_length * inverse_sqrt_below_one(Real(1.0) - ratio)};
+}
+
 /// Turn of the bond over the step: the smallest that brings its old axis to the new one, then the mean spin of its
-/// spheres about it. As half-angle tangent vector, so that applying it is exact and needs no trigonometry.
+/// spheres about it. As half-angle tangent vector: applying it needs no trigonometry. Turns within a step are small:
+/// 2 / (1 + cos) in powers of (1 - cos) / 2, what is left out is of eighth order.
 template <class Real>
 Vec<Real, 3> bond_turn(const Vec<Real, 3>& old_axis, const Vec<Real, 3>& new_axis, const Real& axial_angle) {
-  const Vec<Real, 3> swing = (Real(1.0) / (Real(1.0) + dot(old_axis, new_axis))) * cross(old_axis, new_axis);
+  const Real g = Real(0.5) - Real(0.5) * dot(old_axis, new_axis);
+  const Vec<Real, 3> swing = (Real(0.5) * polynomial(g, 1.0, 1.0, 1.0, 1.0)) * cross(old_axis, new_axis);
   return swing + (Real(0.5) * axial_angle) * (new_axis + cross(new_axis, swing));
 }
 
+/// Scale 2 / (1 + t.t) of turn_by, in powers of t.t to eighth order.
 template <class Real>
-Vec<Real, 3> turn_by(const Vec<Real, 3>& half_tangent, const Vec<Real, 3>& u) {
+Real turn_scale(const Vec<Real, 3>& half_tangent) {
+  return polynomial(dot(half_tangent, half_tangent), 2.0, -2.0, 2.0, -2.0);
+}
+
+template <class Real>
+Vec<Real, 3> turn_by(const Vec<Real, 3>& half_tangent, const Real& scale, const Vec<Real, 3>& u) {
   const Vec<Real, 3> t = cross(half_tangent, u);
-  const Real scale = Real(2.0) / (Real(1.0) + dot(half_tangent, half_tangent));
   return u + scale * (t + cross(half_tangent, t));
 }
 
 template <class Real>
-void advance(BondHistory<Real, 2>& history, const Vec<Real, 2>& end, const Vec<Real, 2>&,
-             const RelativeMotion<Real, 2>& motion, const Real& dt) {
-  const Vec<Real, 2> middle = end - (Real(0.5) * dt) * motion.velocity;
-  const Vec<Real, 2> axis = unit(middle);
-  const Vec<Real, 2> sliding = dt * (motion.velocity - cross(motion.mean_spin, middle));
-  history.stretch = history.stretch + dot(axis, sliding);
-  history.shear = history.shear + cross(axis, sliding)[0];
+void advance(BondHistory<Real, 2>& history, const BondVector<Real, 2>& end, const RelativeMotion<Real, 2>& motion,
+             const Real& dt) {
+  const Vec<Real, 2> slide = dt * motion.velocity;
+  const BondVector<Real, 2> middle = earlier(end, end.vector - Real(0.5) * slide);
+  const Real turn = dt * motion.mean_spin[0];
+  history.stretch = history.stretch + middle.inverse_length * dot(middle.vector, slide);
+  history.shear = history.shear + middle.inverse_length * (cross(middle.vector, slide)[0] - turn * middle.length_squared);
   history.bend = history.bend + dt * motion.relative_spin;
 }
 
 template <class Real>
-void advance(BondHistory<Real, 3>& history, const Vec<Real, 3>& end, const Vec<Real, 3>& end_axis,
-             const RelativeMotion<Real, 3>& motion, const Real& dt) {
-  const Vec<Real, 3> start = end - dt * motion.velocity;
-  const Vec<Real, 3> middle = Real(0.5) * (start + end);
-  const Vec<Real, 3> turn = bond_turn(unit(start), end_axis, dt * dot(motion.mean_spin, unit(middle)));
-  const Vec<Real, 3> half_slide = (Real(0.5) * dt) * (motion.velocity - cross(motion.mean_spin, middle));
+void advance(BondHistory<Real, 3>& history, const BondVector<Real, 3>& end, const RelativeMotion<Real, 3>& motion,
+             const Real& dt) {
+  const Vec<Real, 3> slide = dt * motion.velocity;
+  const BondVector<Real, 3> start = earlier(end, end.vector - slide);
+  const BondVector<Real, 3> middle = earlier(end, end.vector - Real(0.5) * slide);
+  const Real axial_angle = dt * middle.inverse_length * dot(motion.mean_spin, middle.vector);
+  const Vec<Real, 3> turn =
+      bond_turn(start.inverse_length * start.vector, end.inverse_length * end.vector, axial_angle);
+  const Real scale = turn_scale(turn);
+  const Vec<Real, 3> half_slide = (Real(0.5) * dt) * (motion.velocity - cross(motion.mean_spin, middle.vector));
   const Vec<Real, 3> half_rotation = (Real(0.5) * dt) * motion.relative_spin;
-  history.displacement = turn_by(turn, history.displacement + half_slide) + half_slide;
-  history.rotation = turn_by(turn, history.rotation + half_rotation) + half_rotation;
+  history.displacement = turn_by(turn, scale, history.displacement + half_slide) + half_slide;
+  history.rotation = turn_by(turn, scale, history.rotation + half_rotation) + half_rotation;
 }
 
-/// Spring forces of the summed strain by the same law: tension, shear, twist and bending with the chord's moment.
+/// N of the summed strain.
 template <class Real>
-BondAction<Real, 2> spring_action(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history,
-                                  const Vec<Real, 2>& e) {
+Real spring_tension(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history, const BondVector<Real, 2>&) {
+  return tension(bond, history.stretch, bend_squared(history.bend));
+}
+
+template <class Real>
+Real spring_tension(const BondParameters<Real>& bond, const BondHistory<Real, 3>& history,
+                    const BondVector<Real, 3>& b) {
+  const Vec<Real, 3> e = b.inverse_length * b.vector;
+  const Real twist = dot(history.rotation, e);
+  return tension(bond, dot(history.displacement, e), dot(history.rotation, history.rotation) - twist * twist);
+}
+
+/// Force and moment of the summed strain by the same law (tension, shear, twist and bending with the chord's moment)
+/// and, with `damped`, of the dashpots. In the plane along and across the bond.
+template <bool damped, class Real>
+BondAction<Real, 2> incremental_action(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history,
+                                       const BondVector<Real, 2>& b, const RelativeMotion<Real, 2>& motion) {
   const Real N = tension(bond, history.stretch, bend_squared(history.bend));
-  const Real Q = bond.shear * history.shear;
-  return {{N * e[0] - Q * e[1], N * e[1] + Q * e[0]},
-          scale_spin(bond.twist, bending_coefficient(bond, N), history.bend)};
+  Real along = N, across = bond.shear * history.shear;
+  Vec<Real, 1> moment = bending_coefficient(bond, N) * history.bend;
+  if constexpr (damped) {
+    along = along + bond.dash_stretch * (b.inverse_length * dot(b.vector, motion.velocity));
+    const Real sliding = cross(b.vector, motion.velocity)[0] - motion.mean_spin[0] * b.length_squared;
+    across = across + bond.dash_shear * (b.inverse_length * sliding);
+    moment = moment + bond.dash_bend * motion.relative_spin;
+  }
+  along = along * b.inverse_length, across = across * b.inverse_length;
+  return {{along * b.vector[0] - across * b.vector[1], along * b.vector[1] + across * b.vector[0]}, moment};
 }
 
-template <class Real>
-BondAction<Real, 3> spring_action(const BondParameters<Real>& bond, const BondHistory<Real, 3>& history,
-                                  const Vec<Real, 3>& e) {
+template <bool damped, class Real>
+BondAction<Real, 3> incremental_action(const BondParameters<Real>& bond, const BondHistory<Real, 3>& history,
+                                       const BondVector<Real, 3>& b, const RelativeMotion<Real, 3>& motion) {
+  const Vec<Real, 3> e = b.inverse_length * b.vector;
   const Real stretch = dot(history.displacement, e);
   const Real twist = dot(history.rotation, e);
   const Real N = tension(bond, stretch, dot(history.rotation, history.rotation) - twist * twist);
-  return {bond.shear * history.displacement + (N - bond.shear * stretch) * e,
-          scale_about(bond.twist, bending_coefficient(bond, N), e, history.rotation)};
+  const Real bend = bending_coefficient(bond, N);
+  Vec<Real, 3> force = bond.shear * history.displacement, moment = bend * history.rotation;
+  Real along = N - bond.shear * stretch, about = (bond.twist - bend) * twist;
+  if constexpr (damped) {
+    force = force + bond.dash_shear * (motion.velocity - cross(motion.mean_spin, b.vector));
+    along = along + (bond.dash_stretch - bond.dash_shear) * dot(motion.velocity, e);
+    moment = moment + bond.dash_bend * motion.relative_spin;
+    about = about + (bond.dash_twist - bond.dash_bend) * dot(motion.relative_spin, e);
+  }
+  return {force + along * e, moment + about * e};
 }
 
 /// Elastic energy of the summed strain [J].

@@ -3,19 +3,11 @@
 #include <cmath>
 
 #include "dem/bond/pose.hpp"
+#include "dem/math/near_one.hpp"
 
 // Strain of a bond in its mid-frame, the mean of the two sphere orientations, so that nothing changes
 // when the chain is numbered from its other end.
 namespace fiberchain::dem {
-
-/// atan(x) / x as a function of x^2, smooth at zero.
-template <class Real>
-Real atan_ratio(const Real& x_squared) {
-  using std::atan;
-  using std::sqrt;
-  const Real x = sqrt(x_squared + Real(1e-300));
-  return atan(x) / x;
-}
 
 template <class Real, int Dim>
 struct BondKinematics {

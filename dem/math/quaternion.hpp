@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/math/near_one.hpp"
 #include "dem/math/vec.hpp"
 
 namespace fiberchain::dem {
@@ -45,7 +46,9 @@ inline Quaternion<double> rotation(const Vec<double, 3>& phi) {
 /// Rotation whose half-angle tangent vector is b (Cayley): exact in direction, angle 2 atan |b|.
 template <class Real>
 Quaternion<Real> cayley_turn(const Vec<Real, 3>& b, const Quaternion<Real>& q) {
-  return normalized(Quaternion<Real>{Real(1.0), b} * q);
+  const Quaternion<Real> turned = Quaternion<Real>{Real(1.0), b} * q;
+  const Real scale = inverse_sqrt_near_one(turned.w * turned.w + dot(turned.v, turned.v));
+  return {scale * turned.w, scale * turned.v};
 }
 
 }  // namespace fiberchain::dem

@@ -35,10 +35,12 @@ struct LoadRamp {
 template <class Real, int Dim>
 struct MarchParameters {
   BondParameters<Real> bond;
-  Real inverse_mass;     ///< 1 / m [1/kg]
-  Real inverse_inertia;  ///< 1 / J [1/(kg m^2)]
+  Real inverse_length;   ///< 1 / l_0 [1/m]
+  Real impulse;          ///< dt / m [s/kg]
+  Real angular_impulse;  ///< dt / J [s/(kg m^2)]
   Real step;             ///< dt [s]
   Real drag;             ///< force per momentum [1/s]
+  Real rolling_arm;      ///< xi_r R / 2 [m]
   LoadRamp<Real, Dim> ramp;
 };
 

@@ -65,4 +65,12 @@ double stable_time_step(const Fiber& fiber, double drag) {
   return limit;
 }
 
+double undamped_time_step(const Fiber& fiber) {
+  Fiber undamped = fiber;
+  undamped.bond_damping = 0;
+  undamped.retardation_time = 0;
+  undamped.dashpots = DashpotLaw::bond_damping;
+  return stable_time_step(undamped);
+}
+
 }  // namespace fiberchain::dem

@@ -10,4 +10,7 @@ namespace fiberchain::dem {
 /// Holds for the bond model and damping of the fiber at hand. Throws InvalidInput as check() does.
 double stable_time_step(const Fiber& fiber, double drag = 0.0);
 
+/// The same of the leapfrog with the dashpots solved within the step: that of the undamped chain, whatever the dashpots.
+double undamped_time_step(const Fiber& fiber);
+
 }  // namespace fiberchain::dem

@@ -77,7 +77,7 @@ double spatial_drift(int steps_per_turn) {
   const auto at = [&](int n) { return dem::rotate(dem::rotation((omega * n * dt) * axis), separation); };
   for (int n = 0; n < steps; ++n) {
     const dem::RelativeMotion<double, 3> motion{(1 / dt) * (at(n + 1) - at(n)), omega * axis, {0, 0, 0}};
-    dem::advance(history, at(n + 1), dem::unit(at(n + 1)), motion, dt);
+    dem::advance(history, dem::bond_vector(at(n + 1), 1 / dem::norm(at(0))), motion, dt);
   }
   return std::max(dem::norm(history.displacement - start.displacement) / dem::norm(start.displacement),
                   dem::norm(history.rotation - start.rotation) / dem::norm(start.rotation));
@@ -90,7 +90,7 @@ double planar_drift(int steps_per_turn) {
   dem::BondHistory<double, 2> history = start;
   for (int n = 0; n < static_cast<int>(turns * steps_per_turn); ++n) {
     const dem::RelativeMotion<double, 2> motion{(1 / dt) * (at(n + 1) - at(n)), {omega}, {0}};
-    dem::advance(history, at(n + 1), dem::unit(at(n + 1)), motion, dt);
+    dem::advance(history, dem::bond_vector(at(n + 1), 1 / dem::norm(at(0))), motion, dt);
   }
   return std::max(std::abs(history.shear - start.shear), std::abs(history.stretch - start.stretch)) / 0.03;
 }

@@ -15,7 +15,8 @@ bool available(dem::InstructionSet set) { return set <= dem::best_instruction_se
 
 std::string text(const dem::Physics& p) {
   return std::to_string(p.dimension) + "D " + std::string(dem::name(p.form)) + (p.damped ? " damped" : "") +
-         (p.drag ? " drag" : "") + (p.curved ? " curved" : "");
+         (p.drag ? " drag" : "") + (p.curved ? " curved" : "") + (p.solved ? " solved" : "") +
+         (p.rolling == dem::Rolling::none ? "" : " rolling " + std::string(dem::name(p.rolling)));
 }
 
 template <int Dim>
@@ -48,8 +49,9 @@ template <int Dim>
 void lanes_equal_scalar(const dem::Physics& physics, dem::InstructionSet set) {
   const int width = dem::lane_kernel(physics, set).width;
   std::vector<dem::Chain<Dim>> chains;
-  for (int lane = 0; lane < std::max(width - 1, 1); ++lane) {  // one lane short, to leave one unused
+  for (int lane = 0; lane < (width > 2 ? width - 1 : width); ++lane) {  // where it can be, one lane unused
     chains.push_back(marching::odd_chain<Dim>(11 + lane, physics.damped ? 0.3 : 0.0, physics.curved));
+    if (physics.rolling != dem::Rolling::none) chains.back().fiber.rolling_friction = 0.7;
   }
   const dem::Clamps clamps{true, false};
   auto block = marching::block_of(chains, clamps, physics, set);
@@ -71,6 +73,30 @@ void lanes_equal_scalar(const dem::Physics& physics, dem::InstructionSet set) {
   }
 }
 
+template <int Dim>
+void along_equals_scalar(const dem::Physics& physics, dem::InstructionSet set) {
+  std::vector<dem::Chain<Dim>> chains{marching::odd_chain<Dim>(17, physics.damped ? 0.3 : 0.0, false)};
+  chains[0].fiber.rolling_friction = physics.rolling == dem::Rolling::none ? 0.0 : 0.7;
+  const dem::Clamps clamps{false, true};
+  auto along = marching::block_of(chains, clamps, physics, set);
+  auto scalar = marching::block_of(chains, clamps, physics, dem::InstructionSet::scalar);
+  for (auto* block : {&along, &scalar}) {
+    dem::Load<Dim> pull{0, {}, {}};
+    pull.force[1] = dem::load_force(chains[0].fiber, 1.0);
+    block->set_ramp(0, {}, {{13}, {pull}}, 150);
+    marching::stir(*block, chains, 5, 0.02);
+    block->synchronize();
+    block->march(200);
+  }
+  const double L = dem::fiber_length(chains[0].fiber), P = dem::load_force(chains[0].fiber, 1.0);
+  for (int i = 0; i <= 13; ++i) {
+    const auto a = along.sphere(0, i), b = scalar.sphere(0, i);
+    BOOST_TEST(dem::norm(a.pose.position - b.pose.position) < 1e-12 * L);
+    if (i < 13) BOOST_TEST(dem::norm(a.force - b.force) < 1e-7 * P * 13 * 13);
+  }
+  BOOST_TEST(dem::norm(along.sphere(0, 0).pose.position - chains[0].poses[0].position) > 1e-3 * L);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_combination_is_built_once) {
@@ -90,6 +116,16 @@ BOOST_AUTO_TEST_CASE(every_combination_in_every_width_equals_the_scalar_loop) {
       BOOST_TEST_CONTEXT(text(physics) << " " << dem::name(set)) {
         physics.dimension == 2 ? lanes_equal_scalar<2>(physics, set) : lanes_equal_scalar<3>(physics, set);
       }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_chain_along_the_lanes_equals_the_scalar_loop) {
+  for (const dem::Physics& physics : dem::built_physics) {
+    const auto set = dem::best_instruction_set();
+    if (dem::lane_kernel(physics, set).march_along == nullptr) continue;
+    BOOST_TEST_CONTEXT(text(physics)) {
+      physics.dimension == 2 ? along_equals_scalar<2>(physics, set) : along_equals_scalar<3>(physics, set);
     }
   }
 }

@@ -21,17 +21,17 @@ class LaneArray {
   double* data() { return data_.get(); }
   const double* data() const { return data_.get(); }
 
-  /// Copies the doubles of `value` into lane `lane`, from number `first` on.
+  /// Copies the doubles of `value` to every `stride`th place from `first` on.
   template <class Value>
-  void put(const Value& value, std::size_t first, int lane, int width) {
+  void put(const Value& value, std::size_t first, std::size_t stride) {
     const double* source = reinterpret_cast<const double*>(&value);
-    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) data_[(first + n) * width + lane] = source[n];
+    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) data_[first + n * stride] = source[n];
   }
 
   template <class Value>
-  void get(Value& value, std::size_t first, int lane, int width) const {
+  void get(Value& value, std::size_t first, std::size_t stride) const {
     double* target = reinterpret_cast<double*>(&value);
-    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) target[n] = data_[(first + n) * width + lane];
+    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) target[n] = data_[first + n * stride];
   }
 
  private:
@@ -41,7 +41,8 @@ class LaneArray {
   std::unique_ptr<double[], Free> data_;
 };
 
-/// A block of up to `width` chains that march together. Unused lanes repeat the last chain.
+/// A block of up to `width` chains that march together. Unused lanes repeat the last chain. One chain alone lies along
+/// the lanes where that is built; it then differs from the same chain among others by round-off.
 template <int Dim>
 class MarchingBlock {
  public:
@@ -73,14 +74,20 @@ class MarchingBlock {
 
  private:
   LaneBlock view();
+  void start();
+  bool fixed(int sphere) const { return (sphere == 0 && clamps_.first) || (sphere == bonds_ && clamps_.last); }
+  /// Places `stride` apart hold the numbers of element `i` (sphere, bond) of a lane, `size` numbers each.
+  std::size_t place(int lane, int i, std::size_t size) const { return along_ ? i : i * size * kernel_.width + lane; }
+  std::size_t stride() const { return along_ ? bonds_ + 2 : kernel_.width; }
 
   LaneKernel kernel_;
   int lanes_;
   int bonds_;
   Clamps clamps_;
+  bool along_;
   double steps_on_ramp_ = 0;
   std::vector<MarchParameters<double, Dim>> parameters_of_;
-  LaneArray spheres_, history_, natural_, parameters_;
+  LaneArray spheres_, history_, natural_, parameters_, mobile_, loads_, workspace_;
 };
 
 }  // namespace fiberchain::dem

@@ -11,7 +11,7 @@ namespace {
 bool has(InstructionSet set) {
   switch (set) {
     case InstructionSet::avx512: return __builtin_cpu_supports("avx512f");
-    case InstructionSet::avx2: return __builtin_cpu_supports("avx2");
+    case InstructionSet::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     default: return true;
   }
 }
@@ -47,9 +47,10 @@ const LaneKernel& lane_kernel(const Physics& physics, InstructionSet set) {
   if (!has(set)) throw InvalidInput(fmt::format("instruction set {} is not allowed: this processor lacks it", name(set)));
   const auto found = std::find(built_physics.begin(), built_physics.end(), physics);
   if (found == built_physics.end()) {
-    throw InvalidInput(fmt::format("dimension = {}, form = {}, damped = {}, drag = {}, curved = {} is not among the "
-                                   "combinations that are built", physics.dimension, name(physics.form),
-                                   physics.damped, physics.drag, physics.curved));
+    throw InvalidInput(fmt::format("dimension = {}, form = {}, damped = {}, drag = {}, curved = {}, solved = {}, "
+                                   "rolling = {} is not among the combinations that are built", physics.dimension,
+                                   name(physics.form), physics.damped, physics.drag, physics.curved, physics.solved,
+                                   name(physics.rolling)));
   }
   return kernels(set)[found - built_physics.begin()];
 }

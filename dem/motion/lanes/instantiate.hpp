@@ -4,6 +4,15 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
+// Flattened: a call inside the loop would pass its vectors through memory. Not under the sanitizers, whose checks in
+// every copy would take the compiler minutes a file.
+#ifdef FIBERCHAIN_SANITIZED
+#define FIBERCHAIN_FLATTEN
+#else
+#define FIBERCHAIN_FLATTEN __attribute__((flatten))
+#endif
+
+#include "dem/motion/lanes/along.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 #include "dem/motion/leapfrog.hpp"
 
@@ -22,7 +31,8 @@ ChainBlock<P, Real> typed(const LaneBlock& block) {
           reinterpret_cast<MovingSphere<Real, Dim>*>(block.spheres),
           reinterpret_cast<BondHistory<Real, Dim>*>(block.history),
           reinterpret_cast<const NaturalEnds<Real, Dim>*>(block.natural),
-          reinterpret_cast<const MarchParameters<Real, Dim>*>(block.parameters)};
+          *reinterpret_cast<const MarchParameters<Real, Dim>*>(block.parameters),
+          reinterpret_cast<Real*>(block.workspace)};
 }
 
 template <Physics P, class Real>
@@ -30,13 +40,6 @@ void start_block(const LaneBlock& block) {
   start_march<P, Real>(typed<P, Real>(block));
 }
 
-/// Flattened: a call inside the loop would pass its vectors through memory. Not under the sanitizers, whose checks in
-/// every copy would take the compiler minutes a file.
-#ifdef FIBERCHAIN_SANITIZED
-#define FIBERCHAIN_FLATTEN
-#else
-#define FIBERCHAIN_FLATTEN __attribute__((flatten))
-#endif
 template <Physics P, class Real>
 FIBERCHAIN_FLATTEN void march_block(const LaneBlock& block, double steps_before, int steps) {
   const ChainBlock<P, Real> chain = typed<P, Real>(block);
@@ -48,9 +51,19 @@ struct KernelTable {
   LaneKernel kernels[built_physics.size()];
 };
 
+template <Physics P, class Real>
+constexpr LaneKernel lane_kernel_of() {
+  if constexpr (built_along(P) && lane_count<Real> > 1) {
+    return {lane_count<Real>, workspace_reals<P, Real>, start_block<P, Real>, march_block<P, Real>,
+            start_along<P, Real>, march_along<P, Real>};
+  } else {
+    return {lane_count<Real>, workspace_reals<P, Real>, start_block<P, Real>, march_block<P, Real>, nullptr, nullptr};
+  }
+}
+
 template <class Real, std::size_t... I>
 constexpr KernelTable<Real> kernel_table(std::index_sequence<I...>) {
-  return {{{lane_count<Real>, start_block<built_physics[I], Real>, march_block<built_physics[I], Real>}...}};
+  return {{lane_kernel_of<built_physics[I], Real>()...}};
 }
 
 /// Kernels in the order of built_physics.
