@@ -20,9 +20,6 @@ std::string kind_title(const StabilityCase& c) {
                      c.scheme == dem::Integrator::leapfrog ? "lagged dashpots" : "dashpots solved within the step");
 }
 
-/// Limit to draw: the measured one, or theory where the scheme cannot be run.
-double limit_of(const StabilityPoint& p) { return std::isnan(p.measured) ? p.modes : p.measured; }
-
 std::set<double> values(const Points& points, double StabilityCase::* of) {
   std::set<double> all;
   for (const StabilityPoint& p : points) all.insert(p.asked.*of);
@@ -44,7 +41,7 @@ Figure heat_map(const Points& points) {
   const double missing = std::nan("");
   map.value.assign(xi.size(), std::vector<double>(nu.size(), missing));
   for (const StabilityPoint& p : points) {
-    map.value[place(xi, p.asked.bond_damping)][place(nu, p.asked.poisson_ratio)] = limit_of(p);
+    map.value[place(xi, p.asked.bond_damping)][place(nu, p.asked.poisson_ratio)] = p.measured;
   }
   map.framed_below = 0.25;
   const StabilityCase& c = points[0].asked;

@@ -24,11 +24,11 @@ struct StabilityPoint {
   StabilityCase asked;
   double endless;         ///< limit of the endless chain over t_b, spectral radius by wave number
   double modes;           ///< of this chain over t_b, by its modes
-  double measured;        ///< by running it: middle of the bracket; NaN if the scheme cannot be run
+  double measured;        ///< by running it: middle of the bracket
   double half_width;      ///< half the bracket over t_b
   double difference;      ///< measured / modes - 1
   double quarter_growth;  ///< largest |z| of a mode at 0.25 t_b: 1 if stable
-  std::string bond_time_verdict;  ///< what a run at t_b does: stable or unstable; empty if the scheme cannot be run
+  std::string bond_time_verdict;  ///< what a run at t_b does: stable or unstable
   std::string quarter_verdict;    ///< the same at 0.25 t_b
   double steps;                   ///< time steps marched for all this
   std::string status;
@@ -38,9 +38,6 @@ struct StabilityOptions {
   int jobs = 1;
   std::function<void()> advance = [] {};
 };
-
-/// Whether runs of the chain can use this scheme.
-bool is_marched(dem::Integrator scheme);
 
 /// The scheme in the reference's words. Throws InputError for one that is not explicit.
 reference::ExplicitScheme explicit_scheme(dem::Integrator scheme);

@@ -105,9 +105,7 @@ std::vector<MatrixRow> stability_rows(const ValidationInput& in) {
   std::vector<MatrixRow> rows = paper_rows(in);
   for (MatrixRow& row : limit_rows(in)) rows.push_back(std::move(row));
   rows.push_back(agreement_row(in, Integrator::leapfrog, "stable-step-runs"));
-  if (is_marched(Integrator::leapfrog_damped)) {
-    rows.push_back(agreement_row(in, Integrator::leapfrog_damped, "stable-step-runs-damped"));
-  }
+  rows.push_back(agreement_row(in, Integrator::leapfrog_damped, "stable-step-runs-damped"));
   rows.push_back(own_step_row());
   return rows;
 }

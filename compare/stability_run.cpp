@@ -12,7 +12,13 @@ namespace {
 constexpr int together = 8;  // steps tried at once
 
 dem::Physics physics_of(const StabilityRun& run) {
-  return {.dimension = run.dimension, .form = run.form, .damped = dem::damped(run.fiber), .drag = false, .curved = false};
+  const bool damped = dem::damped(run.fiber);
+  return {.dimension = run.dimension,
+          .form = run.form,
+          .damped = damped,
+          .drag = false,
+          .curved = false,
+          .solved = damped && run.scheme == dem::Integrator::leapfrog_damped};
 }
 
 template <int Dim>
@@ -65,10 +71,11 @@ int lanes_of_block(const StabilityRun& run) {
   return dem::lane_kernel(physics_of(run), dem::best_instruction_set()).width;
 }
 
-/// Narrows to the last that was stable before the first that grew.
-void narrow(MeasuredLimit& limit, const std::vector<double>& tried, const std::vector<bool>& grew) {
+/// Narrows to the last that was stable before the first that grew. If the lowest grew that was stable before, in fewer
+/// steps, the lower end moves down by `retreat`.
+void narrow(MeasuredLimit& limit, const std::vector<double>& tried, const std::vector<bool>& grew, double retreat) {
   const auto first = static_cast<std::size_t>(std::ranges::find(grew, true) - grew.begin());
-  if (first > 0) limit.stable = tried[first - 1];
+  limit.stable = first > 0 ? tried[first - 1] : tried[0] / retreat;
   if (first < tried.size()) limit.unstable = tried[first];
   limit.ordered = limit.ordered && std::ranges::is_sorted(grew);
 }
@@ -92,28 +99,27 @@ int steps_to_grow(const StabilityRun& run, double excess) {
   const double sensitivity = lagged ? 2 : std::min(2.0, 0.8 / std::max(run.fiber.bond_damping, 1e-9));
   // what grows is at least a part 1/sqrt(unknowns) of a random motion
   const double unknowns = 6.0 * (run.fiber.aspect_ratio + 1);
-  return static_cast<int>(std::log(grown * 10 * std::sqrt(unknowns)) / std::log1p(sensitivity * excess)) + 100;
+  return static_cast<int>(std::log(grown * std::sqrt(unknowns)) / std::log1p(sensitivity * excess)) + 100;
 }
 
 MeasuredLimit measured_limit(const StabilityRun& run, double width) {
   dem::check(run.fiber);
   MeasuredLimit limit{0, 2.5 * dem::bond_time_step(run.fiber), 0, true};
-  // long runs from the first: one that has not grown yet, taken for stable, would mislead all that follow
-  const int steps = steps_to_grow(run, width / 2);
-  const auto look = [&](const std::vector<double>& tried) {
-    narrow(limit, tried, motion_grows(run, tried, steps));
-    limit.steps += steps * static_cast<double>(tried.size());
-  };
-  while (limit.stable == 0) {
-    std::vector<double> octaves;
-    for (int i = together - 1; i >= 0; --i) octaves.push_back(std::ldexp(limit.unstable, -1 - i));
-    look(octaves);
-  }
-  while (limit.unstable > (1 + width) * limit.stable) {
-    const double ratio = std::pow(limit.unstable / limit.stable, 1.0 / (together + 1));
+  bool verified = false;  // that the lower end is stable, for as many steps as the width asks for
+  const auto look = [&](double lowest, double ratio) {
     std::vector<double> tried;
-    for (int i = 1; i <= together; ++i) tried.push_back(limit.stable * std::pow(ratio, i));
-    look(tried);
+    for (int i = 0; i < together; ++i) tried.push_back(lowest * std::pow(ratio, i));
+    const double excess = std::clamp((ratio - 1) / 2, width / 2, 0.1);
+    const int steps = steps_to_grow(run, excess);
+    const std::vector<bool> grew = motion_grows(run, tried, steps);
+    narrow(limit, tried, grew, std::max(ratio, 1 + width));
+    limit.steps += steps * static_cast<double>(tried.size());
+    verified = excess == width / 2 && !grew[0];
+    return !grew[0];
+  };
+  while (!look(limit.unstable / std::ldexp(1.0, together), 2.0)) continue;
+  while (!verified || limit.unstable > (1 + width) * limit.stable) {
+    look(limit.stable, std::pow(limit.unstable / limit.stable, 1.0 / together));
   }
   return limit;
 }

@@ -71,7 +71,6 @@ std::string stability_notes(const std::vector<StabilityPoint>& points) {
   double largest = 0;
   int measured = 0, beyond = 0, bond_time = 0, quarter = 0;
   for (const StabilityPoint& p : points) {
-    if (std::isnan(p.measured)) continue;
     ++measured;
     largest = std::max(largest, std::abs(p.difference));
     beyond += std::abs(p.difference) > 0.01;

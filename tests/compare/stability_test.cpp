@@ -20,27 +20,27 @@ using reference::ChainEnds;
 
 namespace {
 
-std::vector<Integrator> marched_schemes() {
-  std::vector<Integrator> all{Integrator::leapfrog};
-  if (compare::is_marched(Integrator::leapfrog_damped)) all.push_back(Integrator::leapfrog_damped);
-  return all;
-}
-
 StabilityPoint point(const StabilityCase& asked) { return compare::stability_points({asked}).front(); }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(runs_leave_stability_where_the_modes_do) {
-  const compare::StabilitySweep sweep{.aspect_ratio = {3, 11},
+  const auto lagged = compare::cases({.aspect_ratio = {3, 11},
                                       .poisson_ratio = {-0.2, 0.13, 0.25, 0.49},
                                       .bond_damping = {0, 0.07, 1.3, 10},
-                                      .scheme = marched_schemes(),
-                                      .ends = {ChainEnds::clamped_free, ChainEnds::free_free}};
-  for (const StabilityPoint& p : compare::stability_points(compare::cases(sweep), {.jobs = 2})) {
+                                      .scheme = {Integrator::leapfrog},
+                                      .ends = {ChainEnds::clamped_free, ChainEnds::free_free}});
+  auto all = compare::cases({.aspect_ratio = {6},
+                             .poisson_ratio = {-0.2, 0.25, 0.49},
+                             .bond_damping = {0.07, 1.3, 10},
+                             .scheme = {Integrator::leapfrog_damped}});
+  all.insert(all.end(), lagged.begin(), lagged.end());
+  for (const StabilityPoint& p : compare::stability_points(all, {.jobs = 2})) {
     BOOST_TEST_CONTEXT(dem::name(p.asked.scheme) << " r_f " << p.asked.aspect_ratio << " nu " << p.asked.poisson_ratio
                                                  << " xi_b " << p.asked.bond_damping) {
-      BOOST_TEST(std::abs(p.difference) < 0.002, p.difference);
-      BOOST_TEST(p.half_width < 0.0006 * p.measured);
+      // half the bracket, and what grows too slowly to be seen
+      BOOST_TEST(std::abs(p.difference) < 0.0016);
+      BOOST_TEST(p.half_width < 0.00071 * p.measured);
       BOOST_TEST(p.status == "measured");
     }
   }
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(spatial_chains_and_the_total_form_have_the_same_limit) {
           compare::linear_twin(fiber), reference::ExplicitScheme::lagged_dashpots, ChainEnds::free_free);
       BOOST_TEST(limit.stable < modes * 1.001);
       BOOST_TEST(limit.unstable > modes * 0.9999);
-      BOOST_TEST(limit.unstable < limit.stable * 1.001001);
+      BOOST_TEST(limit.unstable < limit.stable * 1.001401);
       BOOST_TEST(limit.ordered);
     }
   }

@@ -13,11 +13,11 @@ BOOST_AUTO_TEST_CASE(a_hundred_million_steps_keep_energy_and_momenta) {
   for (const marching::EnergyDrift& d : drift) {
     for (const double mean : d.mean) BOOST_TEST_MESSAGE("energy off by " << mean);
     BOOST_TEST_MESSAGE("momentum " << d.momentum << ", angular momentum " << d.angular);
-    // a constant offset: no tenth of the run differs from the second by more than 5 %
-    for (const double mean : d.mean) BOOST_TEST(std::abs(mean / d.mean[1] - 1) < 0.05);
+    // a constant offset: the modes' slow exchange of energy changes it by a few percent either way, nothing adds up
+    for (const double mean : d.mean) BOOST_TEST(std::abs(mean / d.mean[1] - 1) < 0.1);
     // round-off adds up as a random walk, 1e-16 sqrt(steps) times a number of the order of one
-    BOOST_TEST(d.momentum < 3e-12);
-    BOOST_TEST(d.angular < 3e-12);
+    BOOST_TEST(d.momentum < 2e-12);
+    BOOST_TEST(d.angular < 2e-12);
     BOOST_TEST(d.momentum > 1e-15);
   }
   for (std::size_t i = 1; i < drift.size(); ++i) {

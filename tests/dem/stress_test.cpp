@@ -19,20 +19,25 @@ dem::Fiber fiber_of(int aspect_ratio, double nu, double damping, dem::BondModel 
 }
 
 template <int Dim>
-dem::MarchingBlock<Dim> block_of(const dem::Chain<Dim>& chain, double dt, BondForm form, dem::Clamps clamps = {}) {
-  return dem::MarchingBlock<Dim>({chain}, clamps, {dt}, {0.0},
+dem::MarchingBlock<Dim> block_of(const dem::Chain<Dim>& chain, double dt, BondForm form, bool solved = false) {
+  return dem::MarchingBlock<Dim>({chain}, {false, false}, {dt}, {0.0},
                                  {.dimension = Dim, .form = form, .damped = dem::damped(chain.fiber), .drag = false,
-                                  .curved = false},
+                                  .curved = false, .solved = solved},
                                  dem::best_instruction_set());
 }
 
+/// Largest component of velocity and l times spin; infinite if one is no number. By components: the square of a
+/// denormal number is zero.
 template <int Dim>
 double largest_speed(const dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber) {
   double largest = 0;
+  const auto count = [&](double speed) {
+    largest = std::max(largest, std::isfinite(speed) ? std::abs(speed) : std::numeric_limits<double>::infinity());
+  };
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
     const auto sphere = block.sphere(0, i);
-    const double speed = dem::norm(sphere.velocity) + dem::bond_length(fiber) * dem::norm(sphere.spin);
-    if (!(speed <= largest)) largest = speed;  // a NaN stays
+    for (const double v : sphere.velocity.c) count(v);
+    for (const double w : sphere.spin.c) count(dem::bond_length(fiber) * w);
   }
   return largest;
 }
@@ -158,30 +163,36 @@ namespace {
 
 /// Growth of the largest speed from a tiny start.
 template <int Dim>
-double growth(const dem::Fiber& fiber, BondForm form, double step_ratio, int steps) {
+double growth(const dem::Fiber& fiber, BondForm form, bool solved, double step_ratio, int steps) {
   const dem::Chain<Dim> chain = dem::straight_chain<Dim>(fiber);
-  auto block = block_of(chain, step_ratio * dem::stable_time_step(fiber), form);
+  const double limit = solved ? dem::undamped_time_step(fiber) : dem::stable_time_step(fiber);
+  auto block = block_of(chain, step_ratio * limit, form, solved);
   marching::stir(block, {chain}, 3, 1e-9);
   const double start = largest_speed(block, fiber);
   block.march(steps);
   return largest_speed(block, fiber) / start;
 }
 
+void check_limit(double nu, double damping, bool solved) {
+  const dem::Fiber fiber = fiber_of(31, nu, damping, dem::BondModel::corrected);
+  // beyond the limit dashpots that are solved for let it grow by no more than 0.8/xi_b of the excess a step
+  const int beyond = solved ? 1500 + static_cast<int>(1500 * damping) : 2000;
+  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
+    BOOST_TEST_CONTEXT(dem::name(form) << " xi_b " << damping << " nu " << nu << " solved " << solved) {
+      BOOST_TEST(growth<2>(fiber, form, solved, 0.999, 10000) < 100);
+      BOOST_TEST(growth<3>(fiber, form, solved, 0.999, 10000) < 100);
+      BOOST_TEST(growth<2>(fiber, form, solved, 1.01, beyond) > 1e4);
+      BOOST_TEST(growth<3>(fiber, form, solved, 1.01, beyond) > 1e4);
+    }
+  }
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(steps_up_to_the_limit_are_stable_and_beyond_are_not) {
-  for (const BondForm form : {BondForm::total, BondForm::incremental}) {
-    for (const double damping : {0.0, 0.25, 10.0}) {
-      for (const double nu : {-0.2, 0.43}) {
-        const dem::Fiber fiber = fiber_of(31, nu, damping, dem::BondModel::corrected);
-        BOOST_TEST_CONTEXT(dem::name(form) << " xi_b " << damping << " nu " << nu) {
-          BOOST_TEST(growth<2>(fiber, form, 0.999, 10000) < 100);
-          BOOST_TEST(growth<3>(fiber, form, 0.999, 10000) < 100);
-          BOOST_TEST(!(growth<2>(fiber, form, 1.01, 2000) < 1e4));
-          BOOST_TEST(!(growth<3>(fiber, form, 1.01, 2000) < 1e4));
-        }
-      }
-    }
+  for (const double nu : {-0.2, 0.43}) {
+    for (const double damping : {0.0, 0.25, 10.0}) check_limit(nu, damping, false);
+    for (const double damping : {0.25, 10.0}) check_limit(nu, damping, true);
   }
 }
 
@@ -317,7 +328,7 @@ BOOST_AUTO_TEST_CASE(denormal_motion_stays_bounded) {
     }
     BOOST_TEST(largest < 10 * start);
     if (damping > 0) BOOST_TEST(largest_speed(block, fiber) < start);
-    for (int i = 0; i <= 5; ++i) {
+    for (int i = 1; i <= 5; ++i) {
       // too small to move anything: not a bit of the positions changes
       BOOST_TEST(block.sphere(0, i).pose.position[0] == chain.poses[i].position[0]);
       BOOST_TEST(block.sphere(0, i).pose.orientation.w == 1);
