@@ -33,20 +33,36 @@ std::vector<MatrixRow> limit_rows(const ValidationInput& in) {
   return rows;
 }
 
-MatrixRow agreement_row(const ValidationInput& in, Integrator scheme, const std::string& id) {
-  const StabilitySweep sweep{.aspect_ratio = {5, 13},
-                             .poisson_ratio = {-0.2, 0, 0.25, 0.49},
-                             .bond_damping = {0, 0.3, 10},
-                             .scheme = {scheme},
-                             .ends = {ChainEnds::clamped_free, ChainEnds::free_free},
-                             .dimension = {2, 3}};
+double worst_difference(const ValidationInput& in, const std::vector<StabilitySweep>& sweeps) {
   double worst = 0;
-  for (const StabilityPoint& p : stability_points(cases(sweep), {.jobs = in.jobs})) {
-    worst = std::max(worst, std::abs(p.difference));
+  for (const StabilitySweep& sweep : sweeps) {
+    for (const StabilityPoint& p : stability_points(cases(sweep), {.jobs = in.jobs})) {
+      worst = std::max(worst, std::abs(p.difference));
+    }
   }
-  return method_row(id, "stability", 0, worst, 0.01, "largest stable step of the finite chain by its modes",
-                    fmt::format("largest relative difference of runs, {}: both bonds, clamped and free, planar and "
-                                "spatial, nu = -0.2 to 0.49, xi_b = 0 to 10, r_f = 5 and 13", dem::name(scheme)));
+  return worst;
+}
+
+/// Runs against modes over the map, both bonds.
+std::vector<MatrixRow> agreement_rows(const ValidationInput& in) {
+  const StabilitySweep lagged{.aspect_ratio = {5, 13},
+                              .poisson_ratio = {-0.2, 0, 0.25, 0.49},
+                              .bond_damping = {0, 0.3, 10},
+                              .scheme = {Integrator::leapfrog}};
+  StabilitySweep spatial = lagged;
+  spatial.ends = {ChainEnds::free_free};
+  spatial.dimension = {3};
+  const StabilitySweep solved{.aspect_ratio = {5},
+                              .poisson_ratio = {-0.2, 0.25, 0.49},
+                              .bond_damping = {0.3, 10},
+                              .scheme = {Integrator::leapfrog_damped}};
+  constexpr const char* source = "largest stable step of the finite chain by its modes";
+  return {method_row("stable-step-runs", "stability", 0, worst_difference(in, {lagged, spatial}), 0.01, source,
+                     "largest relative difference of runs, lagged dashpots: planar clamped and spatial free chains, nu = "
+                     "-0.2 to 0.49, xi_b = 0 to 10, r_f = 5 and 13, both bonds"),
+          method_row("stable-step-runs-damped", "stability", 0, worst_difference(in, {solved}), 0.01, source,
+                     "the same with the dashpots solved within the step, whose limit is the undamped one: planar, nu = "
+                     "-0.2 to 0.49, xi_b = 0.3 and 10, r_f = 5, both bonds")};
 }
 
 /// The step that marches take their default from, against the spectral radius: largest relative difference.
@@ -104,8 +120,7 @@ std::vector<MatrixRow> paper_rows(const ValidationInput& in) {
 std::vector<MatrixRow> stability_rows(const ValidationInput& in) {
   std::vector<MatrixRow> rows = paper_rows(in);
   for (MatrixRow& row : limit_rows(in)) rows.push_back(std::move(row));
-  rows.push_back(agreement_row(in, Integrator::leapfrog, "stable-step-runs"));
-  rows.push_back(agreement_row(in, Integrator::leapfrog_damped, "stable-step-runs-damped"));
+  for (MatrixRow& row : agreement_rows(in)) rows.push_back(std::move(row));
   rows.push_back(own_step_row());
   return rows;
 }
