@@ -24,6 +24,7 @@ std::string ticks(char axis, const std::vector<double>& values) {
                      static_cast<double>(values.size()) - 0.5);
 }
 
+/// Ends of the color scale.
 struct Extent {
   double low, high;
 };
@@ -39,7 +40,8 @@ Extent extent(const HeatMap& map) {
   }
   if (map.value.size() != map.y.size()) throw FigureError("heat map: as many rows as y are wanted");
   if (e.high == 0) throw FigureError("heat map: no value above 0");
-  return e;
+  // a decade at least, or what hardly differs would look very different
+  return {std::min(e.low, e.high / 10), e.high};
 }
 
 /// "column row value number color-of-the-number" a line, of all cells or of those framed.
@@ -64,18 +66,22 @@ std::string heat_map_commands(const HeatMap& map, const std::string& x_label, co
   const std::string framed = cells(map, e, true);
   std::string text = fmt::format("$cells << EOD\n{}EOD\n", cells(map, e, false));
   if (!framed.empty()) text += fmt::format("$framed << EOD\n{}EOD\n", framed);
-  text += fmt::format("set xlabel {}\nset ylabel {}\n{}{}", quoted(x_label), quoted(y_label), ticks('x', map.x),
-                      ticks('y', map.y));
+  text += fmt::format("set xlabel {}\nset ylabel {}\n{}{}", quoted(x_label), quoted(y_label),
+                      ticks('x', map.x), ticks('y', map.y));
   // viridis
-  text += "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 "
-          "'#a0da39', 7 '#fde725')\nset logscale cb\n";
-  text += fmt::format("set cbrange [{}:{}]\nset cblabel {}\nset format cb '%g'\n", e.low / 1.05, e.high * 1.05,
-                      quoted(map.label));
+  text +=
+      "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 "
+      "'#a0da39', 7 '#fde725')\nset logscale cb\n";
+  text += fmt::format("set cbrange [{}:{}]\nset cblabel {}\nset format cb '%g'\n", e.low / 1.05,
+                      e.high * 1.05, quoted(map.label));
   text += "set cbtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)\nunset grid\nset nokey\n";
-  text += "plot $cells using 1:2:(0.5):(0.5):3 with boxxyerror fillstyle solid noborder fillcolor palette, \\\n";
+  text +=
+      "plot $cells using 1:2:(0.5):(0.5):3 with boxxyerror fillstyle solid noborder fillcolor palette, \\\n";
   if (!framed.empty())
-    text += "     $framed using 1:2:(0.47):(0.47) with boxxyerror fillstyle empty linecolor rgb '#d55e00' linewidth 2, "
-            "\\\n";
+    text +=
+        "     $framed using 1:2:(0.47):(0.47) with boxxyerror fillstyle empty linecolor rgb '#d55e00' "
+        "linewidth 2, "
+        "\\\n";
   return text + "     $cells using 1:2:(stringcolumn(4)):5 with labels textcolor rgb variable\n";
 }
 

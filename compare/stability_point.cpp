@@ -18,7 +18,10 @@ namespace {
 constexpr double width = 1.4e-3;  // of the measured bracket
 
 StabilityRun run_of(const StabilityCase& asked) {
-  return {.fiber = stability_fiber(asked), .ends = asked.ends, .dimension = asked.dimension, .scheme = asked.scheme};
+  return {.fiber = stability_fiber(asked),
+          .ends = asked.ends,
+          .dimension = asked.dimension,
+          .scheme = asked.scheme};
 }
 
 /// What a run at that time step does, watched for longer the nearer it is to the limit.
@@ -45,8 +48,7 @@ StabilityPoint point_of(const StabilityCase& asked) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const reference::LinearChain chain = linear_twin(stability_fiber(asked));
   const bool planar = asked.dimension == 2;
-  StabilityPoint point{asked, endless_limit(asked), modal_limit(asked), nan, nan, nan, nan, "", "", 0,
-                       ""};
+  StabilityPoint point{asked, endless_limit(asked), modal_limit(asked), nan, nan, nan, nan, "", "", 0, ""};
   point.quarter_growth = reference::growth_per_step(chain, explicit_scheme(asked.scheme), asked.ends,
                                                     0.25 * reference::bond_time(chain), planar);
   measure(point);
@@ -66,8 +68,8 @@ void check(const StabilityCase& asked) {
 reference::ExplicitScheme explicit_scheme(dem::Integrator scheme) {
   if (scheme == dem::Integrator::leapfrog) return reference::ExplicitScheme::lagged_dashpots;
   if (scheme == dem::Integrator::leapfrog_damped) return reference::ExplicitScheme::damped_in_step;
-  throw InputError(fmt::format("scheme = {} is not allowed: only leapfrog and leapfrog-damped have a stable step",
-                               dem::name(scheme)));
+  throw InputError(fmt::format(
+      "scheme = {} is not allowed: only leapfrog and leapfrog-damped have a stable step", dem::name(scheme)));
 }
 
 dem::Fiber stability_fiber(const StabilityCase& asked) {
@@ -78,7 +80,8 @@ dem::Fiber stability_fiber(const StabilityCase& asked) {
 
 double modal_limit(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_twin(stability_fiber(asked));
-  return reference::finite_stable_step(chain, explicit_scheme(asked.scheme), asked.ends, asked.dimension == 2) /
+  return reference::finite_stable_step(chain, explicit_scheme(asked.scheme), asked.ends,
+                                       asked.dimension == 2) /
          reference::bond_time(chain);
 }
 

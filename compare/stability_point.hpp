@@ -6,7 +6,8 @@
 
 #include "compare/stability_run.hpp"
 
-// The largest stable step of a chain: theory of the endless and of the finite chain, measurement, and the paper's rules.
+// The largest stable step of a chain: theory of the endless and of the finite chain, measurement, and the
+// paper's rules.
 namespace fiberchain::compare {
 
 /// In units of t_b the limit depends on nothing but these. The fiber is the nominal one.
@@ -22,12 +23,12 @@ struct StabilityCase {
 
 struct StabilityPoint {
   StabilityCase asked;
-  double endless;         ///< limit of the endless chain over t_b, spectral radius by wave number
-  double modes;           ///< of this chain over t_b, by its modes
-  double measured;        ///< by running it: middle of the bracket
-  double half_width;      ///< half the bracket over t_b
-  double difference;      ///< measured / modes - 1
-  double quarter_growth;  ///< largest |z| of a mode at 0.25 t_b: 1 if stable
+  double endless;                 ///< limit of the endless chain over t_b, spectral radius by wave number
+  double modes;                   ///< of this chain over t_b, by its modes
+  double measured;                ///< by running it: middle of the bracket
+  double half_width;              ///< half the bracket over t_b
+  double difference;              ///< measured / modes - 1
+  double quarter_growth;          ///< largest |z| of a mode at 0.25 t_b: 1 if stable
   std::string bond_time_verdict;  ///< what a run at t_b does: stable or unstable
   std::string quarter_verdict;    ///< the same at 0.25 t_b
   double steps;                   ///< time steps marched for all this

@@ -24,11 +24,12 @@ std::vector<MatrixRow> limit_rows(const ValidationInput& in) {
                              .scheme = {Integrator::leapfrog}};
   std::vector<MatrixRow> rows;
   for (const StabilityPoint& p : stability_points(cases(sweep), {.jobs = in.jobs})) {
-    rows.push_back(method_row(fmt::format("stable-step-{:g}", p.asked.bond_damping), "stability", p.endless, p.measured,
-                              0.005 * p.endless, "spectral radius of the amplification matrix over all waves, lagged "
-                              "dashpots, over t_b",
-                              fmt::format("runs bracket it to 0.1 %: nu = 0.3, xi_b = {:g}, r_f = 50",
-                                          p.asked.bond_damping)));
+    rows.push_back(method_row(
+        fmt::format("stable-step-{:g}", p.asked.bond_damping), "stability", p.endless, p.measured,
+        0.005 * p.endless,
+        "spectral radius of the amplification matrix over all waves, lagged "
+        "dashpots, over t_b",
+        fmt::format("runs bracket it to 0.1 %: nu = 0.3, xi_b = {:g}, r_f = 50", p.asked.bond_damping)));
   }
   return rows;
 }
@@ -57,12 +58,15 @@ std::vector<MatrixRow> agreement_rows(const ValidationInput& in) {
                               .bond_damping = {0.3, 10},
                               .scheme = {Integrator::leapfrog_damped}};
   constexpr const char* source = "largest stable step of the finite chain by its modes";
-  return {method_row("stable-step-runs", "stability", 0, worst_difference(in, {lagged, spatial}), 0.01, source,
-                     "largest relative difference of runs, lagged dashpots: planar clamped and spatial free chains, nu = "
-                     "-0.2 to 0.49, xi_b = 0 to 10, r_f = 5 and 13, both bonds"),
-          method_row("stable-step-runs-damped", "stability", 0, worst_difference(in, {solved}), 0.01, source,
-                     "the same with the dashpots solved within the step, whose limit is the undamped one: planar, nu = "
-                     "-0.2 to 0.49, xi_b = 0.3 and 10, r_f = 5, both bonds")};
+  return {
+      method_row("stable-step-runs", "stability", 0, worst_difference(in, {lagged, spatial}), 0.01, source,
+                 "largest relative difference of runs, lagged dashpots: planar clamped and spatial free "
+                 "chains, nu = "
+                 "-0.2 to 0.49, xi_b = 0 to 10, r_f = 5 and 13, both bonds"),
+      method_row(
+          "stable-step-runs-damped", "stability", 0, worst_difference(in, {solved}), 0.01, source,
+          "the same with the dashpots solved within the step, whose limit is the undamped one: planar, nu = "
+          "-0.2 to 0.49, xi_b = 0.3 and 10, r_f = 5, both bonds")};
 }
 
 /// The step that marches take their default from, against the spectral radius: largest relative difference.
@@ -78,9 +82,10 @@ MatrixRow own_step_row() {
       }
     }
   }
-  return method_row("stable-step-own", "stability", 0, worst, 1e-5,
-                    "spectral radius of the amplification matrix over all waves",
-                    "largest relative difference of the step limit that marches use, nu = -0.2 to 0.49, xi_b = 0 to 10");
+  return method_row(
+      "stable-step-own", "stability", 0, worst, 1e-5,
+      "spectral radius of the amplification matrix over all waves",
+      "largest relative difference of the step limit that marches use, nu = -0.2 to 0.49, xi_b = 0 to 10");
 }
 
 double rayleigh_percent(double nu) {
@@ -100,19 +105,23 @@ double damping_of_quarter_step(StabilityCase asked) {
 
 std::vector<MatrixRow> paper_rows(const ValidationInput& in) {
   const StabilityPoint one = stability_points({{.aspect_ratio = 10, .bond_damping = 1}})[0];
-  return {disputed_row(in, "paper-quarter-step", one.measured,
-                       fmt::format("at xi_b = 1, nu = 0.3, r_f = 10 the largest stable step is {:.4f} t_b by runs, {:.4f} by "
-                                   "modes: 0.25 t_b is {}, its fastest mode grows {:.2f} times a step. It is small enough up "
-                                   "to xi_b = {:.3f}, at nu = -0.2 up to {:.3f}",
-                                   one.measured, one.modes, one.quarter_verdict, one.quarter_growth,
-                                   damping_of_quarter_step(one.asked),
-                                   damping_of_quarter_step({.aspect_ratio = 10, .poisson_ratio = -0.2}))),
+  return {disputed_row(
+              in, "paper-quarter-step", one.measured,
+              fmt::format(
+                  "at xi_b = 1, nu = 0.3, r_f = 10 the largest stable step is {:.4f} t_b by runs, {:.4f} by "
+                  "modes: 0.25 t_b is {}, its fastest mode grows {:.2f} times a step. It is small enough up "
+                  "to xi_b = {:.3f}, at nu = -0.2 up to {:.3f}",
+                  one.measured, one.modes, one.quarter_verdict, one.quarter_growth,
+                  damping_of_quarter_step(one.asked),
+                  damping_of_quarter_step({.aspect_ratio = 10, .poisson_ratio = -0.2}))),
           published_row(in, "paper-rayleigh-most", rayleigh_percent(0), 0.5,
                         "pi R sqrt(rho/G)/(0.1631 nu + 0.8766) at nu = 0"),
-          disputed_row(in, "paper-rayleigh-least", rayleigh_percent(0.5),
-                       fmt::format("falls with nu: {:.1f} % at nu = 0, {:.1f} % at 0.3 and, the least an isotropic material "
-                                   "can have, {:.1f} % at 0.5", rayleigh_percent(0), rayleigh_percent(0.3),
-                                   rayleigh_percent(0.5)))};
+          disputed_row(
+              in, "paper-rayleigh-least", rayleigh_percent(0.5),
+              fmt::format(
+                  "falls with nu: {:.1f} % at nu = 0, {:.1f} % at 0.3 and, the least an isotropic material "
+                  "can have, {:.1f} % at 0.5",
+                  rayleigh_percent(0), rayleigh_percent(0.3), rayleigh_percent(0.5)))};
 }
 
 }  // namespace

@@ -71,9 +71,10 @@ int lanes_of_block(const StabilityRun& run) {
   return dem::lane_kernel(physics_of(run), dem::best_instruction_set()).width;
 }
 
-/// Narrows to the last that was stable before the first that grew. If the lowest grew that was stable before, in fewer
-/// steps, the lower end moves down by `retreat`.
-void narrow(MeasuredLimit& limit, const std::vector<double>& tried, const std::vector<bool>& grew, double retreat) {
+/// Narrows to the last that was stable before the first that grew. If the lowest grew that was stable before,
+/// in fewer steps, the lower end moves down by `retreat`.
+void narrow(MeasuredLimit& limit, const std::vector<double>& tried, const std::vector<bool>& grew,
+            double retreat) {
   const auto first = static_cast<std::size_t>(std::ranges::find(grew, true) - grew.begin());
   limit.stable = first > 0 ? tried[first - 1] : tried[0] / retreat;
   if (first < tried.size()) limit.unstable = tried[first];
@@ -88,7 +89,8 @@ std::vector<bool> motion_grows(const StabilityRun& run, const std::vector<double
   for (std::size_t first = 0; first < time_steps.size(); first += width) {
     const std::vector<double> part(time_steps.begin() + first,
                                    time_steps.begin() + std::min(first + width, time_steps.size()));
-    const auto grew = run.dimension == 2 ? block_grows<2>(run, part, steps) : block_grows<3>(run, part, steps);
+    const auto grew =
+        run.dimension == 2 ? block_grows<2>(run, part, steps) : block_grows<3>(run, part, steps);
     all.insert(all.end(), grew.begin(), grew.end());
   }
   return all;

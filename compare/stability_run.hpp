@@ -7,7 +7,8 @@
 #include "dem/motion/physics.hpp"
 #include "reference/amplification.hpp"
 
-// The largest stable step found by running the chain: a tiny random motion of a straight fiber grows or does not.
+// The largest stable step found by running the chain: a tiny random motion of a straight fiber grows or does
+// not.
 namespace fiberchain::compare {
 
 /// A straight fiber, how it is held and how it is marched.
@@ -19,12 +20,13 @@ struct StabilityRun {
   dem::Integrator scheme = dem::Integrator::leapfrog;
 };
 
-/// Beyond this growth of the velocities a motion has grown. A stable one can show growth too: below the undamped limit
-/// by a part delta, velocities at half steps swing to (2 delta)^(-1/2) times their start, 700 at delta = 1e-6.
+/// Beyond this growth of the velocities a motion has grown. A stable one can show growth too: below the
+/// undamped limit by a part delta, velocities at half steps swing to (2 delta)^(-1/2) times their start, 700
+/// at delta = 1e-6.
 inline constexpr double grown = 2e3;
 
-/// For each time step [s] whether random velocities, 1e-9 of a bond length in t_b, grow by `grown` or leave the
-/// finite numbers in `steps` steps. Steps run side by side in lanes, by eights whatever the lanes' width.
+/// For each time step [s] whether random velocities, 1e-9 of a bond length in t_b, grow by `grown` or leave
+/// the finite numbers in `steps` steps. Steps run side by side in lanes, by eights whatever the lanes' width.
 /// Throws dem::InvalidInput.
 std::vector<bool> motion_grows(const StabilityRun& run, const std::vector<double>& time_steps, int steps);
 
@@ -39,9 +41,9 @@ struct MeasuredLimit {
   bool ordered;     ///< whether every step tried below `stable` was stable and every one above `unstable` not
 };
 
-/// Brackets the limit to `width` of itself: first by octaves down from 2.5 t_b, then by eight equal ratios at a time.
-/// Each time its lower end is tried again for more steps: a motion that grows too slowly for the runs before is found
-/// out. Knows nothing of the theory but steps_to_grow().
+/// Brackets the limit to `width` of itself: first by octaves down from 2.5 t_b, then by eight equal ratios at
+/// a time. Each time its lower end is tried again for more steps: a motion that grows too slowly for the runs
+/// before is found out. Knows nothing of the theory but steps_to_grow().
 MeasuredLimit measured_limit(const StabilityRun& run, double width = 1.4e-3);
 
 }  // namespace fiberchain::compare

@@ -8,12 +8,23 @@
 namespace fiberchain::compare {
 namespace {
 
-const std::vector<std::string> columns{"aspect_ratio",     "poisson_ratio",      "bond_damping",
-                                       "bond",             "scheme",             "ends",
-                                       "dimension",        "stable_step_endless", "stable_step_modes",
-                                       "stable_step_measured", "stable_step_half_width", "stable_step_difference",
-                                       "bond_time_verdict", "quarter_verdict",   "quarter_growth",
-                                       "steps",            "status"};
+const std::vector<std::string> columns{"aspect_ratio",
+                                       "poisson_ratio",
+                                       "bond_damping",
+                                       "bond",
+                                       "scheme",
+                                       "ends",
+                                       "dimension",
+                                       "stable_step_endless",
+                                       "stable_step_modes",
+                                       "stable_step_measured",
+                                       "stable_step_half_width",
+                                       "stable_step_difference",
+                                       "bond_time_verdict",
+                                       "quarter_verdict",
+                                       "quarter_growth",
+                                       "steps",
+                                       "status"};
 
 NamedRow row_of(const StabilityPoint& p) {
   const StabilityCase& c = p.asked;
@@ -88,7 +99,8 @@ std::string stability_notes(const std::vector<StabilityPoint>& points) {
   }
   if (measured == 0) return "";
   return fmt::format(
-      "- Theory of the finite chain against measurement: largest difference {:.2e} over {} chains, {} of them beyond "
+      "- Theory of the finite chain against measurement: largest difference {:.2e} over {} chains, {} of "
+      "them beyond "
       "1 %.\n"
       "- Paper's rules: a step of t_b is unstable for {} of the {}, one of 0.25 t_b for {}.\n",
       largest, measured, beyond, bond_time, measured, quarter);

@@ -33,8 +33,8 @@ Table stability_table(const std::vector<StabilityPoint>& points);
 /// What the points say of theory against measurement and of the paper's rules, as Markdown.
 std::string stability_notes(const std::vector<StabilityPoint>& points);
 
-/// Figures by file name: for each bond and scheme a heat map (where nu and xi_b span a grid), curves over xi_b and
-/// curves over r_f, as far as there are points for them.
+/// Figures by file name: for each bond and scheme a heat map (where nu and xi_b span a grid), curves over
+/// xi_b and curves over r_f, as far as there are points for them.
 std::vector<std::pair<std::string, Figure>> stability_figures(const std::vector<StabilityPoint>& points);
 
 }  // namespace fiberchain::compare

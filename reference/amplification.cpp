@@ -62,7 +62,8 @@ Strains wave_strains(const LinearChain& chain, ChainMotion motion, double phase)
           Eigen::Vector2d(chain.mass, chain.inertia)};
 }
 
-/// Last step at which `stable` holds, between 0 and the end of the doubling that finds the first where it does not.
+/// Last step at which `stable` holds, between 0 and the end of the doubling that finds the first where it
+/// does not.
 double last_stable(double guess, const std::function<bool(double)>& stable) {
   double low = 0, high = guess;
   while (stable(high)) low = high, high *= 2;
@@ -118,8 +119,10 @@ bool bending_is_definite(const LinearChain& chain, ChainEnds ends, const Pencil&
   Eigen::Matrix2d behind, ahead;  // strains of the bond by its second and its first sphere
   behind << 1, -chain.spacing / 2, 0, 1;
   ahead << -1, -chain.spacing / 2, 0, -1;
-  const Eigen::Matrix2d mass = Eigen::Vector2d(p.inertia * chain.mass, p.inertia * chain.inertia).asDiagonal();
-  const Eigen::Matrix2d first = ahead.transpose() * weight * ahead, second = behind.transpose() * weight * behind;
+  const Eigen::Matrix2d mass =
+      Eigen::Vector2d(p.inertia * chain.mass, p.inertia * chain.inertia).asDiagonal();
+  const Eigen::Matrix2d first = ahead.transpose() * weight * ahead,
+                        second = behind.transpose() * weight * behind;
   const Eigen::Matrix2d between = behind.transpose() * weight * ahead;
   const auto definite = [](const Eigen::Matrix2d& m) { return m(0, 0) > 0 && m.determinant() > 0; };
   const bool held = ends == ChainEnds::clamped_free;
@@ -136,30 +139,34 @@ bool bending_is_definite(const LinearChain& chain, ChainEnds ends, const Pencil&
 }
 
 /// Whether P is positive definite on all motions, so that every real root lies right of z.
-bool is_definite(const LinearChain& chain, ExplicitScheme scheme, ChainEnds ends, bool planar, double dt, double z) {
+bool is_definite(const LinearChain& chain, ExplicitScheme scheme, ChainEnds ends, bool planar, double dt,
+                 double z) {
   const Pencil p = pencil(scheme, dt, z);
   const int n = chain.bonds;
   // largest eigenvalue of the strains of a rod: 4 sin^2 of these
-  const double angle = ends == ChainEnds::clamped_free ? (2 * n - 1) * pi / (4.0 * n + 2) : n * pi / (2.0 * n + 2);
+  const double angle =
+      ends == ChainEnds::clamped_free ? (2 * n - 1) * pi / (4.0 * n + 2) : n * pi / (2.0 * n + 2);
   const double rod = 4 * std::sin(angle) * std::sin(angle);
   const BondCoefficients &k = chain.stiffness, &c = chain.dashpot;
   const auto definite = [&](double m, double dashpot, double spring) {
     return p.inertia * m + rod * (p.dashpot * dashpot + p.spring * spring) > 0;
   };
-  return definite(chain.mass, c.stretch, k.stretch) && (planar || definite(chain.inertia, c.twist, k.twist)) &&
-         bending_is_definite(chain, ends, p);
+  return definite(chain.mass, c.stretch, k.stretch) &&
+         (planar || definite(chain.inertia, c.twist, k.twist)) && bending_is_definite(chain, ends, p);
 }
 
 }  // namespace
 
-double wave_radius(const LinearChain& chain, ExplicitScheme scheme, ChainMotion motion, double phase, double dt) {
+double wave_radius(const LinearChain& chain, ExplicitScheme scheme, ChainMotion motion, double phase,
+                   double dt) {
   validate(chain);
   require_between("phase", phase, 0, pi);
   require_positive("dt", dt);
   return radius(wave_strains(chain, motion, phase), scheme, dt);
 }
 
-double chain_radius(const LinearChain& chain, ExplicitScheme scheme, ChainMotion motion, ChainEnds ends, double dt) {
+double chain_radius(const LinearChain& chain, ExplicitScheme scheme, ChainMotion motion, ChainEnds ends,
+                    double dt) {
   validate(chain);
   require_between("bonds (dense modes)", chain.bonds, 1, 100);
   require_positive("dt", dt);
@@ -167,7 +174,8 @@ double chain_radius(const LinearChain& chain, ExplicitScheme scheme, ChainMotion
   return radius({s.b.cast<std::complex<double>>(), s.spring, s.dashpot, s.inertia}, scheme, dt);
 }
 
-double growth_per_step(const LinearChain& chain, ExplicitScheme scheme, ChainEnds ends, double dt, bool planar) {
+double growth_per_step(const LinearChain& chain, ExplicitScheme scheme, ChainEnds ends, double dt,
+                       bool planar) {
   validate(chain);
   require_positive("dt", dt);
   const auto definite = [&](double z) { return is_definite(chain, scheme, ends, planar, dt, z); };

@@ -1,5 +1,5 @@
-// The largest stable step: runs of the chain against the finite chain's modes, the numbers of the model, the paper's
-// rules.
+// The largest stable step: runs of the chain against the finite chain's modes, the numbers of the model, the
+// paper's rules.
 #define BOOST_TEST_MODULE stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -36,8 +36,9 @@ BOOST_AUTO_TEST_CASE(runs_leave_stability_where_the_modes_do) {
                              .scheme = {Integrator::leapfrog_damped}});
   all.insert(all.end(), lagged.begin(), lagged.end());
   for (const StabilityPoint& p : compare::stability_points(all, {.jobs = 2})) {
-    BOOST_TEST_CONTEXT(dem::name(p.asked.scheme) << " r_f " << p.asked.aspect_ratio << " nu " << p.asked.poisson_ratio
-                                                 << " xi_b " << p.asked.bond_damping) {
+    BOOST_TEST_CONTEXT(dem::name(p.asked.scheme)
+                       << " r_f " << p.asked.aspect_ratio << " nu " << p.asked.poisson_ratio << " xi_b "
+                       << p.asked.bond_damping) {
       // half the bracket, and what grows too slowly to be seen
       BOOST_TEST(std::abs(p.difference) < 0.0016);
       BOOST_TEST(p.half_width < 0.00071 * p.measured);
@@ -51,7 +52,8 @@ BOOST_AUTO_TEST_CASE(spatial_chains_and_the_total_form_have_the_same_limit) {
     for (const double xi : {0.0, 0.6}) {
       dem::Fiber fiber = compare::nominal_fiber(7, 0.1, BondModel::paper);
       fiber.bond_damping = xi;
-      const compare::StabilityRun run{.fiber = fiber, .ends = ChainEnds::free_free, .dimension = 3, .form = form};
+      const compare::StabilityRun run{
+          .fiber = fiber, .ends = ChainEnds::free_free, .dimension = 3, .form = form};
       const auto limit = compare::measured_limit(run);
       const double modes = reference::finite_stable_step(
           compare::linear_twin(fiber), reference::ExplicitScheme::lagged_dashpots, ChainEnds::free_free);
@@ -59,6 +61,29 @@ BOOST_AUTO_TEST_CASE(spatial_chains_and_the_total_form_have_the_same_limit) {
       BOOST_TEST(limit.unstable > modes * 0.9999);
       BOOST_TEST(limit.unstable < limit.stable * 1.001401);
       BOOST_TEST(limit.ordered);
+    }
+  }
+}
+
+// What steps_to_grow() counts on.
+BOOST_AUTO_TEST_CASE(motions_beyond_the_limit_grow_as_fast_as_runs_are_made_for) {
+  for (const auto bond : {BondModel::paper, BondModel::corrected}) {
+    for (const double nu : {-0.2, 0.1, 0.25, 0.49}) {
+      for (const double xi : {0.0, 0.05, 0.7, 10.0, 300.0}) {
+        for (const auto scheme : {Integrator::leapfrog, Integrator::leapfrog_damped}) {
+          const StabilityCase asked{
+              .aspect_ratio = 17, .poisson_ratio = nu, .bond_damping = xi, .bond = bond, .scheme = scheme};
+          const dem::Fiber fiber = compare::stability_fiber(asked);
+          const double dt = 1.001 * compare::modal_limit(asked) * dem::bond_time_step(fiber);
+          const double growth = reference::growth_per_step(
+              compare::linear_twin(fiber), compare::explicit_scheme(scheme), asked.ends, dt, true);
+          const double least = scheme == Integrator::leapfrog ? 2 : std::min(2.0, 0.8 / std::max(xi, 1e-9));
+          BOOST_TEST((growth - 1) / 0.001 > 0.99 * least,
+                     "nu " << nu << " xi_b " << xi << ' ' << dem::name(scheme));
+          const compare::StabilityRun run{.fiber = fiber, .scheme = scheme};
+          BOOST_TEST(std::pow(growth, compare::steps_to_grow(run, 0.001)) > compare::grown);
+        }
+      }
     }
   }
 }
@@ -73,9 +98,10 @@ BOOST_AUTO_TEST_CASE(the_criterion_of_growth_is_sharp) {
       const double limit = reference::finite_stable_step(
           compare::linear_twin(fiber), reference::ExplicitScheme::lagged_dashpots, run.ends, true);
       const int steps = compare::steps_to_grow(run, 1e-3);
-      const auto grew = compare::motion_grows(run, {0.2 * limit, 0.999 * limit, 0.99999 * limit, 1.001 * limit, 1.5 * limit},
-                                              steps);
-      BOOST_TEST(grew == (std::vector<bool>{false, false, false, true, true}), boost::test_tools::per_element());
+      const auto grew = compare::motion_grows(
+          run, {0.2 * limit, 0.999 * limit, 0.99999 * limit, 1.001 * limit, 1.5 * limit}, steps);
+      BOOST_TEST(grew == (std::vector<bool>{false, false, false, true, true}),
+                 boost::test_tools::per_element());
     }
   }
 }
@@ -118,7 +144,8 @@ BOOST_AUTO_TEST_CASE(the_step_limit_of_marches_is_the_endless_chains) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_change_nothing_and_rows_keep_their_order) {
-  const compare::StabilitySweep sweep{.aspect_ratio = {4, 9}, .poisson_ratio = {0.1}, .bond_damping = {0.2, 2}};
+  const compare::StabilitySweep sweep{
+      .aspect_ratio = {4, 9}, .poisson_ratio = {0.1}, .bond_damping = {0.2, 2}};
   const auto one = compare::stability_points(compare::cases(sweep), {.jobs = 1});
   const auto three = compare::stability_points(compare::cases(sweep), {.jobs = 3});
   BOOST_REQUIRE(one.size() == 16);

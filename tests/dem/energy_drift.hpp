@@ -17,15 +17,17 @@ struct EnergyDrift {
 
 /// The same chain at several time steps, given over the largest stable one, side by side.
 template <int Dim>
-std::vector<EnergyDrift> energy_drift(dem::BondForm form, const std::vector<double>& step_ratios, double steps,
-                                      double speed, dem::BondModel bond = dem::BondModel::paper) {
+std::vector<EnergyDrift> energy_drift(dem::BondForm form, const std::vector<double>& step_ratios,
+                                      double steps, double speed,
+                                      dem::BondModel bond = dem::BondModel::paper) {
   const dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.3, 431), 0.0262, 4, bond};
   const std::vector<dem::Chain<Dim>> chains(step_ratios.size(), dem::straight_chain<Dim>(fiber));
   std::vector<double> dt = step_ratios;
   for (double& step : dt) step *= dem::stable_time_step(fiber);
-  dem::MarchingBlock<Dim> block(chains, {false, false}, dt, std::vector<double>(dt.size(), 0.0),
-                                {.dimension = Dim, .form = form, .damped = false, .drag = false, .curved = false},
-                                dem::best_instruction_set());
+  dem::MarchingBlock<Dim> block(
+      chains, {false, false}, dt, std::vector<double>(dt.size(), 0.0),
+      {.dimension = Dim, .form = form, .damped = false, .drag = false, .curved = false},
+      dem::best_instruction_set());
   for (std::size_t lane = 0; lane < dt.size(); ++lane) {
     // one seed for all: stir() would give each lane its own
     std::mt19937 generator(9);
@@ -39,7 +41,8 @@ std::vector<EnergyDrift> energy_drift(dem::BondForm form, const std::vector<doub
       sum = sum + sphere.velocity;
       block.set_sphere(static_cast<int>(lane), i, sphere);
     }
-    // at rest as a whole, or it leaves the origin and its angular momentum is a small difference of large numbers
+    // at rest as a whole, or it leaves the origin and its angular momentum is a small difference of large
+    // numbers
     for (int i = 0; i <= fiber.aspect_ratio; ++i) {
       auto sphere = block.sphere(static_cast<int>(lane), i);
       sphere.velocity = sphere.velocity - (1.0 / (fiber.aspect_ratio + 1)) * sum;

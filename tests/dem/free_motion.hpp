@@ -44,7 +44,8 @@ double angular_drift(const Account<Dim>& before, const Account<Dim>& after) {
 
 /// Elastic energy of the bonds, from the poses or from the summed strain [J].
 template <int Dim>
-double elastic_energy(const dem::MarchingBlock<Dim>& block, const dem::Chain<Dim>& chain, dem::BondForm form, int lane) {
+double elastic_energy(const dem::MarchingBlock<Dim>& block, const dem::Chain<Dim>& chain, dem::BondForm form,
+                      int lane) {
   if (form == dem::BondForm::total) return dem::elastic_energy(chain, block.poses(lane));
   const auto bond = dem::bond_parameters(chain.fiber);
   double sum = 0;

@@ -6,20 +6,21 @@
 
 #include "tests/dem/free_motion.hpp"
 
-/// A free, damped chain of 7 spheres that tumbles end over end until nothing but the rotation is left of its motion.
+/// A free, damped chain of 7 spheres that tumbles end over end until nothing but the rotation is left of its
+/// motion.
 namespace marching {
 
 struct Tumbling {
-  double stretch;           ///< largest relative difference of a bond's strain from that of the steady rotation
-  double slowing;           ///< relative change of the angular momentum
-  double momentum;          ///< momentum, over the size of its parts
-  double turns;             ///< made
-  double strain;            ///< of the middle bonds
+  double stretch;   ///< largest relative difference of a bond's strain from that of the steady rotation
+  double slowing;   ///< relative change of the angular momentum
+  double momentum;  ///< momentum, over the size of its parts
+  double turns;     ///< made
+  double strain;    ///< of the middle bonds
 };
 
-/// Strains of the steady rotation by `angle` a step, exactly as leapfrog has them: centers on circles with the
-/// acceleration 2(1 - cos angle)/dt^2 times the radius, and lagged dashpots that see the bond turn by half a step,
-/// an apparent stretching of (2 l/dt) sin^2(angle/2).
+/// Strains of the steady rotation by `angle` a step, exactly as leapfrog has them: centers on circles with
+/// the acceleration 2(1 - cos angle)/dt^2 times the radius, and lagged dashpots that see the bond turn by
+/// half a step, an apparent stretching of (2 l/dt) sin^2(angle/2).
 inline Eigen::VectorXd rotating_strains(const dem::Fiber& fiber, double angle, double dt) {
   const dem::BondParameters<double> bond = dem::bond_parameters(fiber);
   const int n = fiber.aspect_ratio;
@@ -52,9 +53,10 @@ Tumbling tumble(dem::BondForm form, double turns, double step_ratio) {
   const dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.3, 431), 0.0262, 6, dem::BondModel::paper, 0.3};
   const double dt = step_ratio * dem::stable_time_step(fiber), rate = 0.05 / dem::bond_time_step(fiber);
   const double l = dem::bond_length(fiber);
-  dem::MarchingBlock<Dim> block({dem::straight_chain<Dim>(fiber)}, {false, false}, {dt}, {0.0},
-                                {.dimension = Dim, .form = form, .damped = true, .drag = false, .curved = false},
-                                dem::InstructionSet::scalar);
+  dem::MarchingBlock<Dim> block(
+      {dem::straight_chain<Dim>(fiber)}, {false, false}, {dt}, {0.0},
+      {.dimension = Dim, .form = form, .damped = true, .drag = false, .curved = false},
+      dem::InstructionSet::scalar);
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
     auto sphere = block.sphere(0, i);
     sphere.pose.position[0] -= fiber.aspect_ratio / 2.0 * l;
@@ -64,7 +66,9 @@ Tumbling tumble(dem::BondForm form, double turns, double step_ratio) {
   }
   block.synchronize();
   const Account<Dim> before = account(block, fiber);
-  const auto span = [&] { return dem::unit(block.sphere(0, fiber.aspect_ratio).pose.position - block.sphere(0, 0).pose.position); };
+  const auto span = [&] {
+    return dem::unit(block.sphere(0, fiber.aspect_ratio).pose.position - block.sphere(0, 0).pose.position);
+  };
   const double steps = std::ceil(turns * 2 * std::numbers::pi / (rate * dt));
   for (double done = 0; done < steps; done += 1e6) block.march(static_cast<int>(std::min(1e6, steps - done)));
   const Account<Dim> after = account(block, fiber);
@@ -77,7 +81,8 @@ Tumbling tumble(dem::BondForm form, double turns, double step_ratio) {
   const double angle = 2 * std::asin(0.5 * dem::norm(span() - now));
   const Eigen::VectorXd steady = rotating_strains(fiber, angle, dt);
   return {(strain - steady).cwiseAbs().maxCoeff() / steady.maxCoeff(), angular_drift(before, after),
-          dem::norm(after.momentum) / after.momentum_scale, angle * steps / (2 * std::numbers::pi), steady.maxCoeff()};
+          dem::norm(after.momentum) / after.momentum_scale, angle * steps / (2 * std::numbers::pi),
+          steady.maxCoeff()};
 }
 
 }  // namespace marching

@@ -1,5 +1,5 @@
-// The spectral radius of one step of each explicit scheme, by three routes: waves of an endless chain, the dense
-// matrix of a finite one, and the pencil whose definiteness tells the same in linear time.
+// The spectral radius of one step of each explicit scheme, by three routes: waves of an endless chain, the
+// dense matrix of a finite one, and the pencil whose definiteness tells the same in linear time.
 #define BOOST_TEST_MODULE reference_amplification
 #include "reference/amplification.hpp"
 
@@ -40,14 +40,16 @@ BOOST_AUTO_TEST_CASE(undamped_waves_stay_on_the_unit_circle_to_round_off) {
   for (const auto scheme : schemes) {
     for (const auto motion : {ChainMotion::bending, ChainMotion::axial, ChainMotion::twist}) {
       for (int i = 0; i <= 20; ++i) {
-        const double radius = ref::wave_radius(chain, scheme, motion, pi * i / 20, 0.9 * ref::bond_time(chain));
+        const double radius =
+            ref::wave_radius(chain, scheme, motion, pi * i / 20, 0.9 * ref::bond_time(chain));
         BOOST_TEST(std::abs(radius - 1) < 1e-12, "phase " << i << ": " << radius - 1);
       }
     }
   }
 }
 
-// m (z-1)^2 + c dt (z-1) + k dt^2 z = 0 with the axial wave's m, c, k: its roots by the formula for quadratics.
+// m (z-1)^2 + c dt (z-1) + k dt^2 z = 0 with the axial wave's m, c, k: its roots by the formula for
+// quadratics.
 BOOST_AUTO_TEST_CASE(an_axial_wave_has_the_roots_of_its_quadratic) {
   const auto chain = chain_of(9, 0.3, 0.4);
   const double factor = 4 * std::pow(std::sin(1.1 / 2), 2), m = chain.mass;
@@ -72,7 +74,8 @@ BOOST_AUTO_TEST_CASE(endless_chains_limit_is_that_of_positive_definiteness) {
         const auto chain = chain_of(9, nu, xi);
         const double definite = ref::largest_stable_step(chain, planar);
         const double spectral = ref::endless_stable_step(chain, ExplicitScheme::lagged_dashpots, planar);
-        BOOST_TEST(std::abs(spectral / definite - 1) < 1e-6, "nu " << nu << " xi_b " << xi << ": " << spectral / definite - 1);
+        BOOST_TEST(std::abs(spectral / definite - 1) < 1e-6,
+                   "nu " << nu << " xi_b " << xi << ": " << spectral / definite - 1);
       }
     }
   }
@@ -83,7 +86,8 @@ BOOST_AUTO_TEST_CASE(dashpots_solved_within_the_step_do_not_change_the_limit) {
     const double undamped = ref::largest_stable_step(chain_of(9, nu, 0));
     for (const double xi : {0.0, 0.7, 10.0, 1000.0}) {
       const double limit = ref::endless_stable_step(chain_of(9, nu, xi), ExplicitScheme::damped_in_step);
-      BOOST_TEST(std::abs(limit / undamped - 1) < 1e-6, "nu " << nu << " xi_b " << xi << ": " << limit / undamped - 1);
+      BOOST_TEST(std::abs(limit / undamped - 1) < 1e-6,
+                 "nu " << nu << " xi_b " << xi << ": " << limit / undamped - 1);
     }
   }
 }
@@ -107,11 +111,13 @@ BOOST_AUTO_TEST_CASE(finite_chains_leave_the_unit_circle_where_their_pencil_says
   }
 }
 
-// The last axial mode of the free chain alone: dt = t_b/sin(n pi/(2n + 2)), stretch being what decides at nu = 0.45.
+// The last axial mode of the free chain alone: dt = t_b/sin(n pi/(2n + 2)), stretch being what decides at nu
+// = 0.45.
 BOOST_AUTO_TEST_CASE(undamped_limit_of_a_finite_chain_is_its_stiffest_mode) {
   for (const int bonds : {5, 8, 40}) {
     const auto chain = chain_of(bonds, 0.45, 0);
-    const double limit = ref::finite_stable_step(chain, ExplicitScheme::lagged_dashpots, ChainEnds::free_free);
+    const double limit =
+        ref::finite_stable_step(chain, ExplicitScheme::lagged_dashpots, ChainEnds::free_free);
     BOOST_TEST(limit == ref::bond_time(chain) / std::sin(bonds * pi / (2.0 * bonds + 2)),
                boost::test_tools::tolerance(1e-12));
   }
@@ -124,7 +130,8 @@ BOOST_AUTO_TEST_CASE(limits_of_longer_chains_fall_toward_the_endless_one) {
       for (const int bonds : {3, 9, 27, 81, 2000}) {
         const auto chain = chain_of(bonds, 0.1, xi);
         const double endless = ref::largest_stable_step(chain);
-        const double over = ref::finite_stable_step(chain, ExplicitScheme::lagged_dashpots, ends) / endless - 1;
+        const double over =
+            ref::finite_stable_step(chain, ExplicitScheme::lagged_dashpots, ends) / endless - 1;
         BOOST_TEST(over > -1e-12);
         BOOST_TEST(over < before);
         if (bonds == 2000) BOOST_TEST(over < 1e-5);
@@ -134,7 +141,8 @@ BOOST_AUTO_TEST_CASE(limits_of_longer_chains_fall_toward_the_endless_one) {
   }
 }
 
-// t_b/T_R = sqrt(8/3 G/E) (0.1631 nu + 0.8766) 2/pi, E/G = 2(1 + nu), from sqrt(m/K_n) = sqrt(8/3) R sqrt(rho/E)
+// t_b/T_R = sqrt(8/3 G/E) (0.1631 nu + 0.8766) 2/pi, E/G = 2(1 + nu), from sqrt(m/K_n) = sqrt(8/3) R
+// sqrt(rho/E)
 BOOST_AUTO_TEST_CASE(bond_time_over_the_rayleigh_step) {
   for (const double nu : {-0.2, 0.0, 0.3, 0.5}) {
     const ref::ChainMaterial material{7, 0.4e-3, 2.2e9, nu, 1300};
@@ -149,7 +157,8 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const auto lagged = ExplicitScheme::lagged_dashpots;
   BOOST_CHECK_THROW(ref::wave_radius(chain, lagged, ChainMotion::axial, 4, 1), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::growth_per_step(chain, lagged, ChainEnds::free_free, 0), ref::InvalidArgument);
-  BOOST_CHECK_THROW(ref::chain_radius(chain_of(101, 0.3, 1), lagged, ChainMotion::axial, ChainEnds::free_free, 1),
-                    ref::InvalidArgument);
+  BOOST_CHECK_THROW(
+      ref::chain_radius(chain_of(101, 0.3, 1), lagged, ChainMotion::axial, ChainEnds::free_free, 1),
+      ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::rayleigh_step({7, -1, 1, 0.3, 1}), ref::InvalidArgument);
 }
