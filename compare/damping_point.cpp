@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "compare/damping_law.hpp"
 #include "compare/damping_release.hpp"
 #include "compare/damping_references.hpp"
 #include "compare/errors.hpp"
@@ -137,10 +138,10 @@ void run_group(const std::vector<DampingCase>& cases, const std::vector<std::siz
   for (const Started& s : started) {
     const double length = dem::fiber_length(s.plan.fiber);
     const dem::ReleaseRecord<2>& released = records[s.first_release + 1];
-    Marches marches{tip_history(records[s.first_release], length), {}, tip_history(released, length),
-                    released.time_step, released.steps};
-    if (s.releases == 3) marches.loaded = tip_history(records[s.first_release + 2], length);
     try {
+      Marches marches{tip_history(records[s.first_release], length), {}, tip_history(released, length),
+                      released.time_step, released.steps};
+      if (s.releases == 3) marches.loaded = tip_history(records[s.first_release + 2], length);
       points[s.index] = measured(cases[s.index], s.plan, marches, options);
     } catch (const std::runtime_error& error) {
       points[s.index] = unmeasured(cases[s.index], error.what());
@@ -179,7 +180,7 @@ dem::Fiber damped_fiber(const DampingCase& asked) {
 }
 
 double equation_20(int aspect_ratio, double bond_damping) {
-  return 0.03709 * std::exp(-0.1615 * aspect_ratio) * bond_damping;
+  return kPaperA * std::exp(-kPaperB * aspect_ratio) * bond_damping;
 }
 
 int first_clean_peak(double ratio) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "compare/errors.hpp"
+#include "compare/linear_twin.hpp"
 #include "reference/damped_beam.hpp"
 #include "reference/damped_elastica.hpp"
 #include "reference/errors.hpp"
@@ -80,18 +81,7 @@ double unsheared_damping(const DampingCase& asked) {
 
 }  // namespace
 
-reference::LinearChain linear_chain_of(const DampingCase& asked) {
-  const dem::Fiber fiber = damped_fiber(asked);
-  reference::LinearChain chain =
-      reference::linear_chain({fiber.aspect_ratio, fiber.diameter / 2, fiber.material.youngs_modulus,
-                               asked.poisson_ratio, fiber.material.density});
-  if (asked.bond == dem::BondModel::corrected) chain.stiffness.shear = 0.75 * chain.stiffness.stretch;
-  switch (asked.dashpots) {
-    case dem::DashpotLaw::retardation_time: return reference::with_retardation_time(chain, fiber.retardation_time);
-    case dem::DashpotLaw::bending_only: return reference::with_bending_damping(chain, fiber.bond_damping);
-    default: return reference::with_bond_damping(chain, fiber.bond_damping);
-  }
-}
+reference::LinearChain linear_chain_of(const DampingCase& asked) { return linear_twin(damped_fiber(asked)); }
 
 TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& times, double unit) {
   std::vector<double> reduced;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "dem/equilibrium/solve.hpp"
+#include "dem/errors.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -35,6 +36,7 @@ dem::Release<2> static_release(const dem::Fiber& fiber, const reference::ChainMo
 }
 
 TipHistory tip_history(const dem::ReleaseRecord<2>& record, double length) {
+  if (!record.failure.empty()) throw dem::Diverged(record.failure);
   TipHistory history;
   for (const dem::TipSample<2>& sample : record.samples) {
     history.time.push_back(sample.time);

@@ -13,7 +13,7 @@ dem::Release<2> mode_release(const dem::Fiber& fiber, const reference::ChainMode
 /// From the solved equilibrium under the load.
 dem::Release<2> static_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double load, double periods);
 
-/// The free end's deflection over L.
+/// The free end's deflection over L. Throws dem::Diverged with the reason if the run blew up.
 TipHistory tip_history(const dem::ReleaseRecord<2>& record, double length);
 
 }  // namespace fiberchain::compare

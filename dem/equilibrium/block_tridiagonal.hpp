@@ -28,22 +28,55 @@ struct BlockTridiagonal {
   }
 };
 
-/// Solves in place by block elimination, cost linear in the number of blocks; the matrix is overwritten.
-/// Pivoting stays inside a block, which suffices where the leading parts of the chain are themselves stable.
-/// A singular block leaves non-finite numbers in the solution: the caller checks.
+/// Block elimination along the chain, kept for many right-hand sides; cost linear in the number of blocks. Pivoting stays
+/// inside a block, which suffices where the leading parts of the chain are themselves stable. A singular block leaves
+/// non-finite numbers in the solution: the caller checks.
 template <int Size>
-void solve_in_place(BlockTridiagonal<Size>& A, std::vector<Eigen::Matrix<double, Size, 1>>& b) {
-  const int n = A.blocks();
-  for (int i = 0; i < n; ++i) {
-    if (i > 0) {
-      A.diagonal[i].noalias() -= A.lower[i] * A.upper[i - 1];
-      b[i].noalias() -= A.lower[i] * b[i - 1];
+class ChainFactors {
+ public:
+  using Vector = Eigen::Matrix<double, Size, 1>;
+
+  explicit ChainFactors(const BlockTridiagonal<Size>& A) : lower_(A.lower), upper_(A.blocks()) {
+    lu_.reserve(A.blocks());
+    for (int i = 0; i < A.blocks(); ++i) {
+      typename BlockTridiagonal<Size>::Block diagonal = A.diagonal[i];
+      if (i > 0) diagonal.noalias() -= A.lower[i] * upper_[i - 1];
+      lu_.emplace_back(diagonal);
+      if (i + 1 < A.blocks()) upper_[i] = lu_[i].solve(A.upper[i]);
     }
-    const Eigen::PartialPivLU<typename BlockTridiagonal<Size>::Block> lu(A.diagonal[i]);
-    b[i] = lu.solve(b[i]).eval();
-    if (i + 1 < n) A.upper[i] = lu.solve(A.upper[i]).eval();
   }
-  for (int i = n - 2; i >= 0; --i) b[i].noalias() -= A.upper[i] * b[i + 1];
+
+  void solve_in_place(std::vector<Vector>& b) const {
+    const int n = static_cast<int>(lu_.size());
+    for (int i = 0; i < n; ++i) {
+      if (i > 0) b[i].noalias() -= lower_[i] * b[i - 1];
+      b[i] = lu_[i].solve(b[i]).eval();
+    }
+    for (int i = n - 2; i >= 0; --i) b[i].noalias() -= upper_[i] * b[i + 1];
+  }
+
+ private:
+  std::vector<typename BlockTridiagonal<Size>::Block> lower_, upper_;
+  std::vector<Eigen::PartialPivLU<typename BlockTridiagonal<Size>::Block>> lu_;
+};
+
+template <int Size>
+void solve_in_place(const BlockTridiagonal<Size>& A, std::vector<Eigen::Matrix<double, Size, 1>>& b) {
+  ChainFactors<Size>(A).solve_in_place(b);
+}
+
+/// A x
+template <int Size>
+std::vector<Eigen::Matrix<double, Size, 1>> product(const BlockTridiagonal<Size>& A,
+                                                    const std::vector<Eigen::Matrix<double, Size, 1>>& x) {
+  const int n = A.blocks();
+  std::vector<Eigen::Matrix<double, Size, 1>> y(n);
+  for (int i = 0; i < n; ++i) {
+    y[i].noalias() = A.diagonal[i] * x[i];
+    if (i > 0) y[i].noalias() += A.lower[i] * x[i - 1];
+    if (i + 1 < n) y[i].noalias() += A.upper[i] * x[i + 1];
+  }
+  return y;
 }
 
 }  // namespace fiberchain::dem

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dem/boundary.hpp"
 #include "dem/chain.hpp"
+#include "dem/motion/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
@@ -23,14 +25,15 @@ struct Release {
 };
 
 struct ReleaseOptions {
-  BondForm form = BondForm::incremental;  ///< as the paper
+  BondForm form = BondForm::incremental;  ///< as the paper; implicit and CVODE have the total form only
   Integrator integrator = Integrator::leapfrog;
-  /// Largest dt / t_b. Left out: explicit schemes 0.25, at most 0.8 of the stable step; implicit the sample interval.
-  /// CVODE chooses its own steps.
+  /// Largest dt / t_b. Left out: explicit schemes 0.8 of the chain's stable step, implicit the sample interval. CVODE
+  /// chooses its own steps.
   std::optional<double> step_ratio = std::nullopt;
   bool allow_unstable = false;  ///< march even beyond the stable step
-  double tolerance = 1e-6;      ///< CVODE: relative, and absolute in parts of L
-  double error = 1e-3;          ///< automatic: wanted error of xi_f, relative
+  double tolerance = 1e-6;      ///< CVODE: local error in parts of the first deflection
+  double error = 1e-3;          ///< automatic: wanted relative error of damping and frequency
+  Rolling rolling = Rolling::set_valued;  ///< how, where a fiber has rolling friction; incremental leapfrog only
   int samples_per_period = 200;
   bool energy = false;  ///< record the energy with each sample
   InstructionSet instruction_set = best_instruction_set();
@@ -50,17 +53,24 @@ struct ReleaseRecord {
   double time_step;  ///< [s]; a whole number of them make a sample (CVODE: the mean)
   double steps;
   Integrator integrator;  ///< that was used
+  std::string reason;     ///< why, if it was chosen here
   Work work;
   std::vector<TipSample<Dim>> samples;  ///< the first is the moment of release
+  std::string failure;    ///< empty; else step, time, fiber, sphere and likely cause, and the samples end before it
+  ChainState<Dim> last;   ///< the last good state; of a leapfrog with the velocities half a step before
 };
 
 /// Step [s] of a release: the largest allowed that divides the sample interval. Throws InvalidInput when the step asked
 /// for is unstable, with the limit.
+/// CVODE, which has no step of its own, gets the sample interval.
 template <int Dim>
 double release_step(const Release<Dim>& release, const ReleaseOptions& options);
 
-/// Lets every chain go. A record does not depend on what marches beside it. Throws InvalidInput for cases that make no
-/// sense, Diverged when numbers stop being finite.
+/// Largest stable step [s] of an explicit integrator for this fiber; infinite for the others.
+double stable_release_step(const Fiber& fiber, Integrator integrator);
+
+/// Lets every chain go. A record does not depend on what marches beside it but by round-off where a chain marches alone.
+/// One that blows up stops, the others go on. Throws InvalidInput for cases that make no sense.
 template <int Dim>
 std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& releases, const ReleaseOptions& options = {});
 

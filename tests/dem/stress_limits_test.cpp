@@ -31,7 +31,7 @@ double growth(const dem::Fiber& fiber, BondForm form, bool solved, double step_r
 void check_limit(double nu, double damping, bool solved) {
   const dem::Fiber fiber = fiber_of(11, nu, damping, dem::BondModel::corrected);
   // beyond the limit dashpots that are solved for let it grow by no more than 0.8/xi_b of the excess a step
-  const int beyond = solved ? 1500 + static_cast<int>(1500 * damping) : 2000;
+  const int beyond = solved ? 3000 + static_cast<int>(2500 * damping) : 3000;
   for (const BondForm form : {BondForm::total, BondForm::incremental}) {
     BOOST_TEST_CONTEXT(dem::name(form) << " xi_b " << damping << " nu " << nu << " solved " << solved) {
       BOOST_TEST(growth<2>(fiber, form, solved, 0.999, 10000) < 100);

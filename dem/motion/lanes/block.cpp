@@ -36,7 +36,8 @@ void check_chains(const std::vector<Chain<Dim>>& chains, int width) {
 
 LaneArray::LaneArray(std::size_t size)
     : data_(static_cast<double*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(double),
-                                                  std::align_val_t{lane_alignment}))) {
+                                                  std::align_val_t{lane_alignment}))),
+      size_(size) {
   std::fill_n(data_.get(), size, 0.0);
 }
 
@@ -163,6 +164,23 @@ Poses<Dim> MarchingBlock<Dim>::poses(int lane) const {
   Poses<Dim> poses;
   for (int i = 0; i <= bonds_; ++i) poses.push_back(sphere(lane, i).pose);
   return poses;
+}
+
+template <int Dim>
+std::vector<double> MarchingBlock<Dim>::saved() const {
+  std::vector<double> all{steps_on_ramp_};
+  for (const LaneArray* a : {&spheres_, &history_, &workspace_}) all.insert(all.end(), a->data(), a->data() + a->size());
+  return all;
+}
+
+template <int Dim>
+void MarchingBlock<Dim>::restore(const std::vector<double>& saved) {
+  steps_on_ramp_ = saved[0];
+  const double* from = saved.data() + 1;
+  for (LaneArray* a : {&spheres_, &history_, &workspace_}) {
+    std::copy_n(from, a->size(), a->data());
+    from += a->size();
+  }
 }
 
 template class MarchingBlock<2>;

@@ -18,6 +18,7 @@ class LaneArray {
   LaneArray() = default;
   explicit LaneArray(std::size_t size);
 
+  std::size_t size() const { return size_; }
   double* data() { return data_.get(); }
   const double* data() const { return data_.get(); }
 
@@ -39,6 +40,7 @@ class LaneArray {
     void operator()(double* p) const { ::operator delete[](p, std::align_val_t{lane_alignment}); }
   };
   std::unique_ptr<double[], Free> data_;
+  std::size_t size_ = 0;
 };
 
 /// A block of up to `width` chains that march together. Unused lanes repeat the last chain. One chain alone lies along
@@ -71,6 +73,10 @@ class MarchingBlock {
   /// moment, moves the velocities half a step back, where the leapfrog wants them.
   void synchronize();
   Poses<Dim> poses(int lane) const;
+
+  /// The whole state, to go back to.
+  std::vector<double> saved() const;
+  void restore(const std::vector<double>& saved);
 
  private:
   LaneBlock view();

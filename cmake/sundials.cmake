@@ -1,0 +1,5 @@
+# Debian's SUNDIALS brings no CMake configuration.
+find_path(SUNDIALS_INCLUDE_DIR cvode/cvode.h REQUIRED)
+find_library(SUNDIALS_CVODE_LIBRARY sundials_cvode REQUIRED)
+find_library(SUNDIALS_NVECSERIAL_LIBRARY sundials_nvecserial REQUIRED)
+set(SUNDIALS_LIBRARIES ${SUNDIALS_CVODE_LIBRARY} ${SUNDIALS_NVECSERIAL_LIBRARY})

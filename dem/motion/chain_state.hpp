@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "dem/chain.hpp"
+#include "dem/equilibrium/balance.hpp"
+
+namespace fiberchain::dem {
+
+/// A chain in motion: poses, velocities [m/s] and spins [1/s] of its spheres at one moment.
+template <int Dim>
+struct ChainState {
+  Poses<Dim> poses;
+  std::vector<Vec<double, Dim>> velocity;
+  std::vector<Spin<double, Dim>> spin;
+};
+
+/// At rest in the poses given.
+template <int Dim>
+ChainState<Dim> at_rest(const Poses<Dim>& poses);
+
+/// Kinetic and elastic energy [J], for the energy-based (total) form of the bond law.
+template <int Dim>
+double total_energy(const Chain<Dim>& chain, const ChainState<Dim>& state);
+
+/// Dashpot forces and moments on every sphere [N, N m].
+template <int Dim>
+ChainVector<Dim> dashpot_forces(const Chain<Dim>& chain, const Poses<Dim>& poses, const ChainVector<Dim>& velocity);
+
+/// A += factor times the matrix that gives minus the dashpot forces of the velocities.
+template <int Dim>
+void add_dashpots(const Chain<Dim>& chain, const Poses<Dim>& poses, double factor, ChainTangent<Dim>& A);
+
+/// Masses and moments of inertia, m for the displacements and J for the rotations.
+template <int Dim>
+SphereVector<Dim> sphere_inertias(const Fiber& fiber);
+
+/// Velocity and spin of a sphere in one vector, and back.
+template <int Dim>
+SphereVector<Dim> motion_of(const Vec<double, Dim>& velocity, const Spin<double, Dim>& spin);
+template <int Dim>
+Vec<double, Dim> displacement_part(const SphereVector<Dim>& v);
+template <int Dim>
+Spin<double, Dim> rotation_part(const SphereVector<Dim>& v);
+
+/// Turns a pose by the rotation vector phi, exactly.
+inline void turn_by_vector(double& angle, const Vec<double, 1>& phi) { angle += phi[0]; }
+inline void turn_by_vector(Quaternion<double>& q, const Vec<double, 3>& phi) { q = normalized(rotation(phi) * q); }
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,72 @@
+#include "dem/vibration/choose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <vector>
+
+#include "dem/errors.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+/// Time of one bond in one step over that of the planar lagged leapfrog in lanes, measured (`fiberchain bench`): rounded,
+/// as only their order matters.
+struct Cost {
+  double lagged, solved, implicit;
+};
+constexpr Cost planar_cost{1, 4, 250}, spatial_cost{4, 30, 1000};
+
+/// Damping ratio of the first mode, xi_f = tau w / 2 with the bending dashpot's retardation time tau.
+double first_mode_damping(const Fiber& fiber, double frequency) {
+  return 0.5 * frequency * bond_dashpot(fiber).bend / bond_stiffness(fiber).bend;
+}
+
+struct Candidate {
+  Integrator integrator;
+  double step;   ///< largest that keeps the error [s]
+  double cost;   ///< of a bond over a period
+};
+
+/// Largest w dt with a w dt + b (w dt)^2 <= error.
+double largest_angle(double a, double b, double error) { return 2 * error / (a + std::sqrt(a * a + 4 * b * error)); }
+
+}  // namespace
+
+template <int Dim>
+IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOptions& options) {
+  if (!(options.error > 0) || !std::isfinite(options.error)) {
+    throw InvalidInput(fmt::format("error = {} is not allowed: it must be finite and greater than 0", options.error));
+  }
+  const Fiber& fiber = release.chain.fiber;
+  const Cost cost = Dim == 2 ? planar_cost : spatial_cost;
+  const double w = 2 * std::numbers::pi / release.period, xi_f = first_mode_damping(fiber, w);
+  const auto candidate = [&](Integrator integrator, double a, double b, double per_step) {
+    const double step = std::min(largest_angle(a, b, options.error) / w, 0.8 * stable_release_step(fiber, integrator));
+    return Candidate{integrator, step, per_step * release.period / step};
+  };
+  std::vector<Candidate> all{candidate(Integrator::leapfrog, xi_f / 2, 1.0 / 24, cost.lagged)};
+  if (fiber.rolling_friction == 0) {
+    if (damped(fiber)) all.push_back(candidate(Integrator::leapfrog_damped, 0, 1.0 / 24, cost.solved));
+    all.push_back(candidate(Integrator::implicit, 0, 1.0 / 6, cost.implicit));
+  }
+  const Candidate best = *std::min_element(all.begin(), all.end(),
+                                           [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  std::string others;
+  for (const Candidate& c : all) {
+    if (c.integrator != best.integrator) {
+      others += fmt::format("{}{} {:.2g}", others.empty() ? "" : ", ", name(c.integrator), c.cost / best.cost);
+    }
+  }
+  const double t_b = bond_time_step(fiber);
+  return {best.integrator, best.step / t_b,
+          fmt::format("{} with dt = {:.4g} t_b is the cheapest that keeps an error of {:.2g}{}", name(best.integrator),
+                      best.step / t_b, options.error,
+                      others.empty() ? std::string(" and knows rolling friction") : "; times its cost: " + others)};
+}
+
+template IntegratorChoice choose_integrator<2>(const Release<2>&, const ReleaseOptions&);
+template IntegratorChoice choose_integrator<3>(const Release<3>&, const ReleaseOptions&);
+
+}  // namespace fiberchain::dem

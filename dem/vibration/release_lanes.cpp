@@ -1,0 +1,205 @@
+#include "dem/vibration/release_lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/time_step.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+/// Puts a release into its lane: poses, velocities and, for the incremental form, the strain they stand for.
+template <int Dim>
+void place(MarchingBlock<Dim>& block, int lane, const Release<Dim>& release) {
+  for (std::size_t i = 0; i < release.start.size(); ++i) {
+    MovingSphere<double, Dim> sphere = block.sphere(lane, static_cast<int>(i));
+    sphere.pose = release.start[i];
+    if (!release.velocity.empty()) sphere.velocity = release.velocity[i];
+    if (!release.spin.empty()) sphere.spin = release.spin[i];
+    block.set_sphere(lane, static_cast<int>(i), sphere);
+  }
+  const BondParameters<double> bond = bond_parameters(release.chain.fiber);
+  for (int i = 0; i < release.chain.fiber.aspect_ratio; ++i) {
+    const auto k = bond_kinematics(release.chain, release.start, i);
+    const auto loads = bond_loads(k, bond_stress(bond, k.separation, k.rotation));
+    block.set_history(lane, i, history_of(bond, release.start[i + 1].position - release.start[i].position, loads));
+  }
+}
+
+/// Energy at the moment of the poses; v(-1/2) v(+1/2) makes the kinetic part exact for a linear chain.
+template <int Dim>
+double energy(const MarchingBlock<Dim>& block, int lane, const Release<Dim>& release, double dt, BondForm form) {
+  const Fiber& fiber = release.chain.fiber;
+  const double m = sphere_mass(fiber), J = sphere_inertia(fiber);
+  const BondParameters<double> bond = bond_parameters(fiber);
+  double sum = form == BondForm::total ? elastic_energy(release.chain, block.poses(lane)) : 0.0;
+  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    const MovingSphere<double, Dim> s = block.sphere(lane, i);
+    const bool clamped = i == 0;
+    if (!clamped) {
+      sum += 0.5 * m * dot(s.velocity, s.velocity + (dt / m) * s.force);
+      sum += 0.5 * J * dot(s.spin, s.spin + (dt / J) * s.moment);
+    }
+    if (form == BondForm::incremental && i < fiber.aspect_ratio) {
+      sum += stored_energy(bond, block.history(lane, i), unit(block.sphere(lane, i + 1).pose.position - s.pose.position));
+    }
+  }
+  return sum;
+}
+
+template <int Dim>
+TipSample<Dim> sample(const MarchingBlock<Dim>& block, int lane, const Release<Dim>& release, double dt, double steps,
+                      const ReleaseOptions& options) {
+  const MovingSphere<double, Dim> s = block.sphere(lane, release.chain.fiber.aspect_ratio);
+  const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / sphere_mass(release.chain.fiber)) * s.force;
+  return {steps * dt, s.pose.position, velocity,
+          options.energy ? energy(block, lane, release, dt, options.form) : 0.0};
+}
+
+/// First sphere of a lane that has blown up: not finite, or its bond ten times too long or short; -1 if none.
+template <int Dim>
+int broken_sphere(const MarchingBlock<Dim>& block, int lane, const Fiber& fiber) {
+  const double l = bond_length(fiber);
+  Vec<double, Dim> before = block.sphere(lane, 0).pose.position;
+  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    const MovingSphere<double, Dim> s = block.sphere(lane, i);
+    const double length = norm(s.pose.position - before);
+    const bool finite = std::isfinite(length + dot(s.velocity, s.velocity) + dot(s.spin, s.spin));
+    if (!finite || (i > 0 && (length > 10 * l || length < 0.1 * l))) return i;
+    before = s.pose.position;
+  }
+  return -1;
+}
+
+template <int Dim>
+ChainState<Dim> state_of(const MarchingBlock<Dim>& block, int lane, int spheres) {
+  ChainState<Dim> state;
+  for (int i = 0; i < spheres; ++i) {
+    const MovingSphere<double, Dim> s = block.sphere(lane, i);
+    state.poses.push_back(s.pose);
+    state.velocity.push_back(s.velocity);
+    state.spin.push_back(s.spin);
+  }
+  return state;
+}
+
+std::string failure_text(std::size_t fiber, int sphere, double step, double dt, double limit) {
+  const std::string cause = dt >= limit ? fmt::format("the step is beyond the stable one, {:.6g} s", limit)
+                                        : std::string("the state it was let go from, or a step too long for its speed");
+  return fmt::format("the run blew up: fiber {}, sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}",
+                     fiber, sphere, step, dt, step * dt, cause);
+}
+
+/// One block of chains and what is recorded of them.
+template <int Dim>
+struct March {
+  const std::vector<Release<Dim>>& all;
+  const std::vector<std::size_t>& members;
+  const ReleaseOptions& options;
+  std::vector<ReleaseRecord<Dim>>& records;
+  std::vector<double> steps;
+  MarchingBlock<Dim> block;
+
+  const Fiber& fiber(std::size_t lane) const { return all[members[lane]].chain.fiber; }
+
+  void record(double done) {
+    for (std::size_t lane = 0; lane < members.size(); ++lane) {
+      ReleaseRecord<Dim>& r = records[members[lane]];
+      if (!r.failure.empty()) continue;
+      r.samples.push_back(sample(block, static_cast<int>(lane), all[members[lane]], steps[lane], done, options));
+    }
+  }
+
+  /// Goes over a stretch that broke a lane again, step by step, from where all was well.
+  void find_break(std::size_t lane, double from, int stretch) {
+    ReleaseRecord<Dim>& r = records[members[lane]];
+    const int spheres = fiber(lane).aspect_ratio + 1;
+    for (int n = 1; n <= stretch; ++n) {
+      r.last = state_of(block, static_cast<int>(lane), spheres);
+      block.march(1);
+      const int sphere = broken_sphere(block, static_cast<int>(lane), fiber(lane));
+      if (sphere < 0) continue;
+      const double step = from + n;
+      r.failure = failure_text(members[lane], sphere, step, steps[lane],
+                               stable_release_step(fiber(lane), options.integrator));
+      std::erase_if(r.samples, [&](const TipSample<Dim>& s) { return !(s.time < step * steps[lane]); });
+      return;
+    }
+  }
+
+  /// Looks for lanes that blew up since the saved state, `stretch` steps ago.
+  void check(const std::vector<double>& saved, double from, int stretch) {
+    for (std::size_t lane = 0; lane < members.size(); ++lane) {
+      if (!records[members[lane]].failure.empty()) continue;
+      if (broken_sphere(block, static_cast<int>(lane), fiber(lane)) < 0) continue;
+      const std::vector<double> now = block.saved();
+      block.restore(saved);
+      find_break(lane, from, stretch);
+      block.restore(now);
+    }
+  }
+};
+
+template <int Dim>
+Physics physics_of(const std::vector<Chain<Dim>>& chains, const ReleaseOptions& options) {
+  bool any_damped = false, any_rolling = false;
+  for (const Chain<Dim>& chain : chains) {
+    any_damped = any_damped || damped(chain.fiber);
+    any_rolling = any_rolling || chain.fiber.rolling_friction > 0;
+  }
+  Physics physics{Dim, options.form, any_damped, false, options.form == BondForm::total && !chains[0].natural.empty()};
+  physics.solved = any_damped && options.integrator == Integrator::leapfrog_damped;
+  if (any_rolling) physics.rolling = options.rolling, physics.damped = true;
+  return physics;
+}
+
+/// Samples between two looks at the whole chain: long enough that looking costs little.
+int samples_between_checks(int stride) { return 1 + 256 / stride; }
+
+}  // namespace
+
+template <int Dim>
+void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std::size_t>& members, int stride, int samples,
+                    const ReleaseOptions& options, std::vector<ReleaseRecord<Dim>>& records) {
+  std::vector<Chain<Dim>> chains;
+  std::vector<double> steps;
+  for (const std::size_t i : members) {
+    chains.push_back(all[i].chain);
+    steps.push_back(release_step(all[i], options));
+  }
+  March<Dim> march{all, members, options, records, steps,
+                   MarchingBlock<Dim>(chains, {true, false}, steps, std::vector<double>(chains.size(), 0.0),
+                                      physics_of(chains, options), options.instruction_set)};
+  for (std::size_t lane = 0; lane < members.size(); ++lane) place(march.block, static_cast<int>(lane), all[members[lane]]);
+  march.block.synchronize();
+  march.record(0);
+  const int between = samples_between_checks(stride);
+  std::vector<double> saved = march.block.saved();
+  int saved_at = 0;
+  for (int n = 1; n <= samples; ++n) {
+    march.block.march(stride);
+    march.record(static_cast<double>(n) * stride);
+    if (n - saved_at < between && n < samples) continue;
+    march.check(saved, static_cast<double>(saved_at) * stride, (n - saved_at) * stride);
+    saved = march.block.saved();
+    saved_at = n;
+  }
+  for (std::size_t lane = 0; lane < members.size(); ++lane) {
+    ReleaseRecord<Dim>& r = records[members[lane]];
+    const double marched = static_cast<double>(samples) * stride;
+    r.time_step = steps[lane];
+    r.steps = marched;
+    r.integrator = options.integrator;
+    r.work = {.steps = marched, .bond_evaluations = marched * chains[lane].fiber.aspect_ratio};
+    if (r.failure.empty()) r.last = state_of(march.block, static_cast<int>(lane), chains[lane].fiber.aspect_ratio + 1);
+  }
+}
+
+template void march_releases<2>(const std::vector<Release<2>>&, const std::vector<std::size_t>&, int, int,
+                                const ReleaseOptions&, std::vector<ReleaseRecord<2>>&);
+template void march_releases<3>(const std::vector<Release<3>>&, const std::vector<std::size_t>&, int, int,
+                                const ReleaseOptions&, std::vector<ReleaseRecord<3>>&);
+
+}  // namespace fiberchain::dem
