@@ -125,6 +125,19 @@ constexpr Column kColumns[] = {
     {"chain_y", number, "1", "deflection of the chain's free end over that at the release"},
     {"elastica_y", number, "1", "the damped Elastica's, with the chain's mass layout"},
 
+    // Stability: the largest time step of an explicit scheme.
+    {"scheme", text, "", "leapfrog (dashpots at the lagged velocity, as the paper) or leapfrog-damped (solved within the step)"},
+    {"ends", text, "", "how the chain is held: clamped_free or free_free"},
+    {"stable_step_endless", number, "1",
+     "largest stable time step of the endless chain over t_b, by the amplification's spectral radius over all waves"},
+    {"stable_step_modes", number, "1", "the same of this chain, by its modes"},
+    {"stable_step_measured", number, "1", "the same of runs: middle between the largest step that did not grow and the next"},
+    {"stable_step_half_width", number, "1", "half the distance of these two"},
+    {"stable_step_difference", number, "1", "stable_step_measured/stable_step_modes - 1"},
+    {"bond_time_verdict", text, "", "what a run at the paper's critical step t_b does: stable or unstable"},
+    {"quarter_verdict", text, "", "what a run at 0.25 t_b does, the paper's 'small enough': stable or unstable"},
+    {"quarter_growth", number, "1", "largest growth a step of a mode at 0.25 t_b: 1 if stable"},
+
     // Fits of the damping law.
     {"law", text, "",
      "xi_f/xi_b = a exp(-b r_f) (exponential), a r_f^-b (power) or (beta_1^2/sqrt(20))/(r_f + c)^2 (shifted_square)"},

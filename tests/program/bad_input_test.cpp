@@ -78,6 +78,9 @@ const Usage kUsages[] = {
     {{"tables", "static", "--form", "incremental"}, "--form incremental is not allowed with --method solve"},
     {{"tables", "static", "--jobs", "0"}, "--jobs: '0' is out of range"},
     {{"tables", "static", "--jobs", "1,2"}, "--jobs: '1,2' is no single number"},
+    {{"stability", "--scheme", "implicit"}, "--scheme: 'implicit' is not among leapfrog, leapfrog-damped"},
+    {{"stability", "--bond-damping=-1"}, "--bond-damping: '-1' is out of range"},
+    {{"stability", "--aspect-ratio", "0"}, "--aspect-ratio: '0' is out of range"},
     {{"validate", "--data", "/nonexistent"}, "no directory 'published'"},
 };
 
