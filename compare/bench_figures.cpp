@@ -17,12 +17,13 @@ std::vector<std::string> methods_of(const PrecisionProblem& problem) {
   return methods;
 }
 
-/// The settings of a method, coarse to fine; those that failed or cost nothing of this kind leave no point.
+/// The settings of a method, coarse to fine; those that failed or cost nothing of this kind leave no point,
+/// and those that the reference cannot be told from stand at its own error.
 Series series_of(const PrecisionProblem& problem, const std::string& method, Value value, int color) {
   Series series{method, {}, {}, Mark::line_and_points, Dash::solid, color};
   for (const PrecisionRow& row : problem.rows) {
-    if (row.method != method || !(row.error > 0) || !(value(row) > 0)) continue;
-    series.x.push_back(row.error);
+    if (row.method != method || !(row.error >= 0) || !(value(row) > 0)) continue;
+    series.x.push_back(std::max(row.error, problem.reference_error));
     series.y.push_back(value(row));
   }
   return series;
@@ -37,7 +38,7 @@ void show_reference(Figure& figure, double error) {
   }
   if (error < left / 10 || high == 0) return;
   figure.series.push_back(
-      {"the reference's own error", {error, error}, {low, high}, Mark::line, Dash::dotted, 6});
+      {"as far as the reference tells", {error, error}, {low, high}, Mark::line, Dash::dotted, 6});
 }
 
 Figure figure_of(const PrecisionProblem& problem, Value value, const char* label, bool lanes) {

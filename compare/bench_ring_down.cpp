@@ -80,7 +80,11 @@ std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, 
   if (total_too) add_explicit(all, fiber, Integrator::leapfrog, BondForm::total, steps, 1);
   if (!is_long) add_explicit(all, fiber, Integrator::leapfrog, BondForm::incremental, steps, lanes());
   add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::incremental, finer, 1);
-  if (!is_long) add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::incremental, finer, lanes());
+  if (total_too) {
+    add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::total, finer, 1);
+  } else if (!is_long) {
+    add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::incremental, finer, lanes());
+  }
   for (const int steps_a_period : quick ? std::vector{30, 90} : std::vector{10, 30, 90, 270, 810}) {
     dem::ReleaseOptions options;
     options.form = BondForm::total;

@@ -20,7 +20,7 @@ struct RingDownSetting {
 
 /// Leapfrogs by parts of their largest stable step, alone and in lanes; implicit by steps a period; CVODE by
 /// tolerance.
-/// `total_too`: the leapfrog by total strain as well, which differs where the deflection is large.
+/// `total_too`: the leapfrogs by total strain as well, which differ where the deflection is large.
 std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, bool quick, bool total_too);
 
 /// A method is not asked for finer settings than the first that took this long [s]: each costs several times
