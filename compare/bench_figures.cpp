@@ -41,12 +41,28 @@ void show_reference(Figure& figure, double error) {
       {"as far as the reference tells", {error, error}, {low, high}, Mark::line, Dash::dotted, 6});
 }
 
+/// The same method has the same color in every figure; those not named take their place in the legend.
+int color_of(const std::string& method, int place) {
+  constexpr const char* known[] = {"eigenvalue",
+                                   "leapfrog",
+                                   "leapfrog, 8 in lanes",
+                                   "leapfrog-damped",
+                                   "leapfrog-damped, 8 in lanes",
+                                   "implicit",
+                                   "cvode",
+                                   "auto"};
+  const auto found = std::ranges::find(known, method);
+  if (found != std::end(known)) return static_cast<int>(found - std::begin(known));
+  if (method == "leapfrog, total form") return 0;
+  return method == "leapfrog-damped, total form" ? 4 : place;
+}
+
 Figure figure_of(const PrecisionProblem& problem, Value value, const char* label, bool lanes) {
   Figure figure{problem.title, {problem.error_label, true}, {label, true}, {}};
-  int color = 0;
+  int place = 0;
   for (const std::string& method : methods_of(problem)) {
     const auto row = std::ranges::find(problem.rows, method, &PrecisionRow::method);
-    Series series = series_of(problem, method, value, color++);
+    Series series = series_of(problem, method, value, color_of(method, place++));
     if (!series.x.empty() && (lanes || row->lanes == 1)) figure.series.push_back(std::move(series));
   }
   show_reference(figure, problem.reference_error);

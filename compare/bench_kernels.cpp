@@ -48,11 +48,9 @@ KernelBound bound_of(const OperationCount& count, const CorePeak& peak) {
           count.divisions * peak.divide + count.square_roots * peak.square_root};
 }
 
-std::optional<KernelTarget> target_of(const Physics& p) {
-  if (!p.damped || p.drag || p.curved || p.solved || p.rolling != dem::Rolling::none) return std::nullopt;
-  if (p.dimension == 2) return KernelTarget{2e-9, 15e-9};
-  if (p.form == dem::BondForm::incremental) return KernelTarget{10e-9, 60e-9};
-  return std::nullopt;
+std::optional<KernelTarget> target_of(const dem::Physics& p) {
+  if (!(p == dem::Physics{p.dimension, dem::BondForm::incremental, true, false, false})) return std::nullopt;
+  return p.dimension == 2 ? KernelTarget{2e-9, 15e-9} : KernelTarget{10e-9, 60e-9};
 }
 
 std::vector<MeasuredPeak> measured_peaks(const std::vector<KernelTime>& times, const BenchOptions& options) {

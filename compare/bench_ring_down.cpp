@@ -55,13 +55,16 @@ PrecisionRow measured(const RingDownSetting& setting, const dem::Release<2>& rel
                       const TimingBudget& budget,
                       const std::function<double(const dem::ReleaseRecord<2>&)>& error) {
   const std::vector<dem::Release<2>> all(static_cast<std::size_t>(setting.side_by_side), release);
+  Integrator used = setting.options.integrator;
   PrecisionRow row = measured_row(
       asked_row(setting, release), budget, [&] { return dem::ring_down<2>(all, setting.options); },
       [&](const std::vector<dem::ReleaseRecord<2>>& records) -> Judged {
         const dem::ReleaseRecord<2>& record = records.front();
         if (!record.failure.empty()) throw std::runtime_error(record.failure);
+        used = record.integrator;
         return {error(record), record.work};
       });
+  if (used != setting.options.integrator) row.setting += fmt::format(" ({})", dem::name(used));
   row.time.least /= setting.side_by_side;
   row.time.median /= setting.side_by_side;
   return row;
@@ -122,8 +125,9 @@ std::vector<PrecisionRow> ring_down_rows(const std::vector<RingDownSetting>& set
     if (slow == rows.end()) {
       rows.push_back(measured(setting, release, budget, error));
     } else {
-      rows.push_back(asked_row(setting, release));
-      rows.back().status = fmt::format("not run: {} took {:.0f} s", slow->setting, slow->time.least);
+      PrecisionRow row = asked_row(setting, release);
+      row.status = fmt::format("not run: {} took {:.0f} s", slow->setting, slow->time.least);
+      rows.push_back(std::move(row));
     }
   }
   return rows;
