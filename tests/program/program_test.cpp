@@ -22,7 +22,7 @@ using Command = std::vector<std::string>;
 const Command kCommands[] = {{},         {"columns"},          {"run"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
                              {"fit"},    {"calibrate"},        {"stability"},
-                             {"validate"}};
+                             {"bench"},  {"validate"}};
 
 const Command kJsonCommands[] = {
     {"columns"},
@@ -36,6 +36,8 @@ const Command kJsonCommands[] = {
     {"tables", "damping", "--aspect-ratio", "7", "--load", "0.05"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
     {"stability", "--aspect-ratio", "4", "--poisson-ratio", "0.17", "--bond-damping", "0,0.6"},
+    {"bench", "--quick", "--case", "static"},
+    {"bench", "--quick", "--case", "skips,kernels"},
     {"validate"},
 };
 
