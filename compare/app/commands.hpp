@@ -12,6 +12,7 @@ Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
 Command run_command();             ///< one scene
 Command tables_damping_command();  ///< damping of the fiber by that of the bonds, Figs 6 to 9
+Command tables_friction_command();  ///< rolling friction of the bonds, Fig 10
 Command tables_static_command();   ///< departure of the chain from the Elastica, its causes, Figs 3 and 4
 Command validate_command();        ///< the validation matrix
 
@@ -25,8 +26,8 @@ struct Group {
 /// All of them, in the order of the help.
 inline std::vector<Command> all_commands() {
   return {columns_command(),        run_command(), tables_static_command(),
-          tables_damping_command(), fit_command(), calibrate_command(),
-          validate_command()};
+          tables_damping_command(), tables_friction_command(), fit_command(),
+          calibrate_command(), validate_command()};
 }
 
 inline std::vector<Group> all_groups() {
