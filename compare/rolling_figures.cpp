@@ -106,7 +106,7 @@ Figure amplitude_figure(const Points& points) {
       figure.series.push_back(
           series(fmt::format("r_f = {}, {{/Symbol x}}_r = {}", aspect_ratio, xi_r), group, x, measured, color, Mark::points));
       figure.series.push_back(
-          series("", group, x, [](const RollingPoint& p) { return p.small; }, color, Mark::line));
+          series("", group, x, [](const RollingPoint& p) { return p.weak; }, color, Mark::line));
       ++color;
     }
   }

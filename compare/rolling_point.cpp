@@ -54,7 +54,7 @@ RollingPoint measured(const RollingCase& asked, const reference::ChainMode& mode
   point.first = damping_from_peaks(point.peaks, {first, first + 1}).ratio;
   point.last = damping_from_peaks(point.peaks, {last - 1, last}).ratio;
   point.peaks.resize(last + 1);
-  point.small = point.without + asked.rolling_friction * mean_amplitude(point.peaks, asked.peaks) *
+  point.weak = point.without + asked.rolling_friction * mean_amplitude(point.peaks, asked.peaks) *
                                     small_friction_damping(fiber, mode);
   return point;
 }

@@ -32,7 +32,7 @@ struct RollingPoint {
   double first, last;    ///< xi_f of the first two and of the last two of these peaks alone
   double without;        ///< xi_f of the linear chain without friction
   double as_bond;        ///< the same with dashpots xi_b + xi_r: if xi_r acted as xi_b does
-  double small;          ///< without + small_friction_damping() at the mean amplitude of these peaks
+  double weak;           ///< without + small_friction_damping() at the mean amplitude of these peaks
   std::vector<Peak> peaks;  ///< from peak 0 to the last asked for, over L
   double time_step;      ///< [s]
   double steps;

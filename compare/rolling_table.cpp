@@ -31,7 +31,7 @@ NamedRow row_of(const RollingPoint& p) {
           {"fiber_damping_last", p.last},
           {"fiber_damping_modes", p.without},
           {"fiber_damping_as_bond", p.as_bond},
-          {"fiber_damping_weak", p.small},
+          {"fiber_damping_weak", p.weak},
           {"step_ratio", p.time_step / dem::bond_time_step(rolling_fiber(c))},
           {"steps", static_cast<std::int64_t>(p.steps)},
           {"status", p.status}};
