@@ -20,7 +20,7 @@ const std::string kScenes = std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/"
 using Command = std::vector<std::string>;
 
 const Command kCommands[] = {{},         {"columns"},          {"run"},
-                             {"tables"}, {"tables", "static"}, {"tables", "damping"},
+                             {"tables"}, {"tables", "static"}, {"tables", "damping"}, {"tables", "friction"},
                              {"fit"},    {"calibrate"},        {"validate"}};
 
 const Command kJsonCommands[] = {
@@ -33,6 +33,9 @@ const Command kJsonCommands[] = {
      "total,incremental"},
     {"calibrate", "--damping-ratio", "0.01", "--aspect-ratio", "13", "--poisson-ratio", "0.17"},
     {"tables", "damping", "--aspect-ratio", "7", "--load", "0.05"},
+    {"tables", "friction", "--aspect-ratio", "5", "--load", "0.7", "--rolling-friction", "0,3", "--law",
+     "set_valued,explicit_sign", "--step", "0.1", "--peaks", "0..2"},
+    {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
     {"validate"},
 };
