@@ -25,6 +25,11 @@ constexpr Column kColumns[] = {
     {"dimension", text, "", "planar or spatial"},
     {"bond_damping", number, "1", "xi_b, damping coefficient of a bond"},
     {"step_ratio", number, "1", "time step over t_b = sqrt(m/K_n)"},
+    {"time_step", number, "s", "time step; of CVODE the mean"},
+    {"rolling_friction", number, "1", "xi_r, rolling friction coefficient of a bond (Eq 21)"},
+    {"bond_evaluations", integer, "1", "evaluations of the forces of one bond"},
+    {"linear_solves", integer, "1", "eliminations along the whole chain"},
+    {"integrator", text, "", "leapfrog, leapfrog-damped (dashpots solved within the step), implicit or cvode"},
 
     // Free end: chain and references.
     {"tip_y", number, "1", "deflection of the free end along the load, y/L"},
@@ -116,6 +121,7 @@ constexpr Column kColumns[] = {
     {"mode_damping", number, "1", "damping ratio of that mode of the linear chain"},
     {"stable_step_ratio", number, "1", "largest stable time step over t_b"},
     {"time", number, "1", "time since the release over the first mode's period"},
+    {"energy", number, "J", "kinetic and elastic energy of the chain"},
     {"chain_y", number, "1", "deflection of the chain's free end over that at the release"},
     {"elastica_y", number, "1", "the damped Elastica's, with the chain's mass layout"},
 
@@ -134,6 +140,19 @@ constexpr Column kColumns[] = {
     {"peak", integer, "1", "number of the peak of the free end; 0 is the release or the first after it"},
     {"peak_height", number, "1", "deflection of the free end at that peak, y/L"},
     {"peak_time", number, "1", "time of that peak since the release over t_b"},
+
+    // Stability: the largest time step of an explicit scheme.
+    {"scheme", text, "", "leapfrog (dashpots at the lagged velocity, as the paper) or leapfrog-damped (solved within the step)"},
+    {"ends", text, "", "how the chain is held: clamped_free or free_free"},
+    {"stable_step_endless", number, "1",
+     "largest stable time step of the endless chain over t_b, by the amplification's spectral radius over all waves"},
+    {"stable_step_modes", number, "1", "the same of this chain, by its modes"},
+    {"stable_step_measured", number, "1", "the same of runs: middle between the largest step that did not grow and the next"},
+    {"stable_step_half_width", number, "1", "half the distance of these two"},
+    {"stable_step_difference", number, "1", "stable_step_measured/stable_step_modes - 1"},
+    {"bond_time_verdict", text, "", "what a run at the paper's critical step t_b does: stable or unstable"},
+    {"quarter_verdict", text, "", "what a run at 0.25 t_b does, the paper's 'small enough': stable or unstable"},
+    {"quarter_growth", number, "1", "largest growth a step of a mode at 0.25 t_b: 1 if stable"},
 
     // Fits of the damping law.
     {"law", text, "",
@@ -200,7 +219,7 @@ constexpr Column kColumns[] = {
     {"verified_difference", number, "1", "fiber_damping of the run over fiber_damping_modes - 1"},
 
     // What it cost and how it ended.
-    {"status", text, "", "converged, or why not"},
+    {"status", text, "", "converged or finished (and why as it was), or why not"},
     {"residual", number, "1",
      "largest moment out of balance over any cross section, over P L, when the run stopped"},
     {"iterations", integer, "1", "Newton iterations, all load steps together"},

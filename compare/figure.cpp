@@ -9,6 +9,7 @@
 #include "compare/errors.hpp"
 #include "compare/figure_metadata.hpp"
 #include "compare/gnuplot.hpp"
+#include "compare/heat_map.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -161,6 +162,7 @@ std::string commands(const Figure& figure) {
       "set grid lc rgb '#d8d8d8' lw 1 dt solid\nset tmargin 3.2\n";
   text +=
       fmt::format("set label {} at screen 0.02, screen 0.955 left font ',14' front\n", quoted(figure.title));
+  if (figure.map) return text + heat_map_commands(*figure.map, figure.x.label, figure.y.label);
   text += legend_commands(figure);
   text += axis_commands('x', figure.x, extent(figure, &Series::x, figure.x.logarithmic));
   text += axis_commands('y', figure.y, extent(figure, &Series::y, figure.y.logarithmic));

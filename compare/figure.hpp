@@ -38,6 +38,15 @@ struct Annotation {
   double y;
 };
 
+/// A value over a grid of two quantities, a colored cell with its number for each.
+struct HeatMap {
+  std::vector<double> x;  ///< columns, in the order drawn; written below them
+  std::vector<double> y;  ///< rows, from the bottom
+  std::vector<std::vector<double>> value = {};  ///< value[row][column], above 0; a NaN leaves its cell empty
+  std::string label = {};                       ///< of the color scale, which is logarithmic
+  double framed_below = 0;                      ///< cells below this have a frame
+};
+
 struct Figure {
   std::string title;
   Axis x;
@@ -47,10 +56,11 @@ struct Figure {
   std::string legend_title = {};
   bool ordered = false;     ///< the series are steps of one quantity: colors run from dark to light
   bool equal_axes = false;  ///< one unit is as long on y as on x
+  std::optional<HeatMap> map = std::nullopt;  ///< drawn instead of the series
 };
 
 /// The figure as SVG with its provenance as <metadata>.
-/// @throws FigureError if gnuplot is missing or refuses, or if x and y differ in length
+/// @throws FigureError if gnuplot is missing or refuses, if x and y differ in length or a heat map is no grid
 std::string to_svg(const Figure& figure, const Provenance& provenance);
 
 /// The figure as PNG, 1280 x 800, with its provenance as tEXt chunks.

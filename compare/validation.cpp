@@ -32,7 +32,8 @@ const std::vector<ValidationStep>& validation_steps() {
   static const std::vector<ValidationStep> steps{{"beams", beam_rows},
                                                  {"static cantilever", static_rows},
                                                  {"damped vibration", damping_rows},
-                                                 {"rolling friction", rolling_rows}};
+                                                 {"rolling friction", rolling_rows},
+                                                 {"stability", stability_rows}};
   return steps;
 }
 

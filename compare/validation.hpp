@@ -26,6 +26,9 @@ std::vector<MatrixRow> damping_rows(const ValidationInput& input);
 /// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect ratio.
 std::vector<MatrixRow> rolling_rows(const ValidationInput& input);
 
+/// The largest stable step: theory against runs, the paper's rules for the time step.
+std::vector<MatrixRow> stability_rows(const ValidationInput& input);
+
 /// A piece of the matrix that is worked out on its own.
 struct ValidationStep {
   std::string_view feature;

@@ -11,6 +11,7 @@ Command calibrate_command();       ///< damping of the bonds for a damping of th
 Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
 Command run_command();             ///< one scene
+Command stability_command();       ///< largest stable step, theory and runs
 Command tables_damping_command();  ///< damping of the fiber by that of the bonds, Figs 6 to 9
 Command tables_friction_command();  ///< rolling friction of the bonds, Fig 10
 Command tables_static_command();   ///< departure of the chain from the Elastica, its causes, Figs 3 and 4
@@ -27,7 +28,7 @@ struct Group {
 inline std::vector<Command> all_commands() {
   return {columns_command(),        run_command(), tables_static_command(),
           tables_damping_command(), tables_friction_command(), fit_command(),
-          calibrate_command(), validate_command()};
+          calibrate_command(),      stability_command(),       validate_command()};
 }
 
 inline std::vector<Group> all_groups() {

@@ -2,6 +2,8 @@
 #include "compare/app/results.hpp"
 #include "compare/cantilever.hpp"
 #include "compare/csv.hpp"
+#include "compare/release_report.hpp"
+#include "dem/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -15,6 +17,36 @@ Results run_cantilever(const dem::io::CantileverScene& scene, const std::string&
           .figures = {{name + "-shape", compare::shape_figure(scene, rest)}}};
 }
 
+Results run_release(const dem::io::ReleaseScene& scene, const compare::ReleaseRun& run, const std::string& name) {
+  return {.name = name,
+          .heading = "Release",
+          .table = compare::release_table(scene, run),
+          .more_tables = {{name + "-history", compare::release_history_table(run)}},
+          .figures = {{name + "-history", compare::release_figure(scene, run)}}};
+}
+
+/// What is delivered of a scene, what of it is shown, and why it stopped early, if it did.
+struct Outcome {
+  Results results;
+  compare::Table shown;
+  std::string failure;
+};
+
+Outcome outcome_of(const dem::io::CantileverScene& scene, const std::string& name) {
+  Results results = run_cantilever(scene, name);
+  compare::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle", "departure_y",
+                                               "departure_distance", "residual", "run_time"});
+  return {std::move(results), std::move(shown), ""};
+}
+
+Outcome outcome_of(const dem::io::ReleaseScene& scene, const std::string& name) {
+  const compare::ReleaseRun run = compare::run_release(scene);
+  Results results = run_release(scene, run, name);
+  compare::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
+                                               "fiber_damping", "fiber_damping_modes", "run_time", "status"});
+  return {std::move(results), std::move(shown), run.failure};
+}
+
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
@@ -23,12 +55,9 @@ int run(const Arguments& arguments, Context& context) {
   context.provenance = with_scene(context.provenance, path, text.text);
   const auto directory = open_output(output);
   const std::string name = path.stem().string();
-  const Results results = std::visit(
-      [&](const dem::io::CantileverScene& cantilever) { return run_cantilever(cantilever, name); }, scene);
-  const compare::Table shown =
-      results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle", "departure_y",
-                            "departure_distance", "residual", "run_time"});
-  deliver(results, shown, output, directory, context);
+  const Outcome outcome = std::visit([&](const auto& kind) { return outcome_of(kind, name); }, scene);
+  deliver(outcome.results, outcome.shown, output, directory, context);
+  if (!outcome.failure.empty()) throw dem::Diverged(outcome.failure);
   return kSuccess;
 }
 

@@ -9,75 +9,10 @@
 #include <memory>
 
 #include "dem/errors.hpp"
-#include "dem/io/section.hpp"
+#include "dem/io/scene_parts.hpp"
 
 namespace fiberchain::dem::io {
 namespace {
-
-Fiber read_fiber(const Section& top) {
-  const Section section = top.section(
-      "fiber", {"diameter", "aspect_ratio", "youngs_modulus", "poisson_ratio", "shear_modulus", "density"});
-  Fiber fiber{};
-  fiber.diameter = section.quantity("diameter", "m", kPositive);
-  fiber.aspect_ratio = section.integer("aspect_ratio", {.low = 1, .high = 1e6});
-  const double youngs_modulus = section.quantity("youngs_modulus", "Pa", kPositive);
-  const double density = section.quantity("density", "kg/m^3", kPositive);
-  if (section.one_of({"poisson_ratio", "shear_modulus"}) == "poisson_ratio") {
-    const double poisson = section.number("poisson_ratio", {.low = -1, .high = 0.5, .low_open = true});
-    fiber.material = isotropic_material(youngs_modulus, poisson, density);
-  } else {
-    fiber.material = {youngs_modulus, section.quantity("shear_modulus", "Pa", kPositive), density};
-  }
-  return fiber;
-}
-
-void check_fiber(const Section& top, const Fiber& fiber) {
-  try {
-    check(fiber);
-  } catch (const InvalidInput& error) {
-    top.fail("fiber", error.what());
-  }
-  if (!std::isnormal(sphere_inertia(fiber)) || !std::isnormal(bending_stiffness(fiber)) ||
-      !std::isnormal(load_force(fiber, 1.0))) {
-    top.fail("fiber", "is too small or too large for the numbers of a computer");
-  }
-}
-
-void read_bond(const Section& top, CantileverScene& scene) {
-  if (!top.has("bond")) return;
-  const Section section = top.section("bond", {"model", "form", "damping"});
-  if (section.has("model")) {
-    const bool paper = section.choice("model", {"paper", "corrected"}) == 0;
-    scene.fiber.bond_model = paper ? BondModel::paper : BondModel::corrected;
-  }
-  if (section.has("form")) {
-    const bool total = section.choice("form", {"total", "incremental"}) == 0;
-    scene.march.form = total ? BondForm::total : BondForm::incremental;
-  }
-  if (section.has("damping")) scene.fiber.bond_damping = section.number("damping", kNonNegative);
-}
-
-std::array<double, 3> read_direction(const Section& load, Dimension dimension) {
-  auto direction = load.vector("direction");
-  const double length = std::hypot(direction[0], direction[1], direction[2]);
-  if (!(length > 0) || !std::isfinite(length)) load.fail("direction", "must not be zero");
-  if (dimension == Dimension::planar && direction[2] != 0) {
-    load.fail("direction", "must lie in the x-y plane where the scene is planar");
-  }
-  for (double& component : direction) component /= length;
-  return direction;
-}
-
-void read_load(const Section& top, CantileverScene& scene) {
-  const Section section = top.section("load", {"reduced", "force", "direction"});
-  if (section.one_of({"reduced", "force"}) == "reduced") {
-    scene.load = section.number("reduced", kNonNegative);
-  } else {
-    scene.load = section.quantity("force", "N", kNonNegative) / load_force(scene.fiber, 1.0);
-    if (!std::isfinite(scene.load)) section.fail("force", "is too large for this fiber");
-  }
-  if (section.has("direction")) scene.direction = read_direction(section, scene.dimension);
-}
 
 void read_march(const Section& top, MarchOptions& march) {
   constexpr Interval kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
@@ -113,13 +48,13 @@ void read_method(const Section& top, CantileverScene& scene) {
 CantileverScene read_cantilever(const Section& top) {
   top.allow({"scene", "dimension", "fiber", "bond", "load", "method", "march"});
   CantileverScene scene{};
-  if (top.has("dimension")) {
-    scene.dimension = static_cast<Dimension>(top.choice("dimension", {"planar", "spatial"}));
-  }
+  scene.dimension = read_dimension(top);
   scene.fiber = read_fiber(top);
-  read_bond(top, scene);
+  if (top.has("bond")) read_bond(top.section("bond", {"model", "form", "damping"}), scene.fiber, scene.march.form);
   check_fiber(top, scene.fiber);
-  read_load(top, scene);
+  const EndPull pull = read_load(top, scene.fiber, scene.dimension);
+  scene.load = pull.load;
+  scene.direction = pull.direction;
   read_method(top, scene);
   return scene;
 }
@@ -142,8 +77,8 @@ SceneText read_scene_text(const std::filesystem::path& path) {
 
 Scene parse_scene(const SceneText& scene) {
   const Section top(scene.text, scene.name);
-  top.choice("scene", {"cantilever"});
-  return read_cantilever(top);
+  if (top.choice("scene", {"cantilever", "release"}) == 0) return read_cantilever(top);
+  return read_release(top);
 }
 
 }  // namespace fiberchain::dem::io

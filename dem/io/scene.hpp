@@ -9,6 +9,7 @@
 #include "dem/equilibrium/march.hpp"
 #include "dem/fiber.hpp"
 #include "dem/io/scene_error.hpp"
+#include "dem/vibration/release.hpp"
 
 /// Scenes as values, and their reader: YAML, quantities with units, nothing guessed.
 namespace fiberchain::dem::io {
@@ -31,7 +32,22 @@ struct CantileverScene {
   MarchOptions march = {};  ///< with the form of the bond law; solving has the total form only
 };
 
-using Scene = std::variant<CantileverScene>;
+/// What pulls at the free end.
+struct EndPull {
+  double load;                                  ///< P L^2 / (E I) [-]
+  std::array<double, 3> direction = {0, 1, 0};  ///< unit vector; the fiber lies along x
+};
+
+/// The cantilever held under its load, then let go.
+struct ReleaseScene {
+  Dimension dimension = Dimension::planar;
+  Fiber fiber;
+  EndPull pull;
+  double periods = 10;         ///< of the first mode, how long it is watched
+  ReleaseOptions motion = {};  ///< integrator, form, steps, samples
+};
+
+using Scene = std::variant<CantileverScene, ReleaseScene>;
 
 /// A scene file as read: what the messages call it, and its text.
 struct SceneText {

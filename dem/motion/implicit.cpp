@@ -46,7 +46,7 @@ BondStress<double, Dim> consistent_stress(const BondParameters<double>& bond, co
   const double size = dot(push.force, z.separation) + dot(push.moment, z.rotation);
   // where the strain changes by less than this, the energies differ by rounding only, and there is nothing to correct:
   // the correction is of third order in the change
-  const double least = bond.stretch * position_size * position_size * 1e-12;
+  const double least = bond.stretch * position_size * position_size * 1e-14;
   const double scale = (energy_change - work) * size / (size * size + least * least);
   return {stress.force + scale * push.force, stress.moment + scale * push.moment};
 }
@@ -166,7 +166,8 @@ bool ImplicitMotion<Dim>::solve_step(double dt) {
   for (int n = 0; n < options_.max_iterations; ++n) {
     Trial now = trial(mean, dt);
     work_.bond_evaluations += chain_.fiber.aspect_ratio;
-    if (!factors_) {
+    const bool fresh = !factors_;
+    if (fresh) {
       factors_.emplace(matrix(now.middle, dt));
       factors_step_ = dt;
       ++work_.factorizations;
@@ -176,8 +177,9 @@ bool ImplicitMotion<Dim>::solve_step(double dt) {
     ++work_.linear_solves;
     const double moved = dt * size_of<Dim>(mean, length), corrected = dt * size_of<Dim>(change, length);
     if (!std::isfinite(corrected)) break;
-    // at the rounding of the positions corrections stop shrinking
-    const bool at_rounding = n > 0 && (corrected < 1e-14 || (corrected < 1e-8 * moved && corrected > 0.1 * previous));
+    // at the rounding of the positions corrections stop shrinking, even with a new matrix
+    const bool at_rounding =
+        n > 0 && (corrected < 1e-15 || (fresh && corrected < 1e-7 * moved && corrected > 0.1 * previous));
     for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += change[i];
     // what is left is at most the correction times the rate at which corrections shrink
     const double left = n > 0 ? corrected * std::min(corrected / previous, 1.0) : corrected;

@@ -11,12 +11,12 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Time of one bond in one step over that of the planar lagged leapfrog in lanes, measured (`fiberchain bench`): rounded,
-/// as only their order matters.
+/// Time of one bond in one step of a chain alone, over that of the lagged leapfrog, which then runs along the lanes
+/// (measured, rounded: only their order matters).
 struct Cost {
   double lagged, solved, implicit;
 };
-constexpr Cost planar_cost{1, 4, 250}, spatial_cost{4, 30, 1000};
+constexpr Cost planar_cost{1, 18, 90}, spatial_cost{1, 24, 100};
 
 /// Damping ratio of the first mode, xi_f = tau w / 2 with the bending dashpot's retardation time tau.
 double first_mode_damping(const Fiber& fiber, double frequency) {

@@ -15,7 +15,8 @@ struct IntegratorChoice {
 
 /// The cheapest integrator of a ring-down that keeps `options.error` in damping and frequency. Errors are those of the
 /// schemes on the first mode, w = 2 pi / period, q = (w dt)^2: lagged leapfrog xi_f w dt / 2 + q / 24, solved leapfrog
-/// q / 24, implicit q / 6; costs are bond evaluations at the measured ratios of one to the others (see choose.cpp).
+/// q / 24, implicit q / 6; costs are those of a bond in a step, a chain alone, at measured ratios
+/// (choose.cpp). Higher modes than the first may be unresolved by the implicit step.
 template <int Dim>
 IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOptions& options);
 

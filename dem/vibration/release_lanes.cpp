@@ -104,6 +104,10 @@ struct March {
 
   const Fiber& fiber(std::size_t lane) const { return all[members[lane]].chain.fiber; }
 
+  bool all_broken() const {
+    return std::ranges::all_of(members, [&](std::size_t i) { return !records[i].failure.empty(); });
+  }
+
   void record(double done) {
     for (std::size_t lane = 0; lane < members.size(); ++lane) {
       ReleaseRecord<Dim>& r = records[members[lane]];
@@ -122,6 +126,7 @@ struct March {
       const int sphere = broken_sphere(block, static_cast<int>(lane), fiber(lane));
       if (sphere < 0) continue;
       const double step = from + n;
+      r.steps = step;
       r.failure = failure_text(members[lane], sphere, step, steps[lane],
                                stable_release_step(fiber(lane), options.integrator));
       std::erase_if(r.samples, [&](const TipSample<Dim>& s) { return !(s.time < step * steps[lane]); });
@@ -183,16 +188,16 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
     march.record(static_cast<double>(n) * stride);
     if (n - saved_at < between && n < samples) continue;
     march.check(saved, static_cast<double>(saved_at) * stride, (n - saved_at) * stride);
+    if (march.all_broken()) break;
     saved = march.block.saved();
     saved_at = n;
   }
   for (std::size_t lane = 0; lane < members.size(); ++lane) {
     ReleaseRecord<Dim>& r = records[members[lane]];
-    const double marched = static_cast<double>(samples) * stride;
+    if (r.failure.empty()) r.steps = static_cast<double>(samples) * stride;
     r.time_step = steps[lane];
-    r.steps = marched;
     r.integrator = options.integrator;
-    r.work = {.steps = marched, .bond_evaluations = marched * chains[lane].fiber.aspect_ratio};
+    r.work = {.steps = r.steps, .bond_evaluations = r.steps * chains[lane].fiber.aspect_ratio};
     if (r.failure.empty()) r.last = state_of(march.block, static_cast<int>(lane), chains[lane].fiber.aspect_ratio + 1);
   }
 }

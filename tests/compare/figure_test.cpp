@@ -86,6 +86,31 @@ BOOST_AUTO_TEST_CASE(every_finite_point_is_drawn_and_no_other) {
   BOOST_TEST(count(svg, "<use xlink:href='#gpPt4' transform='translate") == 2);
 }
 
+// A cell and a number for each finite value, a frame for those below the mark, none for what is missing.
+BOOST_AUTO_TEST_CASE(a_heat_map_has_a_cell_for_every_value) {
+  Figure figure{.title = "map", .x = {"columns"}, .y = {"it's rows"}, .series = {}};
+  figure.map = HeatMap{.x = {-0.2, 0.3, 0.49},
+                       .y = {0, 5},
+                       .value = {{0.123, 0.456, 0.789}, {0.0345, std::nan(""), 7.89}},
+                       .label = "value",
+                       .framed_below = 0.2};
+  const std::string svg = to_svg(figure, provenance());
+  for (const char* number : {">0.123<", ">0.456<", ">0.789<", ">0.0345<", ">7.89<", ">-0.2<", ">0.49<", ">5<"}) {
+    BOOST_TEST(svg.find(number) != std::string::npos, number);
+  }
+  BOOST_TEST(svg.find(">nan<") == std::string::npos);
+  // the frames' color: of two cells
+  BOOST_TEST(count(svg, "rgb(213,  94,   0)") + count(svg, "#D55E00") + count(svg, "#d55e00") > 0);
+  figure.map->framed_below = 0;
+  BOOST_TEST(count(to_svg(figure, provenance()), "rgb(213,  94,   0)") == 0);
+  figure.map->value[1].pop_back();
+  BOOST_CHECK_THROW(to_svg(figure, {}), FigureError);
+  figure.map->value.pop_back();
+  BOOST_CHECK_THROW(to_svg(figure, {}), FigureError);
+  figure.map->value = {{0, -1, 0}, {0, 0, 0}};
+  BOOST_CHECK_THROW(to_svg(figure, {}), FigureError);
+}
+
 BOOST_AUTO_TEST_CASE(a_figure_that_makes_no_sense_is_refused) {
   Figure figure = example();
   figure.series[0].y.pop_back();

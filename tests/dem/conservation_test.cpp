@@ -4,33 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/dem/free_motion.hpp"
 #include "tests/dem/marching_chains.hpp"
 
 namespace dem = fiberchain::dem;
 
 namespace {
 
-/// Momentum and angular momentum about the origin, with the sizes they are sums of.
-template <int Dim>
-struct Account {
-  dem::Vec<double, Dim> momentum{};
-  dem::Spin<double, Dim> angular{};
-  double momentum_scale = 0, angular_scale = 0;
-};
-
-template <int Dim>
-Account<Dim> account(const dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber) {
-  Account<Dim> sum;
-  const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
-  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
-    const auto s = block.sphere(0, i);
-    sum.momentum = sum.momentum + m * s.velocity;
-    sum.angular = sum.angular + m * dem::cross(s.pose.position, s.velocity) + J * s.spin;
-    sum.momentum_scale += m * dem::norm(s.velocity);
-    sum.angular_scale += m * dem::norm(s.pose.position) * dem::norm(s.velocity) + J * dem::norm(s.spin);
-  }
-  return sum;
-}
+using marching::account;
+using marching::Account;
 
 template <int Dim>
 void conserves(const dem::Physics& physics, double damping) {

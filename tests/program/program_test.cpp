@@ -20,8 +20,10 @@ const std::string kScenes = std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/"
 using Command = std::vector<std::string>;
 
 const Command kCommands[] = {{},         {"columns"},          {"run"},
-                             {"tables"}, {"tables", "static"}, {"tables", "damping"}, {"tables", "friction"},
-                             {"fit"},    {"calibrate"},        {"validate"}};
+                             {"tables"}, {"tables", "static"}, {"tables", "damping"},
+                             {"tables", "friction"},           {"fit"},
+                             {"calibrate"},                    {"stability"},
+                             {"validate"}};
 
 const Command kJsonCommands[] = {
     {"columns"},
@@ -37,6 +39,7 @@ const Command kJsonCommands[] = {
      "set_valued,explicit_sign", "--step", "0.1", "--peaks", "0..2"},
     {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
+    {"stability", "--aspect-ratio", "4", "--poisson-ratio", "0.17", "--bond-damping", "0,0.6"},
     {"validate"},
 };
 
@@ -182,6 +185,25 @@ BOOST_AUTO_TEST_CASE(a_sweep_is_every_combination_asked_for) {
   }
   BOOST_TEST(all.size() == 3 * 2 * 2 * 2);
   BOOST_TEST(seen.size() == all.size());
+}
+
+// At nu = 0.3 the limit is 0.2178 t_b with xi_b = 1 and lagged dashpots, and the undamped one with solved dashpots.
+BOOST_AUTO_TEST_CASE(stability_finds_the_limits_and_judges_the_papers_rule) {
+  const Scratch scratch;
+  const Outcome outcome = run({"stability", "--aspect-ratio", "10", "--poisson-ratio", "0.3,0.4", "--bond-damping",
+                               "0.2,1", "--bond", "paper", "--json", "--out", "there"},
+                              {.directory = scratch.path});
+  BOOST_REQUIRE_EQUAL(outcome.status, 0);
+  const json all = json::parse(outcome.out)["rows"];
+  BOOST_REQUIRE(all.size() == 8);
+  BOOST_TEST(std::abs(all[1]["stable_step_measured"].get<double>() - 0.2182) < 0.0005);
+  BOOST_TEST(all[1]["quarter_verdict"] == "unstable");
+  BOOST_TEST(all[0]["quarter_verdict"] == "stable");
+  for (const json& row : all) {
+    BOOST_TEST(std::abs(row["stable_step_difference"].get<double>()) < 0.002);
+    if (row["scheme"] == "leapfrog-damped") BOOST_TEST(row["stable_step_modes"].get<double>() > 1);
+  }
+  BOOST_TEST(content(scratch.path / "there/stability-map-paper-leapfrog-10.svg").find(">0.218<") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {

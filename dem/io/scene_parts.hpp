@@ -1,0 +1,26 @@
+#pragma once
+
+#include "dem/io/scene.hpp"
+#include "dem/io/section.hpp"
+
+// What scenes of several kinds have in common. All functions throw SceneError.
+namespace fiberchain::dem::io {
+
+/// Section "fiber"; the bonds are left as they are by default.
+Fiber read_fiber(const Section& top);
+
+/// Refuses a fiber whose numbers make no sense together.
+void check_fiber(const Section& top, const Fiber& fiber);
+
+/// Keys model, form and damping of section "bond"; what is absent stays as it is.
+void read_bond(const Section& section, Fiber& fiber, BondForm& form);
+
+/// Section "load": reduced or force, and its direction.
+EndPull read_load(const Section& top, const Fiber& fiber, Dimension dimension);
+
+/// "dimension", planar if absent.
+Dimension read_dimension(const Section& top);
+
+ReleaseScene read_release(const Section& top);
+
+}  // namespace fiberchain::dem::io
