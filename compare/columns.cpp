@@ -125,6 +125,22 @@ constexpr Column kColumns[] = {
     {"chain_y", number, "1", "deflection of the chain's free end over that at the release"},
     {"elastica_y", number, "1", "the damped Elastica's, with the chain's mass layout"},
 
+    // Rolling friction of the bonds.
+    {"rolling_friction", number, "1", "xi_r, coefficient of rolling friction of a bond (Eq 21)"},
+    {"rolling", text, "",
+     "law of rolling friction: set_valued (sticks, solved within the step) or explicit_sign (as the paper, sign of the "
+     "lagged spin)"},
+    {"fiber_damping_paper_half_width", number, "1", "95 % half width of the fit of fiber_damping_paper: lack of fit"},
+    {"fiber_damping_first", number, "1", "xi_f of the first two of the peaks named alone"},
+    {"fiber_damping_last", number, "1", "xi_f of the last two of the peaks named alone"},
+    {"fiber_damping_as_bond", number, "1",
+     "xi_f of the linear chain's first mode with xi_b + xi_r and no friction: if xi_r acted as xi_b does"},
+    {"fiber_damping_weak", number, "1",
+     "fiber_damping_modes + about 0.204 xi_r (a/L)/r_f, the linear mode's friction at the mean height a of the peaks named"},
+    {"peak", integer, "1", "number of the peak of the free end; 0 is the release or the first after it"},
+    {"peak_height", number, "1", "deflection of the free end at that peak, y/L"},
+    {"peak_time", number, "1", "time of that peak since the release over t_b"},
+
     // Stability: the largest time step of an explicit scheme.
     {"scheme", text, "", "leapfrog (dashpots at the lagged velocity, as the paper) or leapfrog-damped (solved within the step)"},
     {"ends", text, "", "how the chain is held: clamped_free or free_free"},
@@ -191,7 +207,7 @@ constexpr Column kColumns[] = {
     {"bond_time", number, "s", "t_b = sqrt(m/K_n)"},
     {"stable_time_step", number, "s", "largest stable time step"},
     {"verification_cost", number, "1", "bonds times time steps of the run that verifies"},
-    {"amplitude", number, "1", "deflection of the free end that is expected, y/L"},
+    {"amplitude", number, "1", "deflection of the free end that is expected, or of the first mode let go from, y/L"},
     {"amplitude_effect", number, "1", "what that amplitude does to xi_f, over xi_f; a real fiber does the same"},
     {"time_step_effect", number, "1", "what the time step does to xi_f, over xi_f"},
     {"expected_error", number, "1", "amplitude_effect + time_step_effect"},

@@ -29,7 +29,10 @@ MatrixRow from_published(const ValidationInput& input, std::string_view id, doub
 }  // namespace
 
 const std::vector<ValidationStep>& validation_steps() {
-  static const std::vector<ValidationStep> steps{{"beams", beam_rows}, {"static cantilever", static_rows}, {"damped vibration", damping_rows},
+  static const std::vector<ValidationStep> steps{{"beams", beam_rows},
+                                                 {"static cantilever", static_rows},
+                                                 {"damped vibration", damping_rows},
+                                                 {"rolling friction", rolling_rows},
                                                  {"stability", stability_rows}};
   return steps;
 }

@@ -23,6 +23,9 @@ std::vector<MatrixRow> static_rows(const ValidationInput& input);
 /// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the closed form.
 std::vector<MatrixRow> damping_rows(const ValidationInput& input);
 
+/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect ratio.
+std::vector<MatrixRow> rolling_rows(const ValidationInput& input);
+
 /// The largest stable step: theory against runs, the paper's rules for the time step.
 std::vector<MatrixRow> stability_rows(const ValidationInput& input);
 

@@ -64,4 +64,15 @@ void read_number(const Arguments& arguments, const std::string& option, const de
   value = only_one(option, text, compare::parse_integers(option, text, allowed));
 }
 
+compare::PeakRange peak_range(const Arguments& arguments, const compare::PeakRange& usual) {
+  if (!arguments.has("--peaks")) return usual;
+  std::vector<int> peaks;
+  read_list(arguments, "--peaks", {.low = 0, .high = 10000}, peaks);
+  if (peaks.size() < 2 || peaks.back() - peaks.front() + 1 != static_cast<int>(peaks.size())) {
+    throw compare::InputError(fmt::format(
+        "--peaks: '{}' is not allowed: give a range a..b of at least two peaks", arguments.text("--peaks")));
+  }
+  return {peaks.front(), peaks.back()};
+}
+
 }  // namespace fiberchain::app

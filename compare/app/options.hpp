@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/app/command.hpp"
+#include "compare/peaks.hpp"
 #include "compare/ranges.hpp"
 
 /// Options that several commands have, and how options become values.
@@ -47,6 +48,10 @@ void read_number(const Arguments& arguments, const std::string& option, const de
                  double& value);
 void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
                  int& value);
+
+/// --peaks: a range of at least two peaks, in place of the usual one, if the option was typed.
+/// @throws compare::InputError naming the value and what is allowed
+compare::PeakRange peak_range(const Arguments& arguments, const compare::PeakRange& usual);
 
 /// A list of words, each standing for a value, likewise.
 template <class Value>

@@ -25,17 +25,6 @@ const std::vector<std::string> kShown = {"aspect_ratio",
 using Points = std::vector<compare::DampingPoint>;
 using Cases = std::vector<compare::DampingCase>;
 
-compare::PeakRange peak_range(const Arguments& arguments, const compare::PeakRange& usual) {
-  if (!arguments.has("--peaks")) return usual;
-  std::vector<int> peaks;
-  read_list(arguments, "--peaks", {.low = 0, .high = 10000}, peaks);
-  if (peaks.size() < 2 || peaks.back() - peaks.front() + 1 != static_cast<int>(peaks.size())) {
-    throw compare::InputError(fmt::format(
-        "--peaks: '{}' is not allowed: give a range a..b of at least two peaks", arguments.text("--peaks")));
-  }
-  return {peaks.front(), peaks.back()};
-}
-
 compare::DampingSweep sweep_of(const Arguments& arguments) {
   using dem::BondForm;
   using dem::BondModel;

@@ -55,12 +55,15 @@ template <Physics P, class Real>
 auto rolling_iteration(const ChainBlock<P, Real>& chain, const decltype(Real(0.0) > Real(0.0))& done) {
   constexpr int S = spin_size<P.dimension>;
   auto* slots = rolling_slots(chain);
+  // with both ends clamped and every bond sticking the impulses are known but for a common one: any will do, and the
+  // matrix is kept from being singular
+  const Real firm = Real(chain.clamps.first && chain.clamps.last ? 1 - 1e-9 : 1.0);
   for (int i = 0; i < chain.bonds; ++i) {
     const Real share = Real(mobility(chain, i));
     const Projection<Real, S> q = project(share * neighbors(chain, i), slots[i].limit);
     Square<Real, S> B = q.derivative;
     for (int r = 0; r < S; ++r) {
-      for (int c = 0; c < S; ++c) B[r][c] = share * B[r][c];
+      for (int c = 0; c < S; ++c) B[r][c] = firm * share * B[r][c];
     }
     // l = q + B (change of the neighbors); forward part, the next neighbor left open
     Vec<Real, S> known = q.value;

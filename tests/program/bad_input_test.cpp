@@ -60,7 +60,7 @@ std::ostream& operator<<(std::ostream& out, const Usage& usage) { return out << 
 
 const Usage kUsages[] = {
     {{}, "give a command: columns, run"},
-    {{"tables"}, "give a command of 'tables': static, damping"},
+    {{"tables"}, "give a command of 'tables': static, damping, friction"},
     {{"nonsense"}, "not expected: nonsense"},
     {{"columns", "--nonsense"}, "not expected: --nonsense"},
     {{"run"}, "SCENE is required"},
@@ -78,6 +78,11 @@ const Usage kUsages[] = {
     {{"tables", "static", "--form", "incremental"}, "--form incremental is not allowed with --method solve"},
     {{"tables", "static", "--jobs", "0"}, "--jobs: '0' is out of range"},
     {{"tables", "static", "--jobs", "1,2"}, "--jobs: '1,2' is no single number"},
+    {{"tables", "friction", "--rolling-friction=-1"}, "--rolling-friction: '-1' is out of range"},
+    {{"tables", "friction", "--law", "none"}, "--law: 'none' is not among set_valued, explicit_sign"},
+    {{"tables", "friction", "--step", "0.3"}, "step_ratio = 0.3 is not allowed"},
+    {{"tables", "friction", "--peaks", "4"}, "--peaks: '4' is not allowed"},
+    {{"tables", "friction", "--load", "1", "--amplitude", "0.1"}, "--amplitude is not allowed with --load"},
     {{"stability", "--scheme", "implicit"}, "--scheme: 'implicit' is not among leapfrog, leapfrog-damped"},
     {{"stability", "--bond-damping=-1"}, "--bond-damping: '-1' is out of range"},
     {{"stability", "--aspect-ratio", "0"}, "--aspect-ratio: '0' is out of range"},

@@ -21,8 +21,9 @@ using Command = std::vector<std::string>;
 
 const Command kCommands[] = {{},         {"columns"},          {"run"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
-                             {"fit"},    {"calibrate"},        {"stability"},
-                             {"bench"},  {"validate"}};
+                             {"tables", "friction"},           {"fit"},
+                             {"calibrate"},                    {"stability"},
+                             {"bench"},                        {"validate"}};
 
 const Command kJsonCommands[] = {
     {"columns"},
@@ -34,6 +35,9 @@ const Command kJsonCommands[] = {
      "total,incremental"},
     {"calibrate", "--damping-ratio", "0.01", "--aspect-ratio", "13", "--poisson-ratio", "0.17"},
     {"tables", "damping", "--aspect-ratio", "7", "--load", "0.05"},
+    {"tables", "friction", "--aspect-ratio", "5", "--load", "0.7", "--rolling-friction", "0,3", "--law",
+     "set_valued,explicit_sign", "--step", "0.1", "--peaks", "0..2"},
+    {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
     {"stability", "--aspect-ratio", "4", "--poisson-ratio", "0.17", "--bond-damping", "0,0.6"},
     {"bench", "--quick", "--case", "static"},

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/errors.hpp"
+#include "compare/rolling_table.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+const std::vector<std::string> kShown = {"aspect_ratio",
+                                         "load",
+                                         "amplitude",
+                                         "rolling_friction",
+                                         "rolling",
+                                         "step_ratio",
+                                         "fiber_damping_paper",
+                                         "fiber_damping_modes",
+                                         "fiber_damping_weak",
+                                         "fiber_damping_as_bond",
+                                         "status"};
+
+using Points = std::vector<compare::RollingPoint>;
+using Cases = std::vector<compare::RollingCase>;
+
+compare::RollingSweep sweep_of(const Arguments& arguments) {
+  using dem::Rolling;
+  compare::RollingSweep sweep;
+  read_list(arguments, "--aspect-ratio", {.low = 2, .high = 1e4}, sweep.aspect_ratio);
+  read_list(arguments, "--poisson-ratio", kPoissonRatios, sweep.poisson_ratio);
+  read_list(arguments, "--load", {.low = 0, .high = 10, .low_open = true}, sweep.load);
+  read_list(arguments, "--amplitude", {.low = 0, .high = 0.5, .low_open = true}, sweep.amplitude);
+  read_list(arguments, "--bond-damping", {.low = 0, .high = 1e6, .low_open = true}, sweep.bond_damping);
+  read_list(arguments, "--rolling-friction", {.low = 0, .high = 1e6}, sweep.rolling_friction);
+  read_list(arguments, "--step", {.low = 0, .high = 1, .low_open = true}, sweep.step_ratio);
+  read_choices<Rolling>(arguments, "--law", sweep.law,
+                        {{"set_valued", Rolling::set_valued}, {"explicit_sign", Rolling::explicit_sign}});
+  if (arguments.has("--load") && arguments.has("--amplitude")) {
+    throw compare::InputError("--amplitude is not allowed with --load: give what the fiber is let go with once");
+  }
+  sweep.peaks = peak_range(arguments, sweep.peaks);
+  return sweep;
+}
+
+/// Whether any case was asked for; without, the figures' own are run.
+bool chose_cases(const Arguments& arguments) {
+  const auto options = {"--aspect-ratio", "--poisson-ratio",    "--load", "--amplitude",
+                        "--bond-damping", "--rolling-friction", "--law",  "--step"};
+  return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
+}
+
+Points measure(const Cases& cases, int jobs, const Context& context) {
+  const auto progress = context.progress(cases.size());
+  return compare::rolling_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
+}
+
+/// All figures' cases measured together, then handed back figure by figure.
+compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
+                                             const Context& context, Points& all) {
+  const compare::RollingFigureCases wanted = compare::rolling_figure_cases(peaks);
+  Cases cases;
+  for (const Cases* part : {&wanted.friction, &wanted.step, &wanted.amplitude, &wanted.decay}) {
+    cases.insert(cases.end(), part->begin(), part->end());
+  }
+  all = measure(cases, jobs, context);
+  auto next = all.begin();
+  const auto take = [&](const Cases& part) {
+    const auto first = next;
+    next += static_cast<std::ptrdiff_t>(part.size());
+    return Points(first, next);
+  };
+  compare::RollingFigurePoints figures;
+  figures.friction = take(wanted.friction);
+  figures.step = take(wanted.step);
+  figures.amplitude = take(wanted.amplitude);
+  figures.decay = take(wanted.decay);
+  return figures;
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const compare::RollingSweep sweep = sweep_of(arguments);
+  const auto directory = open_output(output);
+  Points points;
+  Results results{.name = "friction",
+                  .heading = "Rolling friction of the bonds and the fiber's damping",
+                  .table = compare::rolling_table({})};
+  if (chose_cases(arguments)) {
+    points = measure(compare::cases(sweep), output.jobs, context);
+    results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(points)}};
+  } else {
+    const compare::RollingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
+    results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(figures.decay)}};
+    results.figures = compare::rolling_figures(figures);
+  }
+  results.table = compare::rolling_table(points);
+  deliver(results, results.table.select(kShown), output, directory, context);
+  const auto failed =
+      std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
+  if (failed == 0) return kSuccess;
+  context.log->error("error: {} of {} cases could not be measured, see column status", failed, points.size());
+  return kRunFailed;
+}
+
+}  // namespace
+
+Command tables_friction_command() {
+  return {
+      .name = "tables friction",
+      .description = "damping of the fiber by rolling friction of its bonds, by step, load and amplitude (Fig 10)",
+      .footer = std::string("Without a choice of cases those of the figures are run.\n"
+                            "Example:\n  fiberchain tables friction --aspect-ratio 13 --poisson-ratio 0.17 "
+                            "--load 0.7 --rolling-friction 0,3 --law set_valued,explicit_sign --json\n") +
+                kListHelp,
+      .options = with_output(
+          {{"--aspect-ratio", "LIST", "r_f = L/d, number of bonds [30]"},
+           {"--poisson-ratio", "LIST", "Poisson's ratio [0.3]"},
+           {"--load", "LIST", "load before the release, P L^2/(E I) [3]"},
+           {"--amplitude", "LIST", "in place of a load: let go from the first mode, tip deflection over L"},
+           {"--bond-damping", "LIST", "xi_b [1]"},
+           {"--rolling-friction", "LIST", "xi_r [0,1,2,4,10]"},
+           {"--law", "LIST", "law of rolling friction: set_valued, explicit_sign [set_valued]"},
+           {"--step", "LIST", "time step over t_b [0.8 of the stable one]"},
+           {"--peaks", "LIST", "peaks the damping is measured on; 0 is the point of release [1..5]"}}),
+      .run = &run};
+}
+
+}  // namespace fiberchain::app
