@@ -90,15 +90,23 @@ std::optional<std::pair<double, double>> extent(const Figure& figure, std::vecto
   return found;
 }
 
+/// "'0.02' 0.02" and, where the zeros would be many, "'2·10^{-5}' 2e-05".
+std::string logarithmic_tick(double digit, double power) {
+  const double value = digit * power;
+  if (power > 5e-4 && power < 5e4) return fmt::format("'{0:.6g}' {0:.6g}", value);
+  const std::string factor = digit == 1 ? "" : fmt::format("{:g}·", digit);
+  return fmt::format("'{}10^{{{:.0f}}}' {:.6g}", factor, std::log10(power), value);
+}
+
 /// Ticks of a logarithmic axis: powers of ten, or 1, 2, 5, 10 ... where it spans few of them.
 std::string logarithmic_ticks(char name, double low, double high) {
   std::string text = fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '10^{{%T}}'\n", name);
   if (high / low > 3000) return text;
   std::vector<std::string> ticks;
   for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10) {
-    for (const double digit : {1, 2, 5}) ticks.push_back(fmt::format("{:.6g}", digit * power));
+    for (const double digit : {1, 2, 5}) ticks.push_back(logarithmic_tick(digit, power));
   }
-  return text + fmt::format("set {0}tics ({1})\nset format {0} '%g'\n", name, fmt::join(ticks, ", "));
+  return text + fmt::format("set {0}tics ({1})\n", name, fmt::join(ticks, ", "));
 }
 
 std::string axis_commands(char name, const Axis& axis, std::optional<std::pair<double, double>> data) {

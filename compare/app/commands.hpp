@@ -7,6 +7,7 @@
 /// The commands of the program, one source file each.
 namespace fiberchain::app {
 
+Command bench_command();           ///< run time against error, and what bounds the inner loops
 Command calibrate_command();       ///< damping of the bonds for a damping of the fiber, and the reverse
 Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
@@ -28,7 +29,8 @@ struct Group {
 inline std::vector<Command> all_commands() {
   return {columns_command(),        run_command(), tables_static_command(),
           tables_damping_command(), tables_friction_command(), fit_command(),
-          calibrate_command(),      stability_command(),       validate_command()};
+          calibrate_command(),      stability_command(),       bench_command(),
+          validate_command()};
 }
 
 inline std::vector<Group> all_groups() {

@@ -86,6 +86,10 @@ const Usage kUsages[] = {
     {{"stability", "--scheme", "implicit"}, "--scheme: 'implicit' is not among leapfrog, leapfrog-damped"},
     {{"stability", "--bond-damping=-1"}, "--bond-damping: '-1' is out of range"},
     {{"stability", "--aspect-ratio", "0"}, "--aspect-ratio: '0' is out of range"},
+    {{"bench", "--case", "guess"}, "--case: 'guess' is not among static, damping, history, skips, kernels"},
+    {{"bench", "--aspect-ratio", "1"}, "--aspect-ratio: '1' is out of range"},
+    {{"bench", "--aspect-ratio", "9.5"}, "--aspect-ratio: '9.5' wants whole numbers"},
+    {{"bench", "--jobs", "2"}, "not expected: "},
     {{"validate", "--data", "/nonexistent"}, "no directory 'published'"},
 };
 

@@ -23,7 +23,7 @@ const Command kCommands[] = {{},         {"columns"},          {"run"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
                              {"tables", "friction"},           {"fit"},
                              {"calibrate"},                    {"stability"},
-                             {"validate"}};
+                             {"bench"},                        {"validate"}};
 
 const Command kJsonCommands[] = {
     {"columns"},
@@ -40,6 +40,8 @@ const Command kJsonCommands[] = {
     {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
     {"stability", "--aspect-ratio", "4", "--poisson-ratio", "0.17", "--bond-damping", "0,0.6"},
+    {"bench", "--quick", "--case", "static"},
+    {"bench", "--quick", "--case", "skips,kernels"},
     {"validate"},
 };
 

@@ -1,0 +1,136 @@
+#include <algorithm>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/bench_problems.hpp"
+#include "compare/bench_skips.hpp"
+#include "compare/bench_tables.hpp"
+#include "compare/markdown.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+using compare::BenchOptions;
+using compare::PrecisionProblem;
+
+enum class Case { statics, damping, history, skips, kernels };
+using Cases = std::vector<Case>;
+
+const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
+                                               "setting", "error",        "run_time", "speedup"};
+const std::vector<std::string> kShownKernels = {
+    "physics",        "instruction_set",     "bond_step_ns",     "bond_step_target_ns", "lone_bond_step_ns",
+    "lone_target_ns", "arithmetic_bound_ns", "divider_bound_ns", "bound_fraction"};
+
+bool has(const Cases& cases, Case wanted) { return std::ranges::find(cases, wanted) != cases.end(); }
+
+std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions& options,
+                                          const Context& context) {
+  std::vector<PrecisionProblem> problems;
+  const auto add = [&](PrecisionProblem problem) {
+    context.log->info("measured {}", problem.id);
+    problems.push_back(std::move(problem));
+  };
+  if (has(cases, Case::statics)) {
+    for (const double load : options.quick ? std::vector{3.0} : std::vector{0.5, 3.0}) {
+      add(compare::elastica_problem(load, options));
+      add(compare::equilibrium_problem(load, options));
+    }
+  }
+  if (has(cases, Case::damping)) {
+    auto sizes = options.aspect_ratio;
+    if (sizes.empty()) sizes = options.quick ? std::vector{10, 30} : std::vector{10, 30, 100};
+    for (const int aspect_ratio : sizes) add(compare::damping_problem(aspect_ratio, options));
+  }
+  if (has(cases, Case::history)) add(compare::history_problem(10, 2, options));
+  return problems;
+}
+
+/// What is printed: the first table as the command's own, the others as notes below it.
+struct Report {
+  Results results{.name = "bench", .heading = "Run time against error", .table = compare::wanted_table({})};
+  std::optional<compare::Table> shown;
+
+  /// `whole` goes to the files, `short_one` to the reader.
+  void add(const std::string& name, const std::string& title, const compare::Table& whole,
+           const compare::Table& short_one) {
+    results.more_tables.emplace_back(name, whole);
+    if (shown) {
+      results.notes += title + ":\n\n" + compare::to_markdown(short_one) + "\n";
+    } else {
+      results.table = whole;
+      shown = short_one;
+    }
+  }
+};
+
+void add_problems(Report& report, const std::vector<PrecisionProblem>& problems) {
+  if (problems.empty()) return;
+  const compare::Table wanted = compare::wanted_table(problems);
+  report.add("bench-wanted", "", wanted, wanted.select(kShownWanted));
+  report.results.more_tables.emplace_back("bench-precision", compare::precision_table(problems));
+  report.results.notes += "The same in short, least run time of one chain:\n\n" +
+                          compare::wanted_markdown(problems) + "\n" + compare::precision_notes(problems) +
+                          "\n";
+  report.results.figures = compare::precision_figures(problems);
+}
+
+void add_loops(Report& report, const Cases& cases, const BenchOptions& options) {
+  if (!has(cases, Case::skips) && !has(cases, Case::kernels)) return;
+  const auto times = compare::kernel_times(options);
+  if (has(cases, Case::skips)) {
+    auto skips = compare::kernel_skips(times);
+    for (auto& row : compare::answer_skips(options)) skips.push_back(std::move(row));
+    report.add("bench-skips", "What a scene saves, time with over time without", compare::skip_table(skips),
+               compare::skip_summary(skips));
+  }
+  if (has(cases, Case::kernels)) {
+    const auto peaks = compare::measured_peaks(times, options);
+    const compare::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks),
+                         peak = compare::peak_table(peaks);
+    report.add("bench-kernels", "A bond-step of each inner loop, chains of 11 spheres, and what bounds it",
+               compare::kernel_table(times, peaks), shown.select(kShownKernels));
+    report.add("bench-peaks", "The core's peak", peak, peak);
+    report.results.figures.emplace_back("bench-kernels", compare::kernel_figure(times, peaks));
+  }
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  Cases cases{Case::statics, Case::damping, Case::history, Case::skips, Case::kernels};
+  read_choices<Case>(arguments, "--case", cases,
+                     {{"static", Case::statics},
+                      {"damping", Case::damping},
+                      {"history", Case::history},
+                      {"skips", Case::skips},
+                      {"kernels", Case::kernels}});
+  BenchOptions options{.quick = arguments.has("--quick")};
+  read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
+  const auto directory = open_output(output);
+  Report report;
+  add_problems(report, problems_of(cases, options, context));
+  add_loops(report, cases, options);
+  deliver(report.results, *report.shown, output, directory, context);
+  return kSuccess;
+}
+
+}  // namespace
+
+Command bench_command() {
+  return {.name = "bench",
+          .description =
+              "run time against error of every method, what each skip saves, what bounds the inner loops",
+          .footer = std::string("One thread; a method that fails keeps its row with its status.\n"
+                                "Example:\n  fiberchain bench --quick --case static\n") +
+                    kListHelp,
+          .options = {{"--quick", "", "fewer settings and runs: half a minute in all, not five",
+                       OptionKind::flag},
+                      {"--case", "LIST", "static, damping, history, skips, kernels [all]"},
+                      {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
+                      json_option(),
+                      {"--out", "DIR",
+                       "directory for the results; with --json none are written unless given [results]"}},
+          .run = &run};
+}
+
+}  // namespace fiberchain::app

@@ -1,0 +1,94 @@
+#include "compare/bench_count.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "compare/bench_swing.hpp"
+#include "dem/errors.hpp"
+#include "dem/motion/leapfrog.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+constexpr int steps_before = 600;  // past the load's ramp
+constexpr int steps_counted = 100;
+
+/// The types of the inner loop consist of numbers only: the same type on another number, value by value.
+template <class To, class From>
+To counted(const From& from, OperationCount* count) {
+  To to;
+  const double* source = reinterpret_cast<const double*>(&from);
+  Counted* target = reinterpret_cast<Counted*>(&to);
+  static_assert(sizeof(To) / sizeof(Counted) == sizeof(From) / sizeof(double));
+  for (std::size_t i = 0; i < sizeof(From) / sizeof(double); ++i) target[i] = Counted(source[i], count);
+  return to;
+}
+
+template <int Dim>
+dem::MarchParameters<double, Dim> parameters_of(const Swing<Dim>& swing) {
+  const dem::Fiber& fiber = swing.chain.fiber;
+  dem::MarchParameters<double, Dim> p{};
+  p.bond = dem::bond_parameters(fiber);
+  p.inverse_length = 1 / dem::bond_length(fiber);
+  p.impulse = swing.step / dem::sphere_mass(fiber);
+  p.angular_impulse = swing.step / dem::sphere_inertia(fiber);
+  p.step = swing.step;
+  p.drag = swing.drag;
+  p.rolling_arm = fiber.rolling_friction * dem::sphere_radius(fiber) / 2;
+  p.ramp.last_to.force = swing.load.force;
+  p.ramp.rate = 1 / swing.ramp_steps;
+  return p;
+}
+
+template <dem::Physics P>
+OperationCount counted_bond_step() {
+  constexpr int Dim = P.dimension;
+  const Swing<Dim> swing = swing_of<Dim>(P);
+  OperationCount count;
+  std::vector<dem::MovingSphere<Counted, Dim>> spheres;
+  for (const auto& pose : swing.chain.poses) {
+    dem::MovingSphere<double, Dim> sphere{};
+    sphere.pose = pose;
+    spheres.push_back(counted<dem::MovingSphere<Counted, Dim>>(sphere, &count));
+  }
+  std::vector<dem::BondHistory<Counted, Dim>> history(
+      kernel_bonds, counted<dem::BondHistory<Counted, Dim>>(dem::BondHistory<double, Dim>{}, &count));
+  std::vector<dem::NaturalEnds<Counted, Dim>> natural;
+  for (const auto& ends : swing.chain.natural)
+    natural.push_back(counted<dem::NaturalEnds<Counted, Dim>>(ends, &count));
+  std::vector<Counted> workspace(dem::workspace_reals<P, Counted>(kernel_bonds));
+  // parameters without a count: what is made of them alone is made before the loop
+  const dem::ChainBlock<P, Counted> block{
+      kernel_bonds,    {true, false},
+      spheres.data(),  history.data(),
+      natural.data(),  counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing), nullptr),
+      workspace.data()};
+  dem::start_march<P, Counted>(block);
+  for (int n = 0; n < steps_before; ++n) dem::march_step<P, Counted>(block, n);
+  count = {};
+  for (int n = 0; n < steps_counted; ++n) dem::march_step<P, Counted>(block, steps_before + n);
+  return count / (steps_counted * kernel_bonds);
+}
+
+template <std::size_t... I>
+OperationCount counted_bond_step(const dem::Physics& physics, std::index_sequence<I...>) {
+  OperationCount count;
+  const bool found =
+      ((physics == dem::built_physics[I] && (count = counted_bond_step<dem::built_physics[I]>(), true)) ||
+       ...);
+  if (!found) throw dem::InvalidInput("operations are counted only for a physics that is built");
+  return count;
+}
+
+}  // namespace
+
+OperationCount operator/(const OperationCount& c, double number) {
+  return {c.additions / number,    c.multiplications / number, c.fusable / number,     c.divisions / number,
+          c.square_roots / number, c.sines / number,           c.arc_tangents / number};
+}
+
+OperationCount operations_of_bond_step(const dem::Physics& physics) {
+  return counted_bond_step(physics, std::make_index_sequence<dem::built_physics.size()>{});
+}
+
+}  // namespace fiberchain::compare
