@@ -126,7 +126,6 @@ constexpr Column kColumns[] = {
     {"elastica_y", number, "1", "the damped Elastica's, with the chain's mass layout"},
 
     // Rolling friction of the bonds.
-    {"rolling_friction", number, "1", "xi_r, coefficient of rolling friction of a bond (Eq 21)"},
     {"rolling", text, "",
      "law of rolling friction: set_valued (sticks, solved within the step) or explicit_sign (as the paper, sign of the "
      "lagged spin)"},
