@@ -126,7 +126,6 @@ constexpr Column kColumns[] = {
     {"elastica_y", number, "1", "the damped Elastica's, with the chain's mass layout"},
 
     // Rolling friction of the bonds.
-    {"rolling_friction", number, "1", "xi_r, coefficient of rolling friction of a bond (Eq 21)"},
     {"rolling", text, "",
      "law of rolling friction: set_valued (sticks, solved within the step) or explicit_sign (as the paper, sign of the "
      "lagged spin)"},
@@ -234,8 +233,6 @@ constexpr Column kColumns[] = {
     {"reference_error", number, "1", "error of the reference itself, estimated"},
     {"run_time_median", number, "s", "median of the runs; run_time is the least"},
     {"runs", integer, "1", "warm runs timed; a run of more than 2 s is timed once"},
-    {"bond_evaluations", integer, "1", "evaluations of the forces of one bond"},
-    {"linear_solves", integer, "1", "eliminations along the whole chain"},
     {"factorizations", integer, "1", "Newton matrices set up"},
     {"wanted_error", number, "1", "largest error allowed"},
     {"among", text, "", "methods chosen among: all, or those that follow the motion in time"},

@@ -94,7 +94,7 @@ Figure load_figure(const Points& points) {
 }
 
 Figure amplitude_figure(const Points& points) {
-  Figure figure{"Damping against amplitude, {/Symbol x}_b = 1: chain (points), linear mode and its friction (lines)",
+  Figure figure{"Damping against amplitude, {/Symbol x}_b = 1: chain (points), linear mode (lines)",
                 {"deflection {/:Italic a}/{/:Italic L} of the first mode let go from", true}, damping_axis(true), {}};
   const Value x = [](const RollingPoint& p) { return *p.asked.amplitude; };
   int color = 0;

@@ -70,14 +70,18 @@ BOOST_AUTO_TEST_CASE(weak_friction_of_a_long_chain_is_that_of_the_beam) {
   BOOST_TEST(coarse / fine < 2.4);
 }
 
-// The marches' own xi_f without friction is taken off: what is left is the friction's.
+// The marches' own xi_f without friction is taken off: what is left is the friction's. The linear mode takes the fiber as
+// unstretchable; its pull at 2 omega sets the first axial mode swinging by (2 omega/omega_axial)^2 = 1.25/r_f^2, so the
+// difference falls with r_f; about 1e-3 stays.
 BOOST_AUTO_TEST_CASE(weak_friction_adds_what_the_linear_mode_says) {
-  for (const int aspect_ratio : {9, 17}) {
+  for (const int aspect_ratio : {6, 9, 17}) {
     for (const double nu : {-0.1, 0.43}) {
       const auto points = compare::rolling_points({{.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .amplitude = 0.006, .bond_damping = 0.3},
                                                    {.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .amplitude = 0.006, .bond_damping = 0.3, .rolling_friction = 2.3}});
       const double ratio = (points[1].damping - points[0].damping) / (points[1].weak - points[1].without);
-      BOOST_TEST(std::abs(ratio - 1) < 0.005, aspect_ratio << ", nu " << nu << ": " << ratio);
+      BOOST_TEST_MESSAGE("r_f " << aspect_ratio << ", nu " << nu << ": " << ratio);
+      BOOST_TEST(ratio > 1);
+      BOOST_TEST(ratio < 1 + 1.5e-3 + 0.6 / (aspect_ratio * aspect_ratio));
       BOOST_TEST(std::abs(points[0].damping / points[0].without - 1) < 1e-3);
     }
   }
