@@ -2,9 +2,9 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/bench_problems.hpp"
-#include "compare/bench_skips.hpp"
-#include "compare/bench_tables.hpp"
+#include "compare/bench/problems.hpp"
+#include "compare/bench/skips.hpp"
+#include "compare/bench/tables.hpp"
 #include "compare/markdown.hpp"
 
 namespace fiberchain::app {

@@ -5,12 +5,12 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "compare/bench_count.hpp"
-#include "compare/bench_history_reference.hpp"
-#include "compare/bench_kernels.hpp"
-#include "compare/bench_skips.hpp"
-#include "compare/bench_static_reference.hpp"
-#include "compare/bench_tables.hpp"
+#include "compare/bench/count.hpp"
+#include "compare/bench/history_reference.hpp"
+#include "compare/bench/kernels.hpp"
+#include "compare/bench/skips.hpp"
+#include "compare/bench/static_reference.hpp"
+#include "compare/bench/tables.hpp"
 #include "compare/damping_release.hpp"
 #include "compare/linear_twin.hpp"
 #include "compare/static_point.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <xsimd/xsimd.hpp>
 
-#include "compare/bench_peak.hpp"
+#include "compare/bench/peak.hpp"
 
 // Included by one source file an instruction set; everything here is a template on that set's number type, as
 // in dem/motion/lanes/instantiate.hpp.

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <optional>
 
-#include "compare/bench_problems.hpp"
-#include "compare/bench_ring_down.hpp"
+#include "compare/bench/problems.hpp"
+#include "compare/bench/ring_down.hpp"
 #include "compare/damping_release.hpp"
 #include "compare/linear_twin.hpp"
 #include "compare/peaks.hpp"

@@ -1,4 +1,4 @@
-#include "compare/bench_peak.hpp"
+#include "compare/bench/peak.hpp"
 
 #include "dem/errors.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/bench_kernels.hpp"
-#include "compare/bench_tables.hpp"
+#include "compare/bench/kernels.hpp"
+#include "compare/bench/tables.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "compare/bench_row.hpp"
+#include "compare/bench/row.hpp"
 
 // The problems of the bench. Nominal fiber, nu = 0.3; one thread, one chain at a time unless a row says
 // otherwise.

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/bench_row.hpp"
+#include "compare/bench/row.hpp"
 #include "compare/figure.hpp"
 #include "compare/table.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/bench_kernels.hpp"
+#include "compare/bench/kernels.hpp"
 
 // What a scene saves that does not pay for what it lacks, all measured in one run, in turns.
 namespace fiberchain::compare {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/bench_counted.hpp"
+#include "compare/bench/counted.hpp"
 #include "dem/motion/physics.hpp"
 
 namespace fiberchain::compare {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "compare/bench_timing.hpp"
+#include "compare/bench/timing.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
 // What one core does at most: throughput of independent operations on full vectors, in registers.

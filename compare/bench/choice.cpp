@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "compare/bench_row.hpp"
+#include "compare/bench/row.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/bench_swing.hpp"
+#include "compare/bench/swing.hpp"
 
 #include <fmt/format.h>
 #include <cmath>

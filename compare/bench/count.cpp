@@ -1,9 +1,9 @@
-#include "compare/bench_count.hpp"
+#include "compare/bench/count.hpp"
 
 #include <utility>
 #include <vector>
 
-#include "compare/bench_swing.hpp"
+#include "compare/bench/swing.hpp"
 #include "dem/errors.hpp"
 #include "dem/motion/leapfrog.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/bench_row.hpp"
+#include "compare/bench/row.hpp"
 #include "dem/vibration/release.hpp"
 
 // The time integrators of dem/ at all their settings, on one release.

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/bench_history_reference.hpp"
-#include "compare/bench_problems.hpp"
-#include "compare/bench_ring_down.hpp"
+#include "compare/bench/history_reference.hpp"
+#include "compare/bench/problems.hpp"
+#include "compare/bench/ring_down.hpp"
 #include "compare/damping_release.hpp"
 #include "compare/linear_twin.hpp"
 #include "compare/static_point.hpp"

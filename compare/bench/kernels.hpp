@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/bench_count.hpp"
-#include "compare/bench_peak.hpp"
-#include "compare/bench_problems.hpp"
-#include "compare/bench_swing.hpp"
+#include "compare/bench/count.hpp"
+#include "compare/bench/peak.hpp"
+#include "compare/bench/problems.hpp"
+#include "compare/bench/swing.hpp"
 #include "compare/figure.hpp"
 #include "compare/table.hpp"
 

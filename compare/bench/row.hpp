@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/bench_timing.hpp"
+#include "compare/bench/timing.hpp"
 #include "dem/motion/integrator.hpp"
 
 // Run time against error: what the bench measures, as values.

@@ -1,4 +1,4 @@
-#include "compare/bench_skips.hpp"
+#include "compare/bench/skips.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

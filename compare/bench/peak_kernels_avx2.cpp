@@ -1,4 +1,4 @@
-#include "compare/bench_peak_loops.hpp"
+#include "compare/bench/peak_loops.hpp"
 
 namespace fiberchain::compare {
 

@@ -1,4 +1,4 @@
-#include "compare/bench_static_reference.hpp"
+#include "compare/bench/static_reference.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multiroots.h>

@@ -1,4 +1,4 @@
-#include "compare/bench_history_reference.hpp"
+#include "compare/bench/history_reference.hpp"
 
 #include "dem/bond/dashpot.hpp"
 #include "reference/gsl_ode.hpp"

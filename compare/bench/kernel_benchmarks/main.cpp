@@ -3,7 +3,7 @@
 // lane.
 #include <benchmark/benchmark.h>
 
-#include "compare/bench_swing.hpp"
+#include "compare/bench/swing.hpp"
 #include "dem/bond/tangent.hpp"
 #include "dem/equilibrium/balance.hpp"
 

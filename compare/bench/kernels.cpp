@@ -1,4 +1,4 @@
-#include "compare/bench_kernels.hpp"
+#include "compare/bench/kernels.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/bench_problems.hpp"
-#include "compare/bench_static_reference.hpp"
+#include "compare/bench/problems.hpp"
+#include "compare/bench/static_reference.hpp"
 #include "compare/static_point.hpp"
 #include "dem/equilibrium/solve.hpp"
 #include "dem/motion/time_step.hpp"

@@ -1,4 +1,4 @@
-#include "compare/bench_timing.hpp"
+#include "compare/bench/timing.hpp"
 
 #include <algorithm>
 #include <chrono>

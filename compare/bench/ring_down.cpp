@@ -1,4 +1,4 @@
-#include "compare/bench_ring_down.hpp"
+#include "compare/bench/ring_down.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "compare/bench_tables.hpp"
+#include "compare/bench/tables.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
