@@ -29,6 +29,19 @@ struct Candidate {
   double cost;   ///< of a bond over a period
 };
 
+/// Largest turn of the free end in an implicit step [rad]: beyond, Newton's method halves steps of a sudden release
+/// (measured).
+constexpr double largest_turn = 0.02;
+
+/// Tip deflection over L that the motion swings to.
+template <int Dim>
+double swing(const Release<Dim>& release, double frequency) {
+  if (release.start.empty()) return 0;
+  const double moved = norm(release.start.back().position - release.chain.poses.back().position);
+  const double speed = release.velocity.empty() ? 0.0 : norm(release.velocity.back());
+  return std::max(moved, speed / frequency) / fiber_length(release.chain.fiber);
+}
+
 /// Largest w dt with a w dt + b (w dt)^2 <= error.
 double largest_angle(double a, double b, double error) { return 2 * error / (a + std::sqrt(a * a + 4 * b * error)); }
 
@@ -49,7 +62,12 @@ IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOpt
   std::vector<Candidate> all{candidate(Integrator::leapfrog, xi_f / 2, 1.0 / 24, cost.lagged)};
   if (fiber.rolling_friction == 0) {
     if (damped(fiber)) all.push_back(candidate(Integrator::leapfrog_damped, 0, 1.0 / 24, cost.solved));
-    all.push_back(candidate(Integrator::implicit, 0, 1.0 / 6, cost.implicit));
+    Candidate implicit = candidate(Integrator::implicit, 0, 1.0 / 6, cost.implicit);
+    // the tip of a beam turns by about 1.4 a/L as it deflects by a
+    const double longest = largest_turn / (1.4 * std::max(swing(release, w), 1e-9) * w);
+    implicit.cost *= std::max(1.0, implicit.step / longest);
+    implicit.step = std::min(implicit.step, longest);
+    all.push_back(implicit);
   }
   const Candidate best = *std::min_element(all.begin(), all.end(),
                                            [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
