@@ -79,6 +79,9 @@ ReleaseRun run_in(const ReleaseScene& scene) {
     history.y.push_back(sign * run.y.back());
     history.velocity.push_back(sign * sample.velocity[1] / L);
   }
+  for (const dem::Pose<double, Dim>& pose : record.last.poses) {
+    run.last.push_back({pose.position[0] / L, pose.position[1] / L, Dim == 3 ? pose.position[Dim - 1] / L : 0.0});
+  }
   measure(run, history);
   return run;
 }
@@ -125,6 +128,15 @@ Table release_history_table(const ReleaseRun& run) {
   for (std::size_t i = 0; i < run.time.size(); ++i) {
     table.append({{"time", run.time[i] / run.period}, {"tip_y", run.y[i]}, {"tip_z", run.z[i]},
                   {"energy", run.energy[i]}});
+  }
+  return table;
+}
+
+Table release_last_table(const ReleaseRun& run) {
+  Table table({"sphere", "position_x", "position_y", "position_z"});
+  for (std::size_t i = 0; i < run.last.size(); ++i) {
+    table.append({{"sphere", static_cast<std::int64_t>(i)}, {"position_x", run.last[i][0]},
+                  {"position_y", run.last[i][1]}, {"position_z", run.last[i][2]}});
   }
   return table;
 }

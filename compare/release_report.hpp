@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "compare/figure.hpp"
 #include "compare/table.hpp"
 #include "dem/io/scene.hpp"
@@ -19,6 +21,7 @@ struct ReleaseRun {
   double run_time;          ///< [s]
   std::vector<double> time, y, z, energy;  ///< samples [s], over L, [J]
   std::string failure;      ///< empty, else where and why the run stopped
+  std::vector<std::array<double, 3>> last;  ///< places of the spheres in the last good state, over L
 };
 
 /// Throws dem::InvalidInput, dem::NoConvergence, and InputError if the first mode is overdamped.
@@ -29,6 +32,9 @@ Table release_table(const dem::io::ReleaseScene& scene, const ReleaseRun& run);
 
 /// A row a sample.
 Table release_history_table(const ReleaseRun& run);
+
+/// The last good state, a row a sphere: where the run ended, or blew up right after.
+Table release_last_table(const ReleaseRun& run);
 
 Figure release_figure(const dem::io::ReleaseScene& scene, const ReleaseRun& run);
 

@@ -21,7 +21,8 @@ Results run_release(const dem::io::ReleaseScene& scene, const compare::ReleaseRu
   return {.name = name,
           .heading = "Release",
           .table = compare::release_table(scene, run),
-          .more_tables = {{name + "-history", compare::release_history_table(run)}},
+          .more_tables = {{name + "-history", compare::release_history_table(run)},
+                          {name + "-last", compare::release_last_table(run)}},
           .figures = {{name + "-history", compare::release_figure(scene, run)}}};
 }
 

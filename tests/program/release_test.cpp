@@ -46,6 +46,9 @@ BOOST_AUTO_TEST_CASE(a_run_that_blows_up_fails_and_keeps_what_was_good) {
   BOOST_TEST(outcome.error.find("the run blew up: fiber 0, sphere ") != std::string::npos, outcome.error);
   BOOST_TEST(outcome.error.find("the step is beyond the stable one") != std::string::npos, outcome.error);
   BOOST_TEST(content(scratch.path / "results/s-history.csv").find("\n0,") != std::string::npos);
+  const std::string last = content(scratch.path / "results/s-last.csv");  // 11 spheres, all of them somewhere
+  BOOST_TEST(last.find("\n10,") != std::string::npos);
+  BOOST_TEST(last.find("nan") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_unstable_step_is_refused_with_the_limit) {
