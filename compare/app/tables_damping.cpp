@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/app/commands.hpp"
+#include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/damping_table.hpp"
 #include "compare/errors.hpp"
@@ -62,22 +63,13 @@ Points measure(const Cases& cases, int jobs, const Context& context) {
 compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
                                              const Context& context, Points& all) {
   const compare::DampingFigureCases wanted = compare::damping_figure_cases(peaks);
+  all = measure(joined<Cases::value_type>({wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}), jobs, context);
+  Portions portions(all);
   compare::DampingFigurePoints figures;
-  Cases cases;
-  for (const Cases* part : {&wanted.bond_damping, &wanted.load, &wanted.modulus, &wanted.aspect_ratio}) {
-    cases.insert(cases.end(), part->begin(), part->end());
-  }
-  all = measure(cases, jobs, context);
-  auto next = all.begin();
-  const auto take = [&](const Cases& part) {
-    const auto first = next;
-    next += static_cast<std::ptrdiff_t>(part.size());
-    return Points(first, next);
-  };
-  figures.bond_damping = take(wanted.bond_damping);
-  figures.load = take(wanted.load);
-  figures.modulus = take(wanted.modulus);
-  figures.aspect_ratio = take(wanted.aspect_ratio);
+  figures.bond_damping = portions.next(wanted.bond_damping.size());
+  figures.load = portions.next(wanted.load.size());
+  figures.modulus = portions.next(wanted.modulus.size());
+  figures.aspect_ratio = portions.next(wanted.aspect_ratio.size());
   return figures;
 }
 
@@ -99,11 +91,7 @@ int run(const Arguments& arguments, Context& context) {
   }
   results.table = compare::damping_table(points);
   deliver(results, results.table.select(kShown), output, directory, context);
-  const auto failed =
-      std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} of {} cases could not be measured, see column status", failed, points.size());
-  return kRunFailed;
+  return status_of(points, context);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/app/commands.hpp"
+#include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/errors.hpp"
 #include "compare/rolling_table.hpp"
@@ -61,22 +62,13 @@ Points measure(const Cases& cases, int jobs, const Context& context) {
 compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
                                              const Context& context, Points& all) {
   const compare::RollingFigureCases wanted = compare::rolling_figure_cases(peaks);
-  Cases cases;
-  for (const Cases* part : {&wanted.friction, &wanted.step, &wanted.amplitude, &wanted.decay}) {
-    cases.insert(cases.end(), part->begin(), part->end());
-  }
-  all = measure(cases, jobs, context);
-  auto next = all.begin();
-  const auto take = [&](const Cases& part) {
-    const auto first = next;
-    next += static_cast<std::ptrdiff_t>(part.size());
-    return Points(first, next);
-  };
+  all = measure(joined<Cases::value_type>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}), jobs, context);
+  Portions portions(all);
   compare::RollingFigurePoints figures;
-  figures.friction = take(wanted.friction);
-  figures.step = take(wanted.step);
-  figures.amplitude = take(wanted.amplitude);
-  figures.decay = take(wanted.decay);
+  figures.friction = portions.next(wanted.friction.size());
+  figures.step = portions.next(wanted.step.size());
+  figures.amplitude = portions.next(wanted.amplitude.size());
+  figures.decay = portions.next(wanted.decay.size());
   return figures;
 }
 
@@ -98,11 +90,7 @@ int run(const Arguments& arguments, Context& context) {
   }
   results.table = compare::rolling_table(points);
   deliver(results, results.table.select(kShown), output, directory, context);
-  const auto failed =
-      std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} of {} cases could not be measured, see column status", failed, points.size());
-  return kRunFailed;
+  return status_of(points, context);
 }
 
 }  // namespace

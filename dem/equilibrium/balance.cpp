@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/bond/strain_change.hpp"
+
 namespace fiberchain::dem {
 namespace {
 
@@ -13,41 +15,41 @@ void add(SphereVector<Dim>& sum, const Vec<double, Dim>& force, const Spin<doubl
 }
 
 template <int Dim>
-Vec<double, Dim> force_part(const SphereVector<Dim>& v) {
-  Vec<double, Dim> part;
-  for (int i = 0; i < Dim; ++i) part[i] = v[i];
-  return part;
-}
-
-template <int Dim>
-Spin<double, Dim> moment_part(const SphereVector<Dim>& v) {
-  Spin<double, Dim> part;
-  for (int i = 0; i < spin_size<Dim>; ++i) part[i] = v[Dim + i];
-  return part;
-}
-
-template <int Dim>
 void release_clamps(ChainVector<Dim>& forces, const Boundary<Dim>& boundary) {
   for (const int sphere : boundary.clamped) forces[sphere].setZero();
 }
 
-/// rho + delta rho, with delta rho = R_m^T (u_2 - u_1) - a_m x rho and a_m the spin of the mid-frame.
+/// rho + delta rho
 template <int Dim>
 Vec<double, Dim> changed_separation(const BondKinematics<double, Dim>& k, const SphereVector<Dim>& first,
                                     const SphereVector<Dim>& second) {
-  const SphereVector<Dim> sum = first + second, difference = second - first;
-  Spin<double, Dim> mean = 0.5 * moment_part<Dim>(sum);
-  Vec<double, Dim> local = k.frame.to_local(force_part<Dim>(difference));
-  if constexpr (Dim == 3) {
-    mean = k.frame.to_local(mean) - 0.5 * cross(k.half_tangent, k.frame.to_local(moment_part<3>(difference)));
-  }
-  return k.separation + local - cross(mean, k.separation);
+  const SphereVector<Dim> difference = second - first;
+  return k.separation + strain_change<Dim>(k, displacement_part<Dim>(difference), rotation_part<Dim>(first),
+                                           rotation_part<Dim>(second)).separation;
 }
 
-void turn(double& angle, const Vec<double, 1>& phi) { angle += phi[0]; }
-void turn(Quaternion<double>& q, const Vec<double, 3>& phi) { q = normalized(rotation(phi) * q); }
-
 }  // namespace
+
+template <int Dim>
+double size_of(const ChainVector<Dim>& motion, double length) {
+  double largest = 0;
+  for (const SphereVector<Dim>& v : motion) {
+    const double here = std::max(v.template head<Dim>().cwiseAbs().maxCoeff() / length,
+                                 v.template tail<spin_size<Dim>>().cwiseAbs().maxCoeff());
+    if (!(here <= largest)) largest = here;  // keeps not-a-number
+    if (std::isnan(largest)) break;
+  }
+  return largest;
+}
+
+template <int Dim>
+void hold_clamped(ChainTangent<Dim>& A, const Boundary<Dim>& boundary) {
+  for (const int sphere : boundary.clamped) {
+    A.lower[sphere].setZero();
+    A.upper[sphere].setZero();
+    A.diagonal[sphere].setIdentity();
+  }
+}
 
 template <int Dim>
 ChainVector<Dim> bond_forces(const Chain<Dim>& chain, const Poses<Dim>& poses) {
@@ -93,11 +95,7 @@ ChainTangent<Dim> stiffness(const Chain<Dim>& chain, const Poses<Dim>& poses, co
     K.lower[i + 1] = -tangent.template bottomLeftCorner<n, n>();
     K.diagonal[i + 1] -= tangent.template bottomRightCorner<n, n>();
   }
-  for (const int sphere : boundary.clamped) {
-    K.lower[sphere].setZero();
-    K.upper[sphere].setZero();
-    K.diagonal[sphere].setIdentity();
-  }
+  hold_clamped(K, boundary);
   return K;
 }
 
@@ -110,8 +108,8 @@ void move(const Chain<Dim>& chain, const Boundary<Dim>& boundary, Poses<Dim>& po
     for (int i = 0; i < last; ++i) separation[i] = changed_separation<Dim>(bond_kinematics(chain, poses, i), motion[i], motion[i + 1]);
   }
   for (int i = 0; i <= last; ++i) {
-    turn(poses[i].orientation, moment_part<Dim>(motion[i]));
-    if (!one_clamp) poses[i].position = poses[i].position + force_part<Dim>(motion[i]);
+    turn_by_vector(poses[i].orientation, rotation_part<Dim>(motion[i]));
+    if (!one_clamp) poses[i].position = poses[i].position + displacement_part<Dim>(motion[i]);
   }
   if (!one_clamp) return;
   const int clamp = boundary.clamped[0];
@@ -136,9 +134,9 @@ Imbalance imbalance(const Poses<Dim>& poses, const ChainVector<Dim>& net, const 
     if (i + 1 < static_cast<int>(poses.size())) {
       moment = moment + cross(poses[i + 1].position - poses[i].position, force);
     }
-    const Vec<double, Dim> here = force_part<Dim>(net[i]);
+    const Vec<double, Dim> here = displacement_part<Dim>(net[i]);
     force = force + here;
-    moment = moment + moment_part<Dim>(net[i]);
+    moment = moment + rotation_part<Dim>(net[i]);
     worst.force = std::max(worst.force, norm(force));
     worst.moment = std::max(worst.moment, norm(moment));
   }
@@ -147,6 +145,10 @@ Imbalance imbalance(const Poses<Dim>& poses, const ChainVector<Dim>& net, const 
   return worst;
 }
 
+template double size_of<2>(const ChainVector<2>&, double);
+template double size_of<3>(const ChainVector<3>&, double);
+template void hold_clamped<2>(ChainTangent<2>&, const Boundary<2>&);
+template void hold_clamped<3>(ChainTangent<3>&, const Boundary<3>&);
 template ChainVector<2> bond_forces<2>(const Chain<2>&, const Poses<2>&);
 template ChainVector<3> bond_forces<3>(const Chain<3>&, const Poses<3>&);
 template ChainVector<2> applied_loads<2>(const Boundary<2>&, int);

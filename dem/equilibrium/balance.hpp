@@ -21,6 +21,41 @@ using ChainVector = std::vector<SphereVector<Dim>>;
 template <int Dim>
 using ChainTangent = BlockTridiagonal<sphere_motions<Dim>>;
 
+/// Displacement (velocity, force) and rotation (spin, moment) of a sphere in one vector, and back.
+template <int Dim>
+SphereVector<Dim> motion_of(const Vec<double, Dim>& displacement, const Spin<double, Dim>& rotation) {
+  SphereVector<Dim> motion;
+  motion.template head<Dim>() = tangent_detail::eigen(displacement);
+  motion.template tail<spin_size<Dim>>() = tangent_detail::eigen(rotation);
+  return motion;
+}
+
+template <int Dim>
+Vec<double, Dim> displacement_part(const SphereVector<Dim>& v) {
+  Vec<double, Dim> part;
+  for (int i = 0; i < Dim; ++i) part[i] = v[i];
+  return part;
+}
+
+template <int Dim>
+Spin<double, Dim> rotation_part(const SphereVector<Dim>& v) {
+  Spin<double, Dim> part;
+  for (int i = 0; i < spin_size<Dim>; ++i) part[i] = v[Dim + i];
+  return part;
+}
+
+/// Turns an orientation by the rotation vector phi, exactly.
+inline void turn_by_vector(double& angle, const Vec<double, 1>& phi) { angle += phi[0]; }
+inline void turn_by_vector(Quaternion<double>& q, const Vec<double, 3>& phi) { q = normalized(rotation(phi) * q); }
+
+/// Largest displacement / length or rotation; not-a-number if there is one.
+template <int Dim>
+double size_of(const ChainVector<Dim>& motion, double length);
+
+/// Identity rows at the clamped spheres.
+template <int Dim>
+void hold_clamped(ChainTangent<Dim>& A, const Boundary<Dim>& boundary);
+
 /// Bond forces and moments on every sphere [N, N m].
 template <int Dim>
 ChainVector<Dim> bond_forces(const Chain<Dim>& chain, const Poses<Dim>& poses);

@@ -39,19 +39,6 @@ Boundary<Dim> between(const Boundary<Dim>& from, const Boundary<Dim>& to, double
   return now;
 }
 
-/// Largest displacement / L or rotation of a motion.
-template <int Dim>
-double size(const ChainVector<Dim>& motion, double length) {
-  double largest = 0;
-  for (const SphereVector<Dim>& v : motion) {
-    const double here = std::max(v.template head<Dim>().cwiseAbs().maxCoeff() / length,
-                                 v.template tail<spin_size<Dim>>().cwiseAbs().maxCoeff());
-    if (!(here <= largest)) largest = here;  // keeps not-a-number
-    if (std::isnan(largest)) break;
-  }
-  return largest;
-}
-
 /// A turn of more than this in one Newton step leaves the range where the step means anything.
 constexpr double largest_turn = 1.0;
 
@@ -67,7 +54,7 @@ std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, cons
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     const ChainVector<Dim> motion = remaining_motion(chain, poses, boundary);
     ++statistics.newton_iterations;
-    const double step = size<Dim>(motion, length);
+    const double step = size_of<Dim>(motion, length);
     const bool at_round_off = step < round_off_step && step > 0.25 * previous;
     if (!(step <= largest_turn) || (iteration > 2 && step > 2 * previous && !at_round_off)) return std::nullopt;
     move(chain, boundary, poses, motion);

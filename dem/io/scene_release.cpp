@@ -5,8 +5,10 @@ namespace {
 
 constexpr Interval kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
 
+const std::vector<std::string> kBondKeys = {"model", "form", "damping", "rolling_friction", "rolling"};
+
 void read_release_bond(const Section& top, ReleaseScene& scene) {
-  const Section section = top.section("bond", {"model", "form", "damping", "rolling_friction", "rolling"});
+  const Section section = top.section("bond", kBondKeys);
   read_bond(section, scene.fiber, scene.motion.form);
   if (section.has("rolling_friction")) {
     scene.fiber.rolling_friction = section.number("rolling_friction", kNonNegative);
@@ -62,7 +64,7 @@ void check_together(const Section& top, const ReleaseScene& scene) {
     if (!incremental) top.fail("bond", "rolling friction is built for form: incremental");
   }
   const bool total_only = integrator == Integrator::implicit || integrator == Integrator::cvode;
-  if (total_only && incremental && top.has("bond") && top.section("bond", {"model", "form", "damping", "rolling_friction", "rolling"}).has("form")) {
+  if (total_only && incremental && top.has("bond") && top.section("bond", kBondKeys).has("form")) {
     top.fail("bond", "form: incremental is built for the leapfrogs; implicit and cvode have form: total");
   }
 }

@@ -36,28 +36,6 @@ SphereVector<Dim> sphere_inertias(const Fiber& fiber) {
 }
 
 template <int Dim>
-SphereVector<Dim> motion_of(const Vec<double, Dim>& velocity, const Spin<double, Dim>& spin) {
-  SphereVector<Dim> motion;
-  motion.template head<Dim>() = tangent_detail::eigen(velocity);
-  motion.template tail<spin_size<Dim>>() = tangent_detail::eigen(spin);
-  return motion;
-}
-
-template <int Dim>
-Vec<double, Dim> displacement_part(const SphereVector<Dim>& v) {
-  Vec<double, Dim> part;
-  for (int i = 0; i < Dim; ++i) part[i] = v[i];
-  return part;
-}
-
-template <int Dim>
-Spin<double, Dim> rotation_part(const SphereVector<Dim>& v) {
-  Spin<double, Dim> part;
-  for (int i = 0; i < spin_size<Dim>; ++i) part[i] = v[Dim + i];
-  return part;
-}
-
-template <int Dim>
 ChainVector<Dim> dashpot_forces(const Chain<Dim>& chain, const Poses<Dim>& poses, const ChainVector<Dim>& velocity) {
   ChainVector<Dim> forces(poses.size(), SphereVector<Dim>::Zero());
   if (!damped(chain.fiber)) return forces;
@@ -90,15 +68,28 @@ void add_dashpots(const Chain<Dim>& chain, const Poses<Dim>& poses, double facto
   }
 }
 
+template <int Dim>
+ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary,
+                                ChainTangent<Dim> K, const MatrixFactors& factors) {
+  ChainTangent<Dim> A = std::move(K);
+  const SphereVector<Dim> inertias = sphere_inertias<Dim>(chain.fiber);
+  for (int i = 0; i < A.blocks(); ++i) {
+    for (auto* block : {&A.lower[i], &A.diagonal[i], &A.upper[i]}) *block *= factors.stiffness;
+    A.diagonal[i].diagonal() += factors.inertia * inertias;
+  }
+  add_dashpots(chain, poses, factors.damping, A);
+  hold_clamped(A, boundary);
+  return A;
+}
+
 #define FIBERCHAIN_INSTANTIATE(Dim)                                                                              \
   template ChainState<Dim> at_rest<Dim>(const Poses<Dim>&);                                                      \
   template double total_energy<Dim>(const Chain<Dim>&, const ChainState<Dim>&);                                  \
   template SphereVector<Dim> sphere_inertias<Dim>(const Fiber&);                                                 \
-  template SphereVector<Dim> motion_of<Dim>(const Vec<double, Dim>&, const Spin<double, Dim>&);                  \
-  template Vec<double, Dim> displacement_part<Dim>(const SphereVector<Dim>&);                                    \
-  template Spin<double, Dim> rotation_part<Dim>(const SphereVector<Dim>&);                                       \
   template ChainVector<Dim> dashpot_forces<Dim>(const Chain<Dim>&, const Poses<Dim>&, const ChainVector<Dim>&);  \
-  template void add_dashpots<Dim>(const Chain<Dim>&, const Poses<Dim>&, double, ChainTangent<Dim>&);
+  template void add_dashpots<Dim>(const Chain<Dim>&, const Poses<Dim>&, double, ChainTangent<Dim>&);             \
+  template ChainTangent<Dim> motion_matrix<Dim>(const Chain<Dim>&, const Poses<Dim>&, const Boundary<Dim>&,      \
+                                                ChainTangent<Dim>, const MatrixFactors&);
 FIBERCHAIN_INSTANTIATE(2)
 FIBERCHAIN_INSTANTIATE(3)
 #undef FIBERCHAIN_INSTANTIATE

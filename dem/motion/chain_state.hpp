@@ -35,16 +35,13 @@ void add_dashpots(const Chain<Dim>& chain, const Poses<Dim>& poses, double facto
 template <int Dim>
 SphereVector<Dim> sphere_inertias(const Fiber& fiber);
 
-/// Velocity and spin of a sphere in one vector, and back.
+/// inertia M + damping C + stiffness K, identity rows at clamped spheres, with K (no sphere held) given: Newton's matrix of
+/// every implicit scheme.
+struct MatrixFactors {
+  double inertia, damping, stiffness;
+};
 template <int Dim>
-SphereVector<Dim> motion_of(const Vec<double, Dim>& velocity, const Spin<double, Dim>& spin);
-template <int Dim>
-Vec<double, Dim> displacement_part(const SphereVector<Dim>& v);
-template <int Dim>
-Spin<double, Dim> rotation_part(const SphereVector<Dim>& v);
-
-/// Turns a pose by the rotation vector phi, exactly.
-inline void turn_by_vector(double& angle, const Vec<double, 1>& phi) { angle += phi[0]; }
-inline void turn_by_vector(Quaternion<double>& q, const Vec<double, 3>& phi) { q = normalized(rotation(phi) * q); }
+ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary,
+                                ChainTangent<Dim> K, const MatrixFactors& factors);
 
 }  // namespace fiberchain::dem

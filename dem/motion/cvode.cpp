@@ -118,18 +118,7 @@ struct CvodeMotion<Dim>::Solver {
   void set_up_matrix(const double* predicted, double time, double gamma) {
     factors_at = unpack(predicted).poses;
     springs.emplace(stiffness(chain, factors_at, Boundary<Dim>{}));
-    ChainTangent<Dim> A = *springs;
-    for (int i = 0; i < spheres(); ++i) {
-      for (auto* block : {&A.lower[i], &A.diagonal[i], &A.upper[i]}) *block *= gamma * gamma;
-      A.diagonal[i].diagonal() += inertias;
-    }
-    add_dashpots(chain, factors_at, gamma, A);
-    for (const int sphere : boundary.clamped) {
-      A.lower[sphere].setZero();
-      A.upper[sphere].setZero();
-      A.diagonal[sphere].setIdentity();
-    }
-    factors.emplace(A);
+    factors.emplace(motion_matrix(chain, factors_at, boundary, *springs, {1.0, gamma, gamma * gamma}));
     factors_time = time, factors_gamma = gamma;
     ++work.factorizations;
   }

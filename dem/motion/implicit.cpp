@@ -4,29 +4,11 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "dem/bond/strain_change.hpp"
 #include "dem/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
-
-/// Change of the strain by the motions of a bond's spheres, to first order about the given kinematics.
-template <int Dim>
-struct StrainChange {
-  Vec<double, Dim> separation;
-  Spin<double, Dim> rotation;
-};
-
-template <int Dim>
-StrainChange<Dim> strain_change(const BondKinematics<double, Dim>& k, const SphereVector<Dim>& first,
-                                const SphereVector<Dim>& second) {
-  const SphereVector<Dim> difference = second - first, sum = first + second;
-  Spin<double, Dim> mean = 0.5 * rotation_part<Dim>(sum), relative = rotation_part<Dim>(difference);
-  if constexpr (Dim == 3) {
-    relative = k.frame.to_local(relative);
-    mean = k.frame.to_local(mean) - 0.5 * cross(k.half_tangent, relative);
-  }
-  return {k.frame.to_local(displacement_part<Dim>(difference)) - cross(mean, k.separation), spin_conjugate(k, relative)};
-}
 
 /// Size of the strain change in energy: its inner product weighted by the stiffnesses, and what it pushes with.
 template <int Dim>
@@ -65,18 +47,6 @@ void move_by(Poses<Dim>& poses, const ChainVector<Dim>& velocity, double time) {
   }
 }
 
-/// Largest displacement / length or rotation.
-template <int Dim>
-double size_of(const ChainVector<Dim>& motion, double length) {
-  double largest = 0;
-  for (const SphereVector<Dim>& v : motion) {
-    const double here = std::max(v.template head<Dim>().cwiseAbs().maxCoeff() / length,
-                                 v.template tail<spin_size<Dim>>().cwiseAbs().maxCoeff());
-    if (!(here <= largest)) largest = here;  // keeps not-a-number
-  }
-  return largest;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -103,7 +73,9 @@ typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector
   for (int i = 0; i < chain_.fiber.aspect_ratio; ++i) {
     const double energy_change = energy_of_bond(chain_, end, i) - energy_[i];
     const auto k = bond_kinematics(chain_, t.middle, i);
-    const StrainChange<Dim> z = strain_change<Dim>(k, dt * mean_velocity[i], dt * mean_velocity[i + 1]);
+    const SphereVector<Dim> first = dt * mean_velocity[i], second = dt * mean_velocity[i + 1], difference = second - first;
+    const StrainChange<Dim> z = strain_change<Dim>(k, displacement_part<Dim>(difference), rotation_part<Dim>(first),
+                                                   rotation_part<Dim>(second));
     const auto loads = bond_loads(k, consistent_stress(bond, k, z, energy_change, length));
     t.out_of_balance[i] += motion_of<Dim>(loads.force_on_first, loads.moment_on_first);
     t.out_of_balance[i + 1] += motion_of<Dim>(-loads.force_on_first, loads.moment_on_second);
@@ -120,19 +92,7 @@ typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector
 
 template <int Dim>
 ChainTangent<Dim> ImplicitMotion<Dim>::matrix(const Poses<Dim>& middle, double dt) const {
-  ChainTangent<Dim> A = stiffness(chain_, middle, Boundary<Dim>{});
-  const SphereVector<Dim> inertias = sphere_inertias<Dim>(chain_.fiber);
-  for (int i = 0; i < A.blocks(); ++i) {
-    for (auto* block : {&A.lower[i], &A.diagonal[i], &A.upper[i]}) *block *= dt / 2;
-    A.diagonal[i].diagonal() += 2 / dt * inertias;
-  }
-  add_dashpots(chain_, middle, 1.0, A);
-  for (const int sphere : boundary_.clamped) {
-    A.lower[sphere].setZero();
-    A.upper[sphere].setZero();
-    A.diagonal[sphere].setIdentity();
-  }
-  return A;
+  return motion_matrix(chain_, middle, boundary_, stiffness(chain_, middle, Boundary<Dim>{}), {2 / dt, 1.0, dt / 2});
 }
 
 template <int Dim>

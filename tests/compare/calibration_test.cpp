@@ -17,6 +17,7 @@
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_elastica.hpp"
 #include "reference/elastica.hpp"
+#include "tests/compare/messages.hpp"
 
 using namespace fiberchain;
 using namespace fiberchain::compare;
@@ -34,20 +35,6 @@ CalibrationCase case_of(int aspect_ratio, double nu = 0.17, DashpotLaw law = Das
   CalibrationCase asked{nominal_fiber(aspect_ratio, nu, bond)};
   asked.fiber.dashpots = law;
   return asked;
-}
-
-template <class Error, class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
-bool names(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos && message.find('\n') == std::string::npos;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "compare/static_release.hpp"
 #include "dem/errors.hpp"
 #include "reference/chain_modes.hpp"
+#include "tests/compare/messages.hpp"
 
 using namespace fiberchain;
 using namespace fiberchain::compare;
@@ -46,20 +47,6 @@ std::vector<DampingDatum> law_data(DampingLaw law, const std::vector<double>& pa
 const DampingFit& find(const std::vector<DampingFit>& fits, DampingLaw law, FitKind way) {
   return *std::ranges::find_if(
       fits, [&](const DampingFit& f) { return f.model.law == law && f.model.kind == way; });
-}
-
-template <class Error, class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
-bool names(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos && message.find('\n') == std::string::npos;
 }
 
 }  // namespace
