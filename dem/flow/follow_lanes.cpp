@@ -61,6 +61,18 @@ Physics physics_of(const FlowCase<Dim>& flow, BondForm form) {
           .curved = !flow.chain.natural.empty(), .fluid = true};
 }
 
+/// With the velocities of the undisturbed flow.
+template <int Dim>
+ChainState<Dim> state_at_start(const FlowCase<Dim>& flow) {
+  ChainState<Dim> state = at_rest<Dim>(flow.start);
+  const Gradient A = gradient_at(flow.fluid.flow, 0);
+  for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    state.velocity[i] = velocity_at<Dim>(A, state.poses[i].position);
+    state.spin[i] = spin_of<Dim>(A);
+  }
+  return state;
+}
+
 /// Steps between two looks at the whole chain: long enough that looking costs little.
 constexpr int steps_between_looks = 256;
 
@@ -68,21 +80,15 @@ constexpr int steps_between_looks = 256;
 template <int Dim>
 class FlowMarch {
  public:
-  FlowMarch(const FlowCase<Dim>& flow, const FlowOptions& options)
+  FlowMarch(const FlowCase<Dim>& flow, double first_time, const FlowOptions& options)
       : flow_(flow),
         stable_(stable_time_step(flow.chain.fiber, flow.fluid)),
         largest_(largest_step(flow.chain.fiber, stable_, options)),
-        step_(largest_),
+        step_(step_to(first_time)),
         block_({flow.chain}, clamps_of(flow), {step_}, {0.0}, physics_of(flow, options.form), options.instruction_set) {
     block_.set_fluid(0, flow.fluid);
     block_.set_loads(0, flow.boundary);
-    ChainState<Dim> start = at_rest<Dim>(flow.start);
-    const Gradient A = gradient_at(flow.fluid.flow, 0);
-    for (std::size_t i = 0; i < start.poses.size(); ++i) {
-      start.velocity[i] = velocity_at<Dim>(A, start.poses[i].position);
-      start.spin[i] = spin_of<Dim>(A);
-    }
-    put_state(block_, 0, flow.chain, start);
+    put_state(block_, 0, flow.chain, state_at_start(flow));
     block_.synchronize();
   }
 
@@ -90,8 +96,8 @@ class FlowMarch {
   bool go_to(double time) {
     const double interval = time - time_;
     if (interval > 0) {
-      const double steps = std::max(std::ceil(interval / largest_ * (1 - 1e-12)), 1.0);
-      take_step(interval / steps);
+      take_step(step_to(time));
+      const double steps = std::round(interval / step_);
       for (double done = 0; done < steps; done += steps_between_looks) {
         if (!stretch(static_cast<int>(std::min<double>(steps - done, steps_between_looks)))) return false;
       }
@@ -106,6 +112,12 @@ class FlowMarch {
   FlowRecord record{};
 
  private:
+  /// The largest step allowed that leads to a time in whole steps.
+  double step_to(double time) const {
+    const double interval = time - time_;
+    return interval > 0 ? interval / std::max(std::ceil(interval / largest_ * (1 - 1e-12)), 1.0) : largest_;
+  }
+
   /// Equal intervals differ by the rounding of their ends; that is not worth another step.
   void take_step(double step) {
     if (std::abs(step - step_) > 1e-12 * step_) {
@@ -157,8 +169,8 @@ class FlowMarch {
   }
 
   const FlowCase<Dim>& flow_;
-  double stable_, largest_, step_;
   double time_ = 0;
+  double stable_, largest_, step_;
   MarchingBlock<Dim> block_;
 };
 
@@ -169,10 +181,11 @@ FlowRecord follow_by_leapfrog(const FlowCase<Dim>& flow, const std::vector<doubl
                               const FlowSample<Dim>& sample) {
   check_built(flow, options);
   check<Dim>(flow.fluid);
-  FlowMarch<Dim> march(flow, options);
+  const auto first = std::ranges::find_if(times, [](double time) { return time > 0; });
+  FlowMarch<Dim> march(flow, first == times.end() ? 0 : *first, options);
   for (const double time : times) {
     if (!march.go_to(time)) break;
-    sample(time, march.state());
+    sample(time, time > 0 ? march.state() : state_at_start(flow));
   }
   return march.record;
 }
