@@ -22,7 +22,7 @@ namespace fiberchain::reference {
 // and the bending modes (n >= 2) contain neither. Mode 1, 3, 5 ... are even in s, mode 2, 4, 6 ... odd.
 
 /// Number of Legendre polynomials above rotation that the shapes are expanded in.
-inline constexpr int filament_polynomials = 50;
+inline constexpr int filament_polynomials = 90;
 /// Highest bending mode asked for and largest number, for which the expansion is good to 1e-9.
 inline constexpr int max_filament_mode = 12;
 inline constexpr double max_filament_number = 1e5;
@@ -68,7 +68,7 @@ std::function<double(double)> shear_compression(double angle);
 /// In the frame that turns with the straight filament (no torque of its own: Lambda = 1), by CVODE:
 ///   d a_n/dt = (e(t)/rate) (1 + n (n + 1)/2) a_n - (bending a)_n/number,
 /// times in 1/rate, number = zeta rate L^4/(E I), `compression` = e(t)/rate, in the plane (q = 1). `start`
-/// are the coefficients at time 0, 2 to 52 of them: as many are followed (24 give six digits up to number
+/// are the coefficients at time 0, 2 to 92 of them: as many are followed (24 give six digits up to number
 /// 1000). The tension's change with the deflection is of second order. Throws InvalidArgument, NoConvergence.
 FilamentHistory deflection_history(double number, const std::function<double(double)>& compression,
                                    const std::vector<double>& start, const std::vector<double>& times,
