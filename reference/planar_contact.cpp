@@ -53,15 +53,23 @@ PlanarContact::Look PlanarContact::look(std::span<const double> s) const {
 
 double PlanarContact::dashpot(const Look& l) const { return tangential_damping * l.quarter * l.slip; }
 
+double PlanarContact::softening(const Look& l) const {
+  return std::max(l.opening, 0.0) / (2 * std::max(l.overlap, 1e-300));
+}
+
 double PlanarContact::stick_rate(const Look& l, double spring_now) const {
-  const double unloading = std::max(l.opening, 0.0) / (2 * std::max(l.overlap, 1e-300));
-  return tangential * l.quarter * l.quarter * l.slip - unloading * spring_now;
+  return tangential * l.quarter * l.quarter * l.slip - softening(l) * spring_now;
+}
+
+double PlanarContact::slide_rate(const Look& l, double spring_now, double drag) const {
+  if (damping == 0) return 0;  // T is known then
+  return tangential * l.quarter / tangential_damping * (drag - spring_now) - softening(l) * spring_now;
 }
 
 double PlanarContact::spring(std::span<const double> s, ContactMode mode) const {
-  if (mode == ContactMode::sticks) return s[S::spring];
+  if (mode == ContactMode::sticks || damping > 0) return s[S::spring];
   const Look l = look(s);
-  return sign(mode) * friction * l.push - dashpot(l);
+  return sign(mode) * friction * l.push;
 }
 
 void PlanarContact::rates(std::span<const double> s, ContactMode mode, std::span<double> d) const {
@@ -79,7 +87,7 @@ void PlanarContact::rates(std::span<const double> s, ContactMode mode, std::span
   // force and arm both change sign from the first body to the second: both turn the same way
   d[S::w1] = share[0] * l.distance * drag * inverse_inertia[0];
   d[S::w2] = share[1] * l.distance * drag * inverse_inertia[1];
-  d[S::spring] = sticks ? stick_rate(l, s[S::spring]) : 0;
+  d[S::spring] = sticks ? stick_rate(l, s[S::spring]) : slide_rate(l, s[S::spring], drag);
 }
 
 double PlanarContact::overlap(std::span<const double> s) const { return look(s).overlap; }
@@ -94,20 +102,11 @@ double PlanarContact::lasting(std::span<const double> s) const {
 double PlanarContact::holding(std::span<const double> s, ContactMode mode) const {
   const Look l = look(s);
   if (l.overlap <= 0 || friction == 0) return 1;
-  if (mode == ContactMode::sticks) return friction * l.push - std::abs(s[S::spring] + dashpot(l));
-  PlanarNumbers rate;
-  rates(s, mode, rate);
-  // n' = turning t, t' = -turning n, distance' = opening
-  const double u = rate[S::u2] - rate[S::u1], v = rate[S::v2] - rate[S::v1];
-  const double spin_rate = share[0] * rate[S::w1] + share[1] * rate[S::w2];
-  const double opening_rate = l.along_normal(u, v) + l.turning * l.across;
-  const double slip_rate =
-      l.along_tangent(u, v) - l.turning * l.opening - l.opening * l.spin - l.distance * spin_rate;
-  const double quarter_rate = -0.25 * l.quarter / l.overlap * l.opening;
-  const double push_rate = -1.5 * stiffness * l.quarter * l.quarter * l.opening -
-                           damping * (quarter_rate * l.opening + l.quarter * opening_rate);
-  const double dashpot_rate = tangential_damping * (quarter_rate * l.slip + l.quarter * slip_rate);
-  return sign(mode) * (stick_rate(l, spring(s, mode)) + dashpot_rate) - friction * push_rate;
+  const double limit = friction * l.push;
+  if (mode == ContactMode::sticks) return limit - std::abs(s[S::spring] + dashpot(l));
+  if (damping > 0) return sign(mode) * (s[S::spring] + dashpot(l)) - limit;
+  const double limit_rate = -1.5 * friction * stiffness * l.quarter * l.quarter * l.opening;
+  return sign(mode) * stick_rate(l, spring(s, mode)) - limit_rate;
 }
 
 ContactMode PlanarContact::next(std::span<const double> s, ContactMode mode) const {

@@ -43,7 +43,9 @@ struct PlanarContact {
   struct Look;
   Look look(std::span<const double> state) const;
   double dashpot(const Look& l) const;
+  double softening(const Look& l) const;
   double stick_rate(const Look& l, double spring) const;
+  double slide_rate(const Look& l, double spring, double drag) const;
 };
 
 }  // namespace fiberchain::reference::detail

@@ -11,9 +11,9 @@ namespace fiberchain::reference {
 // tangential spring
 //   T' = k_t sqrt(d) s + min(d', 0) / (2 d) T                        while the contact sticks,
 // whose stiffness 8 G* sqrt(R* d) softens on unloading (Thornton, Cummins & Cleary, Powder Technol. 233
-// (2013) 30), a dashpot c_t d^(1/4) s beside it, and Coulomb's limit |T + c_t d^(1/4) s| <= mu F_n. Sliding,
-// both together are at the limit and T is what the dashpot leaves of it; the contact sticks again when the
-// force would fall below the limit.
+// (2013) 30), a dashpot c_t d^(1/4) s beside it, and Coulomb's limit: a slider of mu F_n in series with both.
+// It slides while |T + c_t d^(1/4) s| > mu F_n; the spring then stretches at the rate r that the dashpot
+// allows, T + c_t d^(1/4) r = +- mu F_n, in place of s.
 
 /// How the bodies touch.
 struct ContactLaw {
