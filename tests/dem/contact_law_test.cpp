@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
     return V{scale * normal(generator), scale * normal(generator), scale * normal(generator)};
   };
   const auto packed = [](const V& a, const V& b) {
-    return P3{Pack(a[0], b[0]), Pack(a[1], b[1]), Pack(a[2], b[2])};
+    return P3{Pack{a[0], b[0]}, Pack{a[1], b[1]}, Pack{a[2], b[2]}};
   };
   const double dt = 1e-6;
   const auto p = parameters({2e6, 7e5, 0.3, 0.4, 0.02}, 1e-3, 1e-6, 1e-12, dt);
@@ -285,11 +285,11 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
       history[k] = {random(1e-5), trial % 3 == k ? 0.0 : std::exp(normal(generator)) * 1e-6};
     }
     const dem::TouchingPair<Pack> both{
-        packed(pair[0].normal, pair[1].normal), Pack(pair[0].overlap, pair[1].overlap),
+        packed(pair[0].normal, pair[1].normal), Pack{pair[0].overlap, pair[1].overlap},
         packed(pair[0].velocity, pair[1].velocity), packed(pair[0].spin, pair[1].spin),
         packed(pair[0].mean_spin, pair[1].mean_spin)};
     dem::ContactHistory<Pack> together{packed(history[0].spring, history[1].spring),
-                                       Pack(history[0].overlap, history[1].overlap)};
+                                       Pack{history[0].overlap, history[1].overlap}};
     const auto action = contact_action(pp, both, Pack(dt), together);
     for (int k = 0; k < 2; ++k) {
       const auto alone = contact_action(p, pair[k], dt, history[k]);
