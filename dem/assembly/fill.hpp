@@ -26,7 +26,7 @@ struct FillOrientation {
 /// How to fill.
 struct FillRules {
   Box region;  ///< holds all spheres wholly; where it spans a period, fibers cross the sides
-  FillOrientation orientation;
+  FillOrientation orientation{};
   Vec<double, 3> velocity{};  ///< of all spheres at the start [m/s]
   double gap = 0;             ///< least distance between surfaces [m]
   std::uint64_t seed = 1;
