@@ -70,6 +70,7 @@ ChainState<Dim> state_at_start(const FlowCase<Dim>& flow) {
     state.velocity[i] = velocity_at<Dim>(A, state.poses[i].position);
     state.spin[i] = spin_of<Dim>(A);
   }
+  for (const int sphere : flow.boundary.clamped) state.velocity[sphere] = {}, state.spin[sphere] = {};
   return state;
 }
 
