@@ -205,6 +205,47 @@ BOOST_AUTO_TEST_CASE(an_undamped_fiber_in_shear_is_marched_at_second_order) {
 
 namespace {
 
+/// Distance at the end from CVODE, which knows neither lanes nor half steps, at a step and at half of it.
+template <int Dim>
+std::pair<double, double> distance_from_cvode(double damping, double rate_ratio) {
+  const dem::Fiber fiber = fiber_of(6, damping);
+  const double t_b = dem::bond_time_step(fiber);
+  const dem::Flow swing = dem::oscillation(dem::simple_shear(0.04 / t_b), 71 * t_b, 0.4);
+  auto flow = straight_case<Dim>(fiber, {viscosity_of(fiber, rate_ratio / t_b), swing}, 1.9, 0.5);
+  flow.boundary.loads = {{2, {}, {}}};
+  flow.boundary.loads[0].force[0] = dem::load_force(fiber, 0.7);
+  const std::vector<double> times{20 * t_b, 90 * t_b};
+  dem::FlowOptions cvode;
+  cvode.method = dem::FlowMethod::cvode;
+  cvode.tolerance = 1e-12;
+  dem::ChainState<Dim> expected;
+  dem::follow<Dim>(flow, times, cvode, [&](double, const dem::ChainState<Dim>& state) { expected = state; });
+  const auto off = [&](double ratio) {
+    dem::FlowOptions options;
+    options.step_ratio = ratio;
+    return flowing::distance(end_state(flow, times, options), expected, fiber);
+  };
+  return damping > 0 ? std::pair{off(0.004), off(0.002)} : std::pair{off(0.02), off(0.01)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_march_becomes_cvodes_solution_as_the_step_vanishes) {
+  for (const double damping : {0.0, 1.3}) {
+    for (const double rate_ratio : {0.05, 0.8}) {
+      for (const auto distance : {distance_from_cvode<2>, distance_from_cvode<3>}) {
+        const auto [coarse, fine] = distance(damping, rate_ratio);
+        BOOST_TEST_MESSAGE("damping " << damping << ", drag rate " << rate_ratio << " / t_b: " << coarse << " " << fine);
+        // lagged dashpots are of first order
+        BOOST_TEST(std::abs(order_of(coarse, fine) - (damping > 0 ? 1 : 2)) < 0.1);
+        BOOST_TEST(fine < 2e-6);
+      }
+    }
+  }
+}
+
+namespace {
+
 /// Momentum and angular momentum about the origin, and what the fluid gives a second.
 template <int Dim>
 struct Account {
@@ -413,6 +454,66 @@ BOOST_AUTO_TEST_CASE(a_chain_that_blows_up_says_where_and_keeps_what_came_before
   BOOST_TEST(way.record.reached >= way.times.back());
   BOOST_TEST(way.record.reached < way.times.back() + 10 * t_b);
   for (const auto& state : way.states) BOOST_TEST(std::isfinite(dem::norm(state.velocity[3])));
+}
+
+namespace {
+
+template <int Dim>
+std::vector<flowing::Path<Dim>> many_paths(const std::vector<dem::FlowJob<Dim>>& jobs, const dem::FlowOptions& options) {
+  std::vector<flowing::Path<Dim>> paths(jobs.size());
+  const auto records = dem::follow_many_by_leapfrog<Dim>(
+      jobs, options, [&](std::size_t job, double time, const dem::ChainState<Dim>& state) {
+        paths[job].times.push_back(time);
+        paths[job].states.push_back(state);
+      });
+  for (std::size_t i = 0; i < jobs.size(); ++i) paths[i].record = records[i];
+  return paths;
+}
+
+/// Fibers of two lengths in flows of their own; the one numbered 2 is beyond its stable step at t_b.
+template <int Dim>
+std::vector<dem::FlowJob<Dim>> odd_jobs() {
+  std::vector<dem::FlowJob<Dim>> jobs;
+  for (int i = 0; i < 7; ++i) {
+    const dem::Fiber fiber = fiber_of(i == 4 ? 6 : 9);
+    const double t_b = dem::bond_time_step(fiber), rate = i == 2 ? 1e-4 : 2.0 + 0.4 * i;
+    const dem::Gradient A = dem::simple_shear(0.01 * (1 + i) / t_b);
+    const dem::Flow flow = i % 2 ? dem::start_up(A, 30 * t_b) : dem::Flow{A};
+    jobs.push_back({straight_case<Dim>(fiber, {viscosity_of(fiber, rate / t_b), flow}, 2.0 + 0.1 * i, 0.3),
+                    {0, 13.3 * t_b, 300 * t_b, 500 * t_b}});
+  }
+  return jobs;
+}
+
+template <int Dim>
+void side_by_side_as_alone() {
+  const auto jobs = odd_jobs<Dim>();
+  dem::FlowOptions options;
+  options.step_ratio = 1;
+  options.allow_unstable = true;
+  const auto together = many_paths(jobs, options);
+  const auto few = many_paths<Dim>({jobs[0], jobs[6]}, options);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const auto alone = path(jobs[i].flow, jobs[i].times, options);
+    BOOST_TEST(together[i].record.failure.empty() == (i != 2));
+    BOOST_TEST(alone.record.failure.empty() == (i != 2));
+    if (i == 2) continue;  // what grows starts from round-off
+    BOOST_TEST(together[i].record.work.steps == alone.record.work.steps);
+    BOOST_REQUIRE(together[i].states.size() == alone.states.size());
+    for (std::size_t n = 0; n < alone.states.size(); ++n) {
+      BOOST_TEST(flowing::distance(together[i].states[n], alone.states[n], jobs[i].flow.chain.fiber) < 1e-11);
+    }
+  }
+  BOOST_TEST(together[2].states.size() < 4u);
+  BOOST_TEST(flowing::distance(together[0].states[3], few[0].states[3], jobs[0].flow.chain.fiber) == 0.0);
+  BOOST_TEST(flowing::distance(together[6].states[3], few[1].states[3], jobs[6].flow.chain.fiber) == 0.0);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(fibers_side_by_side_go_as_each_alone) {
+  side_by_side_as_alone<2>();
+  side_by_side_as_alone<3>();
 }
 
 BOOST_AUTO_TEST_CASE(counts_its_work_and_takes_whole_steps_to_each_time) {
