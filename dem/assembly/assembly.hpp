@@ -65,6 +65,7 @@ class Assembly {
   ChainState<3> state(int group, int fiber) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
+  std::int64_t touching() const;  ///< contacts now
   std::vector<ContactState> contacts() const;
   EnergyBalance energy() const;
 

@@ -10,7 +10,7 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Cells no smaller than `edge`; the axis with most cells runs slowest, so that stripes are slabs across it.
+/// Cells no smaller than `edge`; along each axis.
 struct Grid {
   Vec<double, 3> low;
   double inverse[3];
@@ -110,76 +110,75 @@ class Neighborhood {
   int size_ = 0;
 };
 
-/// Everything about the spheres in slot order that the search reads.
+/// Everything about the spheres in cell order that the search reads.
 struct Sorted {
   std::vector<Vec<double, 3>> position;
   std::vector<double> radius;
-  std::vector<std::int32_t> fiber, sphere;
+  std::vector<std::int32_t> fiber, sphere, cell_begin;
 };
 
-void search_stripe(const Grid& grid, const std::vector<std::int32_t>& cell_begin, const Sorted& sorted,
-                   const Vec<double, 3>& period, double skin, std::int32_t begin, std::int32_t end,
-                   std::vector<ClosePair>& pairs) {
+Sorted sorted_by_cell(const Grid& grid, const SphereSet& spheres) {
+  const auto n = static_cast<std::int32_t>(spheres.position.size());
+  std::vector<std::int32_t> cell_of(n);
+  Sorted sorted;
+  sorted.cell_begin.assign(grid.cells() + 1, 0);
+  for (std::int32_t s = 0; s < n; ++s) {
+    const auto& x = spheres.position[s];
+    const int cell[3] = {grid.cell_along(0, x[0]), grid.cell_along(1, x[1]), grid.cell_along(2, x[2])};
+    cell_of[s] = grid.index(cell);
+    ++sorted.cell_begin[cell_of[s] + 1];
+  }
+  for (int c = 0; c < grid.cells(); ++c) sorted.cell_begin[c + 1] += sorted.cell_begin[c];
+  sorted.sphere.resize(n);
+  std::vector<std::int32_t> next(sorted.cell_begin.begin(), sorted.cell_begin.end() - 1);
+  for (std::int32_t s = 0; s < n; ++s) sorted.sphere[next[cell_of[s]]++] = s;
+  for (const std::int32_t s : sorted.sphere) {
+    sorted.position.push_back(spheres.position[s]);
+    sorted.radius.push_back(spheres.radius[s]);
+    sorted.fiber.push_back(spheres.fiber[s]);
+  }
+  return sorted;
+}
+
+/// Pairs of the spheres begin ... end - 1 with those of higher number.
+void search_run(const Grid& grid, const Sorted& sorted, const SphereSet& spheres, double skin, std::int32_t begin,
+                std::int32_t end, std::vector<ClosePair>& pairs) {
   int last_cell = -1;
   std::optional<Neighborhood> near;
   for (std::int32_t i = begin; i < end; ++i) {
-    const Vec<double, 3> x = sorted.position[i];
+    const Vec<double, 3> x = spheres.position[i];
     const int cell[3] = {grid.cell_along(0, x[0]), grid.cell_along(1, x[1]), grid.cell_along(2, x[2])};
-    if (grid.index(cell) != last_cell) near.emplace(grid, cell_begin, cell), last_cell = grid.index(cell);
+    if (grid.index(cell) != last_cell) near.emplace(grid, sorted.cell_begin, cell), last_cell = grid.index(cell);
+    const std::size_t before = pairs.size();
     for (const CellRange& range : *near) {
-      for (std::int32_t j = std::max(range.begin, i + 1); j < range.end; ++j) {
-        Vec<double, 3> r = sorted.position[j] - x;
+      for (std::int32_t k = range.begin; k < range.end; ++k) {
+        const std::int32_t j = sorted.sphere[k];
+        Vec<double, 3> r = sorted.position[k] - x;
         for (int c = 0; c < 3; ++c) {
-          if (period[c] > 0) r[c] -= period[c] * std::nearbyint(r[c] / period[c]);
+          if (spheres.period[c] > 0) r[c] -= spheres.period[c] * std::nearbyint(r[c] / spheres.period[c]);
         }
-        const double reach = sorted.radius[i] + sorted.radius[j] + skin;
-        if (dot(r, r) >= reach * reach) continue;
-        if (sorted.fiber[i] == sorted.fiber[j] && std::abs(sorted.sphere[i] - sorted.sphere[j]) == 1) continue;
+        const double reach = spheres.radius[i] + sorted.radius[k] + skin;
+        if (dot(r, r) >= reach * reach || j <= i || (j == i + 1 && sorted.fiber[k] == spheres.fiber[i])) continue;
         pairs.push_back({i, j});
       }
     }
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end(),
+              [](const ClosePair& a, const ClosePair& b) { return a.second < b.second; });
   }
 }
 
 }  // namespace
 
-CellOrder close_pairs(const SphereSet& spheres, double skin, int stripes, int threads) {
-  const auto n = static_cast<std::int32_t>(spheres.position.size());
+std::vector<std::vector<ClosePair>> close_pairs(const SphereSet& spheres, double skin,
+                                                const std::vector<std::int32_t>& run_begin, int threads) {
   const double largest = *std::ranges::max_element(spheres.radius);
   const Grid grid = grid_for(spheres, 2 * largest + skin);
-  std::vector<std::int32_t> cell_of(n), cell_begin(grid.cells() + 1, 0);
-  for (std::int32_t s = 0; s < n; ++s) {
-    const auto& x = spheres.position[s];
-    const int cell[3] = {grid.cell_along(0, x[0]), grid.cell_along(1, x[1]), grid.cell_along(2, x[2])};
-    cell_of[s] = grid.index(cell);
-    ++cell_begin[cell_of[s] + 1];
-  }
-  for (int c = 0; c < grid.cells(); ++c) cell_begin[c + 1] += cell_begin[c];
-  CellOrder order;
-  order.sphere_of_slot.resize(n);
-  order.slot_of_sphere.resize(n);
-  std::vector<std::int32_t> next(cell_begin.begin(), cell_begin.end() - 1);
-  for (std::int32_t s = 0; s < n; ++s) {
-    order.slot_of_sphere[s] = next[cell_of[s]]++;
-    order.sphere_of_slot[order.slot_of_sphere[s]] = s;
-  }
-  Sorted sorted;
-  for (const std::int32_t s : order.sphere_of_slot) {
-    sorted.position.push_back(spheres.position[s]);
-    sorted.radius.push_back(spheres.radius[s]);
-    sorted.fiber.push_back(spheres.fiber[s]);
-    sorted.sphere.push_back(s);
-  }
-  for (int k = 0; k <= stripes; ++k) {
-    order.stripe_begin.push_back(static_cast<std::int32_t>(static_cast<std::int64_t>(n) * k / stripes));
-  }
-  order.pairs.resize(stripes);
+  const Sorted sorted = sorted_by_cell(grid, spheres);
+  const int runs = static_cast<int>(run_begin.size()) - 1;
+  std::vector<std::vector<ClosePair>> pairs(runs);
 #pragma omp parallel for num_threads(threads) schedule(dynamic) if (threads > 1)
-  for (int k = 0; k < stripes; ++k) {
-    search_stripe(grid, cell_begin, sorted, spheres.period, skin, order.stripe_begin[k], order.stripe_begin[k + 1],
-                  order.pairs[k]);
-  }
-  return order;
+  for (int k = 0; k < runs; ++k) search_run(grid, sorted, spheres, skin, run_begin[k], run_begin[k + 1], pairs[k]);
+  return pairs;
 }
 
 }  // namespace fiberchain::dem

@@ -5,7 +5,7 @@
 
 #include "dem/math/vec.hpp"
 
-// Which spheres are close: a cell grid, in whose order the spheres are then worked on.
+// Which spheres are close, by a cell grid.
 namespace fiberchain::dem {
 
 /// Spheres by number.
@@ -17,19 +17,13 @@ struct SphereSet {
 };
 
 struct ClosePair {
-  std::int32_t first, second;  ///< slots, first < second
+  std::int32_t first, second;  ///< sphere numbers, first < second
 };
 
-/// Spheres in the order of their cells. A stripe is a run of slots, worked on by one thread at a time.
-struct CellOrder {
-  std::vector<std::int32_t> sphere_of_slot, slot_of_sphere;
-  std::vector<std::int32_t> stripe_begin;            ///< stripes + 1 slots
-  std::vector<std::vector<ClosePair>> pairs;         ///< of each stripe, by rising first and second slot
-};
-
-/// Orders the spheres and lists every pair of different fibers, or of spheres of one that are no neighbors along it, with a
-/// gap below `skin` [m]. Every slot's pairs are those with later slots. Throws InvalidInput where a periodic side is shorter
-/// than three cells of 2 R + skin, and for positions that are not finite.
-CellOrder close_pairs(const SphereSet& spheres, double skin, int stripes, int threads);
+/// Every pair of spheres of different fibers, or of one that are no neighbors along it, with a gap below `skin` [m], by
+/// rising first and second number, in the runs of first numbers that `run_begin` (runs + 1 numbers) gives. Throws
+/// InvalidInput where a periodic side is shorter than three cells of 2 R + skin, and for positions that are not finite.
+std::vector<std::vector<ClosePair>> close_pairs(const SphereSet& spheres, double skin,
+                                                const std::vector<std::int32_t>& run_begin, int threads);
 
 }  // namespace fiberchain::dem
