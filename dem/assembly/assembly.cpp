@@ -289,6 +289,45 @@ ChainState<3> Assembly::state(int group, int fiber) const {
 
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 
+std::vector<ContactState> Assembly::contacts() const { return state_->contacts.states(state_->time()); }
+
+EnergyBalance Assembly::energy() const {
+  const State& s = *state_;
+  EnergyBalance sum{};
+  for (int g = 0; g < static_cast<int>(s.groups.size()); ++g) {
+    const Chain<3>& chain = s.groups[g].chain;
+    const double m = sphere_mass(chain.fiber), J = sphere_inertia(chain.fiber);
+    for (int f = 0; f < static_cast<int>(s.groups[g].fibers.size()); ++f) {
+      const ChainState<3> now = state(g, f);
+      for (std::size_t i = 0; i < now.poses.size(); ++i) {
+        sum.kinetic += 0.5 * (m * dot(now.velocity[i], now.velocity[i]) + J * dot(now.spin[i], now.spin[i]));
+        sum.gravity -= m * dot(s.surroundings.gravity, now.poses[i].position);
+      }
+    }
+  }
+  for (const FiberBlock& own : s.blocks) {
+    const Chain<3>& chain = s.groups[own.group].chain;
+    const BondParameters<double> bond = bond_parameters(chain.fiber);
+    for (int lane = 0; lane < own.lanes(); ++lane) {
+      const Poses<3> poses = own.block.poses(lane);
+      if (s.options.form == BondForm::total) {
+        sum.bonds += elastic_energy(chain, poses);
+        continue;
+      }
+      for (int i = 0; i + 1 < own.spheres; ++i) {
+        sum.bonds += stored_energy(bond, own.block.history(lane, i), unit(poses[i + 1].position - poses[i].position));
+      }
+    }
+  }
+  sum.contacts = s.contacts.stored_energy();
+  const ContactBook<double> taken = s.contacts.taken();
+  sum.contact_normal = taken.normal_dashpot;
+  sum.contact_tangential = taken.sliding;
+  sum.contact_rolling = taken.rolling;
+  sum.wall_work = s.contacts.wall_work();
+  return sum;
+}
+
 std::vector<double> Assembly::saved() const {
   const State& s = *state_;
   std::vector<double> all{static_cast<double>(s.steps), s.contacts.listed_time()};

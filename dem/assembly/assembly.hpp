@@ -28,11 +28,10 @@ struct AssemblyOptions {
   InstructionSet instruction_set = best_instruction_set();
 };
 
-/// Where energy is and where it went [J]. kinetic + elastic + contact + gravity + dissipated - work of moving walls stays
-/// constant, up to the time step's error.
+/// Where energy is, and what contacts have taken and walls given so far where it is booked [J].
 struct EnergyBalance {
   double kinetic, bonds, contacts, gravity;
-  double bond_dashpots, bond_friction, contact_dashpots, contact_sliding, contact_rolling, contact_unloading, fluid;
+  double contact_normal, contact_tangential, contact_rolling;
   double wall_work;
 };
 

@@ -32,6 +32,15 @@ double distance(const Wall& wall, const Vec<double, 3>& x, double time) {
   return cylinder.radius - norm(from - dot(from, cylinder.axis) * cylinder.axis);
 }
 
+/// Direction from a place to a wall.
+Vec<double, 3> toward(const Wall& wall, const Vec<double, 3>& x, double time) {
+  if (const auto* plane = std::get_if<Plane>(&wall.shape)) return -plane->normal;
+  const auto& cylinder = std::get<Cylinder>(wall.shape);
+  const Vec<double, 3> from = x - cylinder.point - time * wall.velocity;
+  const Vec<double, 3> out = from - dot(from, cylinder.axis) * cylinder.axis;
+  return (1 / norm(out)) * out;
+}
+
 }  // namespace
 
 ContactSet::ContactSet(const std::vector<FiberGroup>& groups, const Surroundings& surroundings,
@@ -246,6 +255,47 @@ double ContactSet::stored_energy() const {
     }
   }
   return sum;
+}
+
+std::vector<ContactState> ContactSet::states(double time) const {
+  std::vector<ContactState> all;
+  const auto at = [](const std::vector<double>& numbers, std::int64_t i) {
+    return Vec<double, 3>{numbers[i], numbers[i + 1], numbers[i + 2]};
+  };
+  for (const KeptContact& c : kept()) {
+    const Vec<double, 3> x = at(positions_, c.first * position_numbers);
+    const Vec<double, 3> v = at(motions_, c.first * motion_numbers), w = at(motions_, c.first * motion_numbers + 3);
+    const int kind = kind_of_sphere_[c.first];
+    Vec<double, 3> other_velocity{}, other_spin{};
+    TouchingPair<double> pair{};
+    double arm, other_arm = 0;
+    const ContactParameters<double>* p = &wall_parameters_[kind];
+    if (c.second < 0) {
+      const Wall& wall = surroundings_.walls[-1 - c.second];
+      pair.normal = toward(wall, x, time);
+      arm = distance(wall, x, time);
+      other_velocity = wall.velocity;
+    } else {
+      Vec<double, 3> r = at(positions_, c.second * position_numbers) - x;
+      for (int k = 0; k < 3; ++k) {
+        const double period = surroundings_.period[k];
+        if (period > 0) r[k] -= period * std::nearbyint(r[k] / period);
+      }
+      pair.normal = (1 / norm(r)) * r;
+      arm = norm(r) * radius_[c.first] / (radius_[c.first] + radius_[c.second]);
+      other_arm = norm(r) - arm;
+      other_velocity = at(motions_, c.second * motion_numbers);
+      other_spin = at(motions_, c.second * motion_numbers + 3);
+      p = &pair_parameters_[kind * kinds_ + kind_of_sphere_[c.second]];
+    }
+    pair.overlap = c.overlap;
+    pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
+    pair.spin = other_spin - w;
+    ContactHistory<double> history{{c.spring[0], c.spring[1], c.spring[2]}, c.overlap};
+    const ContactAction<double> action = contact_action(*p, pair, 0.0, history);
+    all.push_back({c.first, c.second, c.overlap, x + arm * pair.normal, action.force});
+  }
+  return all;
 }
 
 std::vector<KeptContact> ContactSet::kept() const {

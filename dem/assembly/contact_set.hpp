@@ -51,6 +51,7 @@ class ContactSet {
   double wall_work() const;           ///< [J]
   double stored_energy() const;       ///< in the springs now [J]
 
+  std::vector<ContactState> states(double time) const;
   std::vector<KeptContact> kept() const;
   void forget();
   void remember(const std::vector<KeptContact>& contacts);

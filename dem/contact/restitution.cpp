@@ -29,6 +29,7 @@ double damping_ratio_for(double restitution) {
     throw InvalidInput(
         fmt::format("restitution = {} is not allowed: it must be greater than 0 and at most 1", restitution));
   }
+  if (restitution == 1) return 0;
   double low = 0, high = 1;
   while (restitution_of(high) > restitution) high *= 2;
   for (int i = 0; i < 200 && high - low > 1e-16 * high; ++i) {

@@ -69,8 +69,11 @@ int find_touching(const ContactView& view, ContactTask& task) {
 
 template <class Real>
 ContactParameters<Real> broadcast(const ContactParameters<double>& p) {
-  return {Real(p.normal), Real(p.tangential), Real(p.normal_damping), Real(p.tangential_damping), Real(p.friction),
-          Real(p.rolling), Real(p.rolling_limit)};
+  ContactParameters<Real> result;
+  const double* in = reinterpret_cast<const double*>(&p);
+  Real* out = reinterpret_cast<Real*>(&result);
+  for (std::size_t n = 0; n < sizeof(p) / sizeof(double); ++n) out[n] = Real(in[n]);
+  return result;
 }
 
 /// Parameters of the pairs' kinds.
