@@ -63,7 +63,6 @@ ContactParameters<double> contact_parameters(const ContactBody& a, const Contact
   p.friction = rules.friction;
   p.rolling = rules.rolling_friction * e.radius;
   p.rolling_limit = e.inertia / step;
-  p.half_step = step / (2 * e.mass);
   return p;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include "dem/assembly/contact_parameters.hpp"
 #include "dem/contact/lanes/tables.hpp"
@@ -70,17 +70,17 @@ ContactSet::ContactSet(const std::vector<FiberGroup>& groups, const Surroundings
   for (Stripe& stripe : stripes_) stripe.walls.resize(surroundings.walls.size());
   const std::int64_t n = spheres();
   for (int k = 0; k <= kStripes; ++k) stripe_begin_.push_back(static_cast<std::int32_t>(n * k / kStripes));
-  // two spheres far from each other, and of no radius, that pad whole vectors
-  positions_.assign((n + 2) * position_numbers, 0);
-  motions_.assign((n + 2) * motion_numbers, 0);
-  loads_.assign((n + 2) * force_numbers, 0);
+  // three that pad whole vectors: two of no size far from each other, one that no wall is near to
+  positions_.assign((n + 3) * position_numbers, 0);
+  motions_.assign((n + 3) * motion_numbers, 0);
+  loads_.assign((n + 3) * force_numbers, 0);
   for (std::int64_t s = 0; s < n; ++s) positions_[s * position_numbers + 3] = radius_[s];
   for (int c = 0; c < 3; ++c) {
     const double period = surroundings_.period[c];
     positions_[(n + 1) * position_numbers + c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
   }
-  positions_[n * position_numbers + 3] = positions_[(n + 1) * position_numbers + 3] = -1e300;
-  kind_of_sphere_.resize(n + 2, 0);
+  positions_[(n + 2) * position_numbers + 3] = -std::numeric_limits<double>::max();
+  kind_of_sphere_.resize(n + 3, 0);
 }
 
 void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time) {
@@ -121,7 +121,7 @@ void ContactSet::list_walls(int k) {
         near.slots.push_back(i);
       }
     }
-    near.slots.resize(whole_vectors(near.slots.size(), kernel_->width), static_cast<std::int32_t>(spheres()));
+    near.slots.resize(whole_vectors(near.slots.size(), kernel_->width), static_cast<std::int32_t>(spheres() + 2));
     for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap}) {
       numbers->assign(near.slots.size(), 0);
     }
