@@ -28,11 +28,10 @@ struct AssemblyOptions {
   InstructionSet instruction_set = best_instruction_set();
 };
 
-/// Where energy is and where it went [J]. kinetic + elastic + contact + gravity + dissipated - work of moving walls stays
-/// constant, up to the time step's error.
+/// Where energy is, and what contacts have taken and walls given so far where it is booked [J].
 struct EnergyBalance {
   double kinetic, bonds, contacts, gravity;
-  double bond_dashpots, bond_friction, contact_dashpots, contact_sliding, contact_rolling, contact_unloading, fluid;
+  double contact_normal, contact_tangential, contact_rolling;
   double wall_work;
 };
 
@@ -65,6 +64,7 @@ class Assembly {
   ChainState<3> state(int group, int fiber) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
+  std::int64_t touching() const;  ///< contacts now
   std::vector<ContactState> contacts() const;
   EnergyBalance energy() const;
 

@@ -3,8 +3,8 @@
 #include "dem/math/near_one.hpp"
 #include "dem/math/vec.hpp"
 
-// Hertz-Mindlin contact of two spheres, or of a sphere and a wall, with dashpots and Coulomb friction. A template on the
-// number type: a double, or as many contacts side by side as a Real has lanes.
+// Hertz-Mindlin contact of two spheres, or of a sphere and a wall, with dashpots and Coulomb friction. A
+// template on the number type: a double, or as many contacts side by side as a Real has lanes.
 namespace fiberchain::dem {
 
 /// What the law needs of a pair of bodies.
@@ -17,14 +17,17 @@ struct ContactParameters {
   Real friction;            ///< Coulomb's mu [-]
   Real rolling;             ///< mu_r R* [m]
   Real rolling_limit;       ///< J* / dt: the moment over spin that stops rolling within a step [N m s]
-  Real half_step = Real(0.0);  ///< dt / (2 m*): velocity that a force gives until the middle of its step [s/kg]
+  /// 1/2: the normal dashpot acts at the velocity in the middle of its kick, extrapolated from the step
+  /// before, which needs ContactHistory::opening kept; 0: at the velocity half a step before.
+  Real ahead = Real(0.0);
 };
 
 /// What a contact remembers.
 template <class Real>
 struct ContactHistory {
-  Vec<Real, 3> spring;  ///< tangential spring force on the first body [N]
-  Real overlap;         ///< at the step before [m]; 0 before the first touch
+  Vec<Real, 3> spring;       ///< tangential spring force on the first body [N]
+  Real overlap;              ///< at the step before [m]; 0 before the first touch
+  Real opening = Real(0.0);  ///< normal velocity at the step before [m/s]
 };
 
 /// Two bodies that touch. The second one is pushed along `normal`.
@@ -55,24 +58,23 @@ Vec<Real, 3> tangential(const Vec<Real, 3>& u, const Vec<Real, 3>& normal) {
 }
 
 /// Force on the first body over one step `dt`; the history moves on. Velocities are those half a step before.
-/// Normal: max(0, k d^1.5 + c d^0.25 d'). Tangential: increments 8 G* sqrt(R* d) u dt of a spring that turns with the
-/// contact, less by sqrt(d / d_before) on unloading (Thornton, Cummins & Cleary, Powder Technol. 233 (2013) 30), a dashpot
-/// beside it, both together at most mu F_n. Where they slide, the spring moves on as the dashpot lets it under mu F_n:
-/// spring and dashpot stretch alike, a slider in series, which never gives energy that it was not given.
-/// Dashpots act at the velocity in the middle of the kick, as far as the contact's own force changes it (half_step): second
-/// order, and no limit on the step. A solid sphere's surface moves 7/2 as easily as its center.
+/// Normal: max(0, k d^1.5 + c d^0.25 d'). Tangential: increments 8 G* sqrt(R* d) u dt of a spring that turns
+/// with the contact, less by sqrt(d / d_before) on unloading (Thornton, Cummins & Cleary, Powder Technol. 233
+/// (2013) 30), a dashpot beside it, both together at most mu F_n. Where they slide, the spring moves on as
+/// the dashpot lets it under mu F_n: spring and dashpot stretch alike, a slider in series, which never gives
+/// energy that it was not given. A resting contact carries what Hertz's spring does, whatever the step.
 template <class Real>
-ContactAction<Real> contact_action(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, const Real& dt,
-                                   ContactHistory<Real>& history) {
+ContactAction<Real> contact_action(const ContactParameters<Real>& p, const TouchingPair<Real>& pair,
+                                   const Real& dt, ContactHistory<Real>& history) {
   using std::max;
   using std::min;
   using std::sqrt;
   const Real root = sqrt(pair.overlap), root_before = sqrt(max(history.overlap, Real(1e-300)));
   const Real quarter = sqrt(root);
   const Real opening = dot(pair.velocity, pair.normal);
-  const Real normal_dashpot = p.normal_damping * quarter;
-  const Real push = max(Real(0.0), p.normal * root * pair.overlap - normal_dashpot * opening) /
-                    (Real(1.0) + normal_dashpot * p.half_step);
+  const Real change = select(history.overlap > Real(0.0), opening - history.opening, Real(0.0));
+  const Real push = max(
+      Real(0.0), p.normal * root * pair.overlap - p.normal_damping * quarter * (opening + p.ahead * change));
   const Vec<Real, 3> slip = pair.velocity - opening * pair.normal;
 
   Vec<Real, 3> before = tangential(history.spring, pair.normal);
@@ -81,15 +83,14 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   // the mean over the step on loading; on unloading spring / sqrt(d) grows by 8 G* sqrt(R*) u dt
   const Real stiffness = dt * p.tangential * (Real(0.5) * (root + min(root, root_before)));
   const Real dashpot = p.tangential_damping * quarter;
-  const Vec<Real, 3> stuck = before + stiffness * slip;
-  Vec<Real, 3> drag = (Real(1.0) / (Real(1.0) + Real(3.5) * dashpot * p.half_step)) * (stuck + dashpot * slip);
+  Vec<Real, 3> drag = before + (stiffness + dashpot) * slip;
   const Real limit = p.friction * push;
   const Real scale = min(Real(1.0), limit / sqrt(max(dot(drag, drag), Real(1e-300))));
   drag = scale * drag;
-  // before + stiffness r + dashpot r = drag, r the rate at which the spring is stretched
+  // before + stiffness r + dashpot r = drag, r the rate at which the spring is stretched: stuck, the slip
+  // itself
   const Real share = stiffness / max(stiffness + dashpot, Real(1e-300));
-  const Real sliding = select(scale < Real(1.0), Real(1.0), Real(0.0));
-  history = {stuck + sliding * (before + share * (drag - before) - stuck), pair.overlap};
+  history = {before + share * (drag - before), pair.overlap, opening};
 
   const Vec<Real, 3> rolling = tangential(pair.spin, pair.normal);
   const Real rate = sqrt(max(dot(rolling, rolling), Real(1e-300)));

@@ -39,7 +39,7 @@ inline dem::ContactParameters<double> parameters(const Elastic& e, double radius
           e.friction,
           e.rolling * radius,
           inertia / dt,
-          dt / (2 * mass)};
+          0.5};
 }
 
 /// What a pair has lived through.
