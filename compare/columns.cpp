@@ -153,6 +153,29 @@ constexpr Column kColumns[] = {
     {"quarter_verdict", text, "", "what a run at 0.25 t_b does, the paper's 'small enough': stable or unstable"},
     {"quarter_growth", number, "1", "largest growth a step of a mode at 0.25 t_b: 1 if stable"},
 
+    // Fibers in a flow; L = 2RN is the spheres' whole length in elasto_viscous, that of the bonds elsewhere.
+    {"spheres", integer, "1", "N = r_f + 1, number of spheres; correlations of rigid fibers are taken at r = N"},
+    {"hydrodynamics", text, "",
+     "free_draining (drag of the undisturbed flow), interactions (Rotne-Prager-Yamakawa) or stresslets (these with the "
+     "spheres' stresslets)"},
+    {"flow_method", text, "", "inertialess, cvode (with inertia, implicit) or leapfrog (with inertia, explicit)"},
+    {"elasto_viscous", number, "1", "3 pi mu rate L^4/(E I)"},
+    {"strain", number, "1", "rate of the flow times time"},
+    {"period", number, "1", "period of the orbit times the shear rate: twice the mean time of a half turn"},
+    {"orbit_constant", number, "1",
+     "Jeffery's orbit constant as C/(1 + C), 1 in the flow plane; in a row of one run at its start"},
+    {"orbit_constant_last", number, "1", "the same at the end of the run"},
+    {"direction_x", number, "1", "part along the flow of the unit vector from the first sphere to the last"},
+    {"direction_y", number, "1", "part of it along the gradient of a shear"},
+    {"direction_z", number, "1", "part of it along the vorticity of a shear"},
+    {"end_to_end", number, "1", "distance of the end spheres over that of the straight fiber"},
+    {"end_to_end_least", number, "1", "least end_to_end of the run"},
+    {"bending_angle", number, "rad", "largest bending angle of a bond; in a row of one run the largest of all"},
+    {"bending_energy", number, "1", "elastic energy of the fiber, U L/(E I)"},
+    {"center_x", number, "1", "center of mass along the flow, over L"},
+    {"center_y", number, "1", "center of mass along the gradient of a shear, over L"},
+    {"center_z", number, "1", "center of mass along the vorticity of a shear, over L"},
+
     // Fits of the damping law.
     {"law", text, "",
      "xi_f/xi_b = a exp(-b r_f) (exponential), a r_f^-b (power) or (beta_1^2/sqrt(20))/(r_f + c)^2 (shifted_square)"},
