@@ -42,6 +42,10 @@ struct StokesDrag {
 };
 StokesDrag stokes_drag(const Fluid& fluid, const Fiber& fiber);
 
+/// The same for every motion of a sphere.
+template <int Dim>
+SphereVector<Dim> drag_of(const Fluid& fluid, const Fiber& fiber);
+
 /// Velocity and spin of the undisturbed flow at every sphere.
 template <int Dim>
 ChainVector<Dim> undisturbed(const Gradient& A, const Poses<Dim>& poses);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "dem/motion/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
@@ -18,13 +20,20 @@ struct CvodeTolerance {
   long max_steps = 20000;  ///< from one call of at() to the next, beyond which the tolerance is taken as out of reach
 };
 
-/// Follows one chain (dead loads, clamped spheres).
+/// A medium that drags every sphere along: force and moment drag (velocity there - velocity of the sphere).
+template <int Dim>
+struct Medium {
+  SphereVector<Dim> drag;  ///< [N s/m, N m s]
+  std::function<ChainVector<Dim>(double time, const Poses<Dim>&)> velocity;  ///< [m/s, 1/s]
+};
+
+/// Follows one chain (dead loads, clamped spheres, a medium).
 template <int Dim>
 class CvodeMotion {
  public:
   /// Throws InvalidInput for tolerances that are not positive and finite.
   CvodeMotion(const Chain<Dim>& chain, const Boundary<Dim>& boundary, const ChainState<Dim>& start,
-              const CvodeTolerance& tolerance);
+              const CvodeTolerance& tolerance, std::optional<Medium<Dim>> medium = std::nullopt);
   ~CvodeMotion();
   CvodeMotion(CvodeMotion&&) noexcept;
 

@@ -1,0 +1,104 @@
+#include "dem/flow/follow.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "dem/errors.hpp"
+#include "dem/flow/follow_lanes.hpp"
+#include "dem/flow/inertialess.hpp"
+#include "dem/motion/cvode.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+template <int Dim>
+void check_case(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options) {
+  check(flow.chain.fiber);
+  check<Dim>(flow.fluid);
+  if (flow.start.size() != flow.chain.poses.size()) {
+    throw InvalidInput("a fiber in a flow needs a start for every sphere of its chain");
+  }
+  if (flow.chain.fiber.rolling_friction > 0) {
+    throw InvalidInput("rolling_friction is not built for fibers in a flow: it must be 0");
+  }
+  if (options.method != FlowMethod::inertialess && flow.fluid.hydrodynamics != Hydrodynamics::free_draining) {
+    throw InvalidInput(fmt::format("hydrodynamics: {} is built for method: inertialess only", name(flow.fluid.hydrodynamics)));
+  }
+  if (options.method != FlowMethod::leapfrog && options.form == BondForm::incremental) {
+    throw InvalidInput("form: incremental is built for method: leapfrog only");
+  }
+  double before = 0;
+  for (const double time : times) {
+    if (!(time >= before) || !std::isfinite(time)) throw InvalidInput("times must be finite and must not fall");
+    before = time;
+  }
+}
+
+/// With the velocities of the undisturbed flow.
+template <int Dim>
+ChainState<Dim> carried(const FlowCase<Dim>& flow) {
+  ChainState<Dim> state = at_rest<Dim>(flow.start);
+  const ChainVector<Dim> v = undisturbed<Dim>(gradient_at(flow.fluid.flow, 0), flow.start);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    state.velocity[i] = displacement_part<Dim>(v[i]);
+    state.spin[i] = rotation_part<Dim>(v[i]);
+  }
+  for (const int sphere : flow.boundary.clamped) state.velocity[sphere] = {}, state.spin[sphere] = {};
+  return state;
+}
+
+double rate_of(const Fluid& fluid) {
+  double rate = 0;
+  for (const auto& row : fluid.flow.gradient.c) {
+    for (const double value : row) rate = std::max(rate, std::abs(value));
+  }
+  return rate;
+}
+
+template <int Dim>
+CvodeMotion<Dim> motion_with_inertia(const FlowCase<Dim>& flow, double tolerance, double duration) {
+  const double rate = rate_of(flow.fluid);
+  const CvodeTolerance errors{tolerance, fiber_length(flow.chain.fiber), 1, rate > 0 ? 1 / rate : duration, 1000000};
+  const auto velocity = [fluid = flow.fluid](double time, const Poses<Dim>& poses) {
+    return undisturbed<Dim>(gradient_at(fluid.flow, time), poses);
+  };
+  return {flow.chain, flow.boundary, carried(flow), errors,
+          Medium<Dim>{drag_of<Dim>(flow.fluid, flow.chain.fiber), velocity}};
+}
+
+template <int Dim, class Motion>
+FlowRecord follow_by(Motion motion, const std::vector<double>& times, const FlowSample<Dim>& sample) {
+  FlowRecord record{};
+  try {
+    for (const double time : times) {
+      const ChainState<Dim> state = motion.at(time);
+      sample(time, state);
+      record.reached = time;
+    }
+  } catch (const Diverged& error) {
+    record.failure = error.what();
+  }
+  record.work = motion.work();
+  record.time_step = record.work.steps > 0 ? record.reached / record.work.steps : 0;
+  return record;
+}
+
+}  // namespace
+
+template <int Dim>
+FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
+                  const FlowSample<Dim>& sample) {
+  check_case(flow, times, options);
+  switch (options.method) {
+    case FlowMethod::inertialess:
+      return follow_by<Dim>(InertialessMotion<Dim>(flow, options.tolerance), times, sample);
+    case FlowMethod::cvode:
+      return follow_by<Dim>(motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()), times, sample);
+    default: return follow_by_leapfrog(flow, times, options, sample);
+  }
+}
+
+template FlowRecord follow<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&, const FlowSample<2>&);
+template FlowRecord follow<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&, const FlowSample<3>&);
+
+}  // namespace fiberchain::dem
