@@ -53,7 +53,8 @@ std::vector<double> half_turns(const std::vector<FlowMoment>& moments) {
 double orbit_period(const std::vector<FlowMoment>& moments) {
   const std::vector<double> times = half_turns(moments);
   if (times.empty()) return std::numeric_limits<double>::quiet_NaN();
-  return 2 * (times.back() - moments.front().time) / static_cast<double>(times.size());
+  if (times.size() == 1) return 2 * (times[0] - moments.front().time);
+  return 2 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
 
 }  // namespace fiberchain::compare

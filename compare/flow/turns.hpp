@@ -14,7 +14,8 @@ std::vector<double> phases(const std::vector<FlowMoment>& moments);
 /// both angles and rates.
 std::vector<double> half_turns(const std::vector<FlowMoment>& moments);
 
-/// Twice the mean time of a half turn [s]: a fiber does not know head from tail. NaN without a half turn.
+/// Twice the mean time of a half turn [s]: a fiber does not know head from tail. The first, in which the bonds take up their
+/// load, is left out where there are more. NaN without a half turn.
 double orbit_period(const std::vector<FlowMoment>& moments);
 
 }  // namespace fiberchain::compare
