@@ -6,6 +6,7 @@
 #include "compare/bench/swing.hpp"
 #include "dem/errors.hpp"
 #include "dem/motion/leapfrog.hpp"
+#include "dem/motion/relaxation.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -25,14 +26,12 @@ To counted(const From& from, OperationCount* count) {
 }
 
 template <int Dim>
-dem::MarchParameters<double, Dim> parameters_of(const Swing<Dim>& swing) {
+dem::MarchParameters<double, Dim> parameters_of(const Swing<Dim>& swing, bool fluid) {
   const dem::Fiber& fiber = swing.chain.fiber;
   dem::MarchParameters<double, Dim> p{};
   p.bond = dem::bond_parameters(fiber);
   p.inverse_length = 1 / dem::bond_length(fiber);
-  p.impulse = swing.step / dem::sphere_mass(fiber);
-  p.angular_impulse = swing.step / dem::sphere_inertia(fiber);
-  p.step = swing.step;
+  dem::set_step(p, fiber, fluid ? dem::stokes_drag(swing.fluid, fiber) : dem::StokesDrag{}, swing.step);
   p.drag = swing.drag;
   p.rolling_arm = fiber.rolling_friction * dem::sphere_radius(fiber) / 2;
   p.ramp.last_to.force = swing.load.force;
@@ -61,12 +60,15 @@ OperationCount counted_bond_step() {
   const dem::ChainBlock<P, Counted> block{
       kernel_bonds,    {true, false},
       spheres.data(),  history.data(),
-      natural.data(),  counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing), nullptr),
+      natural.data(),  counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing, P.fluid), nullptr),
       workspace.data()};
+  std::vector<Counted> gradient;  // steady: without a count too
+  for (int c = 0; c < Dim * Dim; ++c) gradient.emplace_back(swing.fluid.flow.gradient[c / Dim][c % Dim], nullptr);
+  const auto flow = dem::local_flow<P>(gradient.data());
   dem::start_march<P, Counted>(block);
-  for (int n = 0; n < steps_before; ++n) dem::march_step<P, Counted>(block, n);
+  for (int n = 0; n < steps_before; ++n) dem::march_step<P, Counted>(block, n, flow);
   count = {};
-  for (int n = 0; n < steps_counted; ++n) dem::march_step<P, Counted>(block, steps_before + n);
+  for (int n = 0; n < steps_counted; ++n) dem::march_step<P, Counted>(block, steps_before + n, flow);
   return count / (steps_counted * kernel_bonds);
 }
 

@@ -44,6 +44,11 @@ constexpr Feature features[] = {
        p.rolling = dem::Rolling::none;
        return p;
      }},
+    {"no fluid",
+     [](Physics p) {
+       p.fluid = false;
+       return p;
+     }},
     {"no drag",
      [](Physics p) {
        p.drag = false;

@@ -22,7 +22,10 @@ std::function<void()> swinging(const Physics& physics, InstructionSet set, int c
   const auto block = std::make_shared<dem::MarchingBlock<Dim>>(
       std::vector(n, swing.chain), dem::Clamps{true, false}, std::vector(n, swing.step),
       std::vector(n, swing.drag), physics, set);
-  for (int lane = 0; lane < chains; ++lane) block->set_ramp(lane, {}, {{0}, {swing.load}}, swing.ramp_steps);
+  for (int lane = 0; lane < chains; ++lane) {
+    block->set_ramp(lane, {}, {{0}, {swing.load}}, swing.ramp_steps);
+    if (physics.fluid) block->set_fluid(lane, swing.fluid);
+  }
   return [=] {
     block->march(steps);
     if (!std::isfinite(block->sphere(0, kernel_bonds).pose.position[1]))
@@ -40,11 +43,14 @@ Swing<Dim> swing_of(const Physics& physics) {
   fiber.bond_damping = physics.damped ? 0.5 : 0.0;
   fiber.rolling_friction = physics.rolling == dem::Rolling::none ? 0.0 : 0.5;
   const double drag = physics.drag ? 1e-3 / dem::bond_time_step(fiber) : 0.0;
+  // drag and shear that slow and bend the swing a little
+  const double t_b = dem::bond_time_step(fiber);
+  const dem::Fluid fluid{1e-4 * dem::sphere_mass(fiber) / (dem::sphere_radius(fiber) * t_b), {dem::simple_shear(1e-5 / t_b)}};
   dem::Load<Dim> load{kernel_bonds, {}, {}};
   load.force[1] = dem::load_force(fiber, 0.5);
   return {
       physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber),
-      0.5 * dem::stable_time_step(fiber, drag), drag, load, 500};
+      0.5 * dem::stable_time_step(fiber, drag), drag, load, 500, fluid};
 }
 
 template Swing<2> swing_of<2>(const Physics&);
@@ -54,6 +60,7 @@ std::string text(const Physics& p) {
   std::string all = fmt::format("{} {}", p.dimension == 2 ? "planar" : "spatial", dem::name(p.form));
   if (p.damped) all += p.solved ? " damped in the step" : " damped";
   if (p.drag) all += " drag";
+  if (p.fluid) all += " in fluid";
   if (p.curved) all += " curved";
   if (p.rolling != dem::Rolling::none) all += fmt::format(" rolling {}", dem::name(p.rolling));
   return all;

@@ -6,6 +6,7 @@
 
 #include "dem/boundary.hpp"
 #include "dem/chain.hpp"
+#include "dem/flow/fluid.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
 // What the inner loops are timed on: chains of 11 spheres swinging under a dead load.
@@ -24,6 +25,7 @@ struct Swing {
   double drag;  ///< [1/s]
   dem::Load<Dim> load;
   double ramp_steps;
+  dem::Fluid fluid;  ///< around it, where the physics has one
 };
 
 template <int Dim>

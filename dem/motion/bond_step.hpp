@@ -18,6 +18,7 @@ struct ChainBlock {
   const NaturalEnds<Real, Dim>* natural;     ///< bonds, curved chains only
   MarchParameters<Real, Dim> parameters;     ///< a copy: what is written cannot be one of them
   Real* workspace = nullptr;                 ///< what solving along the chain needs
+  const EndLoad<Real, Dim>* dead = nullptr;  ///< bonds + 1, fluid only: dead loads, null if there are none
 
   bool fixed(int sphere) const { return (sphere == 0 && clamps.first) || (sphere == bonds && clamps.last); }
 };

@@ -2,6 +2,7 @@
 
 #include "dem/motion/bond_step.hpp"
 #include "dem/motion/damping_solve.hpp"
+#include "dem/motion/local_flow.hpp"
 #include "dem/motion/rolling.hpp"
 
 // Leapfrog: velocities at half steps, poses and forces at full steps, dashpots at the lagged velocity (the paper's
@@ -37,12 +38,16 @@ void add_load(MovingSphere<Real, Dim>& sphere, const EndLoad<Real, Dim>& load) {
   sphere.moment = sphere.moment + load.moment;
 }
 
-/// v(1 + dt c/2) = v(1 - dt c/2) + dt a: drag centered in the step, stable whatever c.
+/// Settling drag: v(1 + dt c/2) = v(1 - dt c/2) + dt a, centered in the step, stable whatever c. Stokes' drag: the
+/// velocity goes over to the fluid's at the sphere as exp(-c t), exactly.
 template <Physics P, class Real, int Dim>
-void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p) {
+void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p, const LocalFlow<P, Real>& flow) {
   const Vec<Real, Dim> change = p.impulse * sphere.force;
   const Spin<Real, Dim> spin_change = p.angular_impulse * sphere.moment;
-  if constexpr (P.drag) {
+  if constexpr (P.fluid) {
+    sphere.velocity = p.keep * sphere.velocity + p.follow * (flow.gradient * sphere.pose.position) + change;
+    sphere.spin = p.spin_keep * sphere.spin + p.spin_follow * flow.spin + spin_change;
+  } else if constexpr (P.drag) {
     const Real half = Real(0.5) * p.step * p.drag;
     const Real scale = Real(1.0) / (Real(1.0) + half);
     const Real keep = (Real(1.0) - half) * scale;
@@ -99,7 +104,7 @@ void kick_together(const ChainBlock<P, Real>& chain) {
     kick_with_damping(chain);
   } else {
     for (int i = 0; i <= chain.bonds; ++i) {
-      if (!chain.fixed(i)) kick<P>(chain.spheres[i], chain.parameters);
+      if (!chain.fixed(i)) kick<P>(chain.spheres[i], chain.parameters, LocalFlow<P, Real>{});
     }
     kick_with_rolling(chain);
   }
@@ -108,7 +113,7 @@ void kick_together(const ChainBlock<P, Real>& chain) {
 /// One step; `steps_before` counts from the start of the load ramp. The sphere whose second bond is still to come stays
 /// in registers.
 template <Physics P, class Real>
-void march_step(const ChainBlock<P, Real>& chain, double steps_before) {
+void march_step(const ChainBlock<P, Real>& chain, double steps_before, const LocalFlow<P, Real>& flow = {}) {
   load_ends<P, Real>(chain, steps_before);
   constexpr bool kick_alone = !P.solved && P.rolling != Rolling::set_valued;
   if constexpr (!kick_alone) kick_together<P, Real>(chain);
@@ -116,7 +121,10 @@ void march_step(const ChainBlock<P, Real>& chain, double steps_before) {
   for (int i = 0; i <= chain.bonds; ++i) {
     MovingSphere<Real, P.dimension> sphere = chain.spheres[i];
     if (!chain.fixed(i)) {
-      if constexpr (kick_alone) kick<P>(sphere, chain.parameters);
+      if constexpr (P.fluid) {
+        if (chain.dead) add_load(sphere, chain.dead[i]);
+      }
+      if constexpr (kick_alone) kick<P>(sphere, chain.parameters, flow);
       drift(sphere, chain.parameters.step);
     }
     clear_forces(sphere);

@@ -37,13 +37,14 @@ struct Physics {
   bool curved;    ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
   bool solved = false;  ///< dashpots centered in the step and solved for: stable up to the undamped limit
   Rolling rolling = Rolling::none;
+  bool fluid = false;  ///< Stokes' drag of a flow on every sphere, solved within the step
 
   constexpr bool operator==(const Physics&) const = default;
 };
 
 /// Every combination that is built, for every lane width, and no other.
 inline constexpr auto built_physics = [] {
-  std::array<Physics, 32> list{};
+  std::array<Physics, 44> list{};
   int n = 0;
   for (const int dimension : {2, 3}) {
     for (const bool damped : {false, true}) {
@@ -57,6 +58,11 @@ inline constexpr auto built_physics = [] {
     list[n++] = {dimension, BondForm::total, true, false, false, true};
     list[n++] = {dimension, BondForm::incremental, true, false, false, false, Rolling::set_valued};
     list[n++] = {dimension, BondForm::incremental, true, false, false, false, Rolling::explicit_sign};
+    for (const bool damped : {false, true}) {
+      list[n++] = {dimension, BondForm::incremental, damped, false, false, false, Rolling::none, true};
+      list[n++] = {dimension, BondForm::total, damped, false, false, false, Rolling::none, true};
+      list[n++] = {dimension, BondForm::total, damped, false, true, false, Rolling::none, true};
+    }
   }
   return list;
 }();

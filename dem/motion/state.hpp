@@ -36,11 +36,13 @@ template <class Real, int Dim>
 struct MarchParameters {
   BondParameters<Real> bond;
   Real inverse_length;   ///< 1 / l_0 [1/m]
-  Real impulse;          ///< dt / m [s/kg]
-  Real angular_impulse;  ///< dt / J [s/(kg m^2)]
+  Real impulse;          ///< velocity per force over a step: dt / m, in a fluid (1 - keep) / (6 pi mu R) [s/kg]
+  Real angular_impulse;  ///< spin per moment over a step: dt / J, in a fluid (1 - spin_keep) / (8 pi mu R^3) [s/(kg m^2)]
   Real step;             ///< dt [s]
   Real drag;             ///< force per momentum [1/s]
   Real rolling_arm;      ///< xi_r R / 2 [m]
+  Real keep, follow;     ///< fluid: parts of the sphere's and the fluid's velocity in the next one; their sum is 1
+  Real spin_keep, spin_follow;
   LoadRamp<Real, Dim> ramp;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/fiber.hpp"
+#include "dem/flow/fluid.hpp"
 
 namespace fiberchain::dem {
 
@@ -12,5 +13,10 @@ double stable_time_step(const Fiber& fiber, double drag = 0.0);
 
 /// The same of the leapfrog with the dashpots solved within the step: that of the undamped chain, whatever the dashpots.
 double undamped_time_step(const Fiber& fiber);
+
+/// The same in a fluid, whose drag c is solved within the step: while 2 c coth(c dt / (2 m)) - 2 C - dt K is positive
+/// definite, c and m those of displacement and spin. Drag makes the stable step longer: without dashpots it grows from
+/// 2 / w to 2 c / K.
+double stable_time_step(const Fiber& fiber, const Fluid& fluid);
 
 }  // namespace fiberchain::dem

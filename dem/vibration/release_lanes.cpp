@@ -4,28 +4,19 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/lanes/chain_lane.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
-/// Puts a release into its lane: poses, velocities and, for the incremental form, the strain they stand for.
+/// Puts a release into its lane.
 template <int Dim>
 void place(MarchingBlock<Dim>& block, int lane, const Release<Dim>& release) {
-  for (std::size_t i = 0; i < release.start.size(); ++i) {
-    MovingSphere<double, Dim> sphere = block.sphere(lane, static_cast<int>(i));
-    sphere.pose = release.start[i];
-    if (!release.velocity.empty()) sphere.velocity = release.velocity[i];
-    if (!release.spin.empty()) sphere.spin = release.spin[i];
-    block.set_sphere(lane, static_cast<int>(i), sphere);
-  }
-  const BondParameters<double> bond = bond_parameters(release.chain.fiber);
-  for (int i = 0; i < release.chain.fiber.aspect_ratio; ++i) {
-    const auto k = bond_kinematics(release.chain, release.start, i);
-    const auto loads = bond_loads(k, bond_stress(bond, k.separation, k.rotation));
-    block.set_history(lane, i, history_of(bond, release.start[i + 1].position - release.start[i].position, loads));
-  }
+  ChainState<Dim> state = at_rest<Dim>(release.start);
+  if (!release.velocity.empty()) state.velocity = release.velocity;
+  if (!release.spin.empty()) state.spin = release.spin;
+  put_state(block, lane, release.chain, state);
 }
 
 /// Energy at the moment of the poses; v(-1/2) v(+1/2) makes the kinetic part exact for a linear chain.
@@ -56,33 +47,6 @@ TipSample<Dim> sample(const MarchingBlock<Dim>& block, int lane, const Release<D
   const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / sphere_mass(release.chain.fiber)) * s.force;
   return {steps * dt, s.pose.position, velocity,
           options.energy ? energy(block, lane, release, dt, options.form) : 0.0};
-}
-
-/// First sphere of a lane that has blown up: not finite, or its bond ten times too long or short; -1 if none.
-template <int Dim>
-int broken_sphere(const MarchingBlock<Dim>& block, int lane, const Fiber& fiber) {
-  const double l = bond_length(fiber);
-  Vec<double, Dim> before = block.sphere(lane, 0).pose.position;
-  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
-    const MovingSphere<double, Dim> s = block.sphere(lane, i);
-    const double length = norm(s.pose.position - before);
-    const bool finite = std::isfinite(length + dot(s.velocity, s.velocity) + dot(s.spin, s.spin));
-    if (!finite || (i > 0 && (length > 10 * l || length < 0.1 * l))) return i;
-    before = s.pose.position;
-  }
-  return -1;
-}
-
-template <int Dim>
-ChainState<Dim> state_of(const MarchingBlock<Dim>& block, int lane, int spheres) {
-  ChainState<Dim> state;
-  for (int i = 0; i < spheres; ++i) {
-    const MovingSphere<double, Dim> s = block.sphere(lane, i);
-    state.poses.push_back(s.pose);
-    state.velocity.push_back(s.velocity);
-    state.spin.push_back(s.spin);
-  }
-  return state;
 }
 
 std::string failure_text(std::size_t fiber, int sphere, double step, double dt, double limit) {
@@ -121,7 +85,7 @@ struct March {
     ReleaseRecord<Dim>& r = records[members[lane]];
     const int spheres = fiber(lane).aspect_ratio + 1;
     for (int n = 1; n <= stretch; ++n) {
-      r.last = state_of(block, static_cast<int>(lane), spheres);
+      r.last = lagged_state(block, static_cast<int>(lane), spheres);
       block.march(1);
       const int sphere = broken_sphere(block, static_cast<int>(lane), fiber(lane));
       if (sphere < 0) continue;
@@ -198,7 +162,7 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
     r.time_step = steps[lane];
     r.integrator = options.integrator;
     r.work = {.steps = r.steps, .bond_evaluations = r.steps * chains[lane].fiber.aspect_ratio};
-    if (r.failure.empty()) r.last = state_of(march.block, static_cast<int>(lane), chains[lane].fiber.aspect_ratio + 1);
+    if (r.failure.empty()) r.last = lagged_state(march.block, static_cast<int>(lane), chains[lane].fiber.aspect_ratio + 1);
   }
 }
 

@@ -16,6 +16,7 @@ bool available(dem::InstructionSet set) { return set <= dem::best_instruction_se
 std::string text(const dem::Physics& p) {
   return std::to_string(p.dimension) + "D " + std::string(dem::name(p.form)) + (p.damped ? " damped" : "") +
          (p.drag ? " drag" : "") + (p.curved ? " curved" : "") + (p.solved ? " solved" : "") +
+         (p.fluid ? " fluid" : "") +
          (p.rolling == dem::Rolling::none ? "" : " rolling " + std::string(dem::name(p.rolling)));
 }
 

@@ -39,8 +39,15 @@ struct BondSlot {
   BondLoads<Real, P.dimension> loads;
 };
 
+/// The flow at step `n` of those to come.
 template <Physics P, class Real>
-void move_along(const LaneBlock& block, const MarchParameters<Real, P.dimension>& p) {
+LocalFlow<P, Real> flow_of_step(const LaneBlock& block, int n) {
+  return local_flow<P, Real>(
+      reinterpret_cast<const Real*>(block.gradients + static_cast<std::ptrdiff_t>(n) * block.gradient_stride));
+}
+
+template <Physics P, class Real>
+void move_along(const LaneBlock& block, const MarchParameters<Real, P.dimension>& p, const LocalFlow<P, Real>& flow) {
   using Sphere = MovingSphere<Real, P.dimension>;
   const int stride = block.stride;
   cover<Real>(
@@ -50,7 +57,11 @@ void move_along(const LaneBlock& block, const MarchParameters<Real, P.dimension>
         MarchParameters<Real, P.dimension> own = p;
         const Real mobile = Real::load_unaligned(block.mobile + i);  // 0 at a clamp, else 1
         own.impulse = own.impulse * mobile, own.angular_impulse = own.angular_impulse * mobile;
-        kick<P>(sphere, own);
+        if constexpr (P.fluid) {
+          own.follow = own.follow * mobile, own.spin_follow = own.spin_follow * mobile;
+          if (block.dead) add_load(sphere, load_along<EndLoad<Real, P.dimension>, Real>(block.dead, stride, i));
+        }
+        kick<P>(sphere, own, flow);
         drift(sphere, p.step);
         return sphere;
       },
@@ -126,7 +137,7 @@ FIBERCHAIN_FLATTEN void march_along(const LaneBlock& block, double steps_before,
   const auto p = *reinterpret_cast<const MarchParameters<Real, P.dimension>*>(block.parameters);
   for (int n = 0; n < steps; ++n) {
     load_ends_along<P, Real>(block, p, steps_before + n);
-    move_along<P, Real>(block, p);
+    move_along<P, Real>(block, p, flow_of_step<P, Real>(block, n));
     bonds_along<P, Real>(block, p, p.step);
     gather_along<P, Real>(block);
   }

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include "dem/errors.hpp"
+#include "dem/motion/relaxation.hpp"
 
 namespace fiberchain::dem {
 namespace {
-
-template <class Value>
-constexpr std::size_t numbers = sizeof(Value) / sizeof(double);
 
 template <int Dim>
 EndLoad<double, Dim> load_at(const Boundary<Dim>& boundary, int sphere) {
@@ -32,6 +30,9 @@ void check_chains(const std::vector<Chain<Dim>>& chains, int width) {
   }
 }
 
+/// Steps whose gradients are made together where the flow changes.
+constexpr int steps_a_chunk = 64;
+
 }  // namespace
 
 LaneArray::LaneArray(std::size_t size)
@@ -45,29 +46,30 @@ template <int Dim>
 MarchingBlock<Dim>::MarchingBlock(const std::vector<Chain<Dim>>& chains, Clamps clamps,
                                   const std::vector<double>& steps, const std::vector<double>& drag,
                                   const Physics& physics, InstructionSet set)
-    : kernel_(lane_kernel(physics, set)), lanes_(static_cast<int>(chains.size())), clamps_(clamps) {
+    : kernel_(lane_kernel(physics, set)), lanes_(static_cast<int>(chains.size())), clamps_(clamps), fluid_(physics.fluid) {
   check_chains(chains, kernel_.width);
   bonds_ = chains[0].fiber.aspect_ratio;
   along_ = lanes_ == 1 && kernel_.march_along != nullptr && bonds_ >= kernel_.width;
   const std::size_t width = kernel_.width, column = along_ ? bonds_ + 2 : width * (bonds_ + 1);
-  spheres_ = LaneArray(column * numbers<MovingSphere<double, Dim>>);
-  history_ = LaneArray(column * numbers<BondHistory<double, Dim>>);
+  spheres_ = LaneArray(column * numbers_of<MovingSphere<double, Dim>>);
+  history_ = LaneArray(column * numbers_of<BondHistory<double, Dim>>);
   workspace_ = LaneArray(kernel_.workspace(bonds_) * width);
-  loads_ = LaneArray(along_ ? column * numbers<BondLoads<double, Dim>> : 0);
+  dead_ = LaneArray(fluid_ ? column * numbers_of<EndLoad<double, Dim>> : 0);
+  gradients_ = LaneArray(fluid_ ? steps_a_chunk * Dim * Dim * width : 0);
+  fluids_.resize(chains.size());
+  for (const Chain<Dim>& chain : chains) fibers_.push_back(chain.fiber);
+  loads_ = LaneArray(along_ ? column * numbers_of<BondLoads<double, Dim>> : 0);
   mobile_ = LaneArray(bonds_ + 1);
   for (int i = 0; i <= bonds_; ++i) mobile_.put(fixed(i) ? 0.0 : 1.0, i, 1);
-  natural_ = LaneArray(chains[0].natural.size() * numbers<NaturalEnds<double, Dim>> * width);
-  parameters_ = LaneArray(numbers<MarchParameters<double, Dim>> * width);
+  natural_ = LaneArray(chains[0].natural.size() * numbers_of<NaturalEnds<double, Dim>> * width);
+  parameters_ = LaneArray(numbers_of<MarchParameters<double, Dim>> * width);
   for (int lane = 0; lane < (along_ ? 1 : kernel_.width); ++lane) {
-    const int used = std::min(lane, lanes_ - 1);
-    const Chain<Dim>& chain = chains[used];
+    const Chain<Dim>& chain = chains[used(lane)];
     MarchParameters<double, Dim> p{};
     p.bond = bond_parameters(chain.fiber);
     p.inverse_length = 1 / bond_length(chain.fiber);
-    p.impulse = steps[used] / sphere_mass(chain.fiber);
-    p.angular_impulse = steps[used] / sphere_inertia(chain.fiber);
-    p.step = steps[used];
-    p.drag = drag[used];
+    dem::set_step(p, chain.fiber, {}, steps[used(lane)]);
+    p.drag = drag[used(lane)];
     p.rolling_arm = chain.fiber.rolling_friction * sphere_radius(chain.fiber) / 2;
     p.ramp.rate = 1;
     parameters_of_.push_back(p);
@@ -78,7 +80,7 @@ MarchingBlock<Dim>::MarchingBlock(const std::vector<Chain<Dim>>& chains, Clamps 
       set_sphere(lane, i, sphere);
     }
     for (std::size_t i = 0; i < chain.natural.size(); ++i) {
-      natural_.put(chain.natural[i], place(lane, static_cast<int>(i), numbers<NaturalEnds<double, Dim>>), stride());
+      natural_.put(chain.natural[i], place(lane, static_cast<int>(i), numbers_of<NaturalEnds<double, Dim>>), stride());
     }
   }
   if (along_) {  // the parameters are a whole vector in every mode
@@ -95,29 +97,40 @@ void MarchingBlock<Dim>::start() {
 template <int Dim>
 LaneBlock MarchingBlock<Dim>::view() {
   return {bonds_, clamps_, spheres_.data(), history_.data(), natural_.data(), parameters_.data(),
-          static_cast<int>(stride()), mobile_.data(), workspace_.data(), loads_.data()};
+          static_cast<int>(stride()), mobile_.data(), workspace_.data(), loads_.data(),
+          loaded_ ? dead_.data() : nullptr, gradients_.data(), steady_ ? 0 : Dim * Dim * kernel_.width};
 }
 
 template <int Dim>
 void MarchingBlock<Dim>::set_ramp(int lane, const Boundary<Dim>& from, const Boundary<Dim>& to, double ramp_steps) {
   MarchParameters<double, Dim>& p = parameters_of_[lane];
   p.ramp = {load_at(from, 0), load_at(to, 0), load_at(from, bonds_), load_at(to, bonds_), 1 / std::max(ramp_steps, 1.0)};
-  parameters_.put(p, lane, kernel_.width);
-  if (lane == lanes_ - 1) {
-    for (int unused = lanes_; unused < kernel_.width; ++unused) parameters_.put(p, unused, kernel_.width);
+  put_parameters(lane);
+}
+
+template <int Dim>
+void MarchingBlock<Dim>::put_parameters(int lane) {
+  for (int copy = lane; copy < kernel_.width; ++copy) {
+    if (used(copy) == lane) parameters_.put(parameters_of_[lane], copy, kernel_.width);
   }
 }
 
 template <int Dim>
 void MarchingBlock<Dim>::march(int steps) {
-  (along_ ? kernel_.march_along : kernel_.march)(view(), steps_on_ramp_, steps);
-  steps_on_ramp_ += steps;
+  for (int done = 0; done < steps;) {
+    const int now = steady_ ? steps - done : std::min(steps - done, steps_a_chunk);
+    if (!steady_) fill_gradients(now);
+    (along_ ? kernel_.march_along : kernel_.march)(view(), steps_on_ramp_, now);
+    steps_on_ramp_ += now;
+    steps_in_fluid_ += now;
+    done += now;
+  }
 }
 
 template <int Dim>
 MovingSphere<double, Dim> MarchingBlock<Dim>::sphere(int lane, int index) const {
   MovingSphere<double, Dim> sphere{};
-  spheres_.get(sphere, place(lane, index, numbers<MovingSphere<double, Dim>>), stride());
+  spheres_.get(sphere, place(lane, index, numbers_of<MovingSphere<double, Dim>>), stride());
   return sphere;
 }
 
@@ -125,35 +138,28 @@ template <int Dim>
 void MarchingBlock<Dim>::set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere) {
   MovingSphere<double, Dim> placed = sphere;
   if (fixed(index)) placed.velocity = {}, placed.spin = {};
-  spheres_.put(placed, place(lane, index, numbers<MovingSphere<double, Dim>>), stride());
+  spheres_.put(placed, place(lane, index, numbers_of<MovingSphere<double, Dim>>), stride());
 }
 
 template <int Dim>
 BondHistory<double, Dim> MarchingBlock<Dim>::history(int lane, int bond) const {
   BondHistory<double, Dim> history{};
-  history_.get(history, place(lane, bond, numbers<BondHistory<double, Dim>>), stride());
+  history_.get(history, place(lane, bond, numbers_of<BondHistory<double, Dim>>), stride());
   return history;
 }
 
 template <int Dim>
 void MarchingBlock<Dim>::set_history(int lane, int bond, const BondHistory<double, Dim>& history) {
-  history_.put(history, place(lane, bond, numbers<BondHistory<double, Dim>>), stride());
+  history_.put(history, place(lane, bond, numbers_of<BondHistory<double, Dim>>), stride());
 }
 
 template <int Dim>
 void MarchingBlock<Dim>::synchronize() {
   start();
   for (int lane = 0; lane < (along_ ? 1 : kernel_.width); ++lane) {
-    const MarchParameters<double, Dim>& p = parameters_of_[lane];
     for (int i = 0; i <= bonds_; ++i) {
       MovingSphere<double, Dim> s = sphere(lane, i);
-      if (i == 0) s.force = s.force + p.ramp.first_from.force, s.moment = s.moment + p.ramp.first_from.moment;
-      if (i == bonds_) s.force = s.force + p.ramp.last_from.force, s.moment = s.moment + p.ramp.last_from.moment;
-      const MovingSphere<double, Dim> now = sphere(lane, i);
-      s.velocity = s.velocity - (0.5 * p.impulse) * s.force;
-      s.spin = s.spin - (0.5 * p.angular_impulse) * s.moment;
-      s.force = now.force;
-      s.moment = now.moment;
+      move_half_step(used(lane), i, s, true);
       set_sphere(lane, i, s);
     }
   }
@@ -168,7 +174,7 @@ Poses<Dim> MarchingBlock<Dim>::poses(int lane) const {
 
 template <int Dim>
 std::vector<double> MarchingBlock<Dim>::saved() const {
-  std::vector<double> all{steps_on_ramp_};
+  std::vector<double> all{steps_on_ramp_, steps_in_fluid_};
   for (const LaneArray* a : {&spheres_, &history_, &workspace_}) all.insert(all.end(), a->data(), a->data() + a->size());
   return all;
 }
@@ -176,7 +182,8 @@ std::vector<double> MarchingBlock<Dim>::saved() const {
 template <int Dim>
 void MarchingBlock<Dim>::restore(const std::vector<double>& saved) {
   steps_on_ramp_ = saved[0];
-  const double* from = saved.data() + 1;
+  steps_in_fluid_ = saved[1];
+  const double* from = saved.data() + 2;
   for (LaneArray* a : {&spheres_, &history_, &workspace_}) {
     std::copy_n(from, a->size(), a->data());
     from += a->size();

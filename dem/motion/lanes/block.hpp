@@ -7,10 +7,15 @@
 
 #include "dem/boundary.hpp"
 #include "dem/chain.hpp"
+#include "dem/flow/fluid.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
 // Chains of equal length marched side by side, one a lane.
 namespace fiberchain::dem {
+
+/// Doubles that a value type consists of.
+template <class Value>
+inline constexpr std::size_t numbers_of = sizeof(Value) / sizeof(double);
 
 /// Array of doubles, aligned for every instruction set.
 class LaneArray {
@@ -59,18 +64,28 @@ class MarchingBlock {
   /// From the next step on the end loads go from `from` to `to` in `ramp_steps` steps.
   void set_ramp(int lane, const Boundary<Dim>& from, const Boundary<Dim>& to, double ramp_steps);
 
+  /// The fluid around a lane's spheres and the time of its flow now [s]; without, a lane with fluid marches as in
+  /// vacuum. Free draining only. Throws InvalidInput for a fluid that makes no sense or a physics without fluid.
+  void set_fluid(int lane, const Fluid& fluid, double time = 0);
+  /// Dead loads on any spheres of a lane with fluid, beside the ramp.
+  void set_loads(int lane, const Boundary<Dim>& boundary);
+  /// Goes on with another step: velocities move half the old one forward and half the new one back.
+  void set_step(int lane, double step);
+
   /// Steps all lanes; ramp steps count from the last restart_ramp().
   void march(int steps);
   void restart_ramp() { steps_on_ramp_ = 0; }
 
   MovingSphere<double, Dim> sphere(int lane, int index) const;
+  /// The same with the velocities of this moment: half a step forward under the forces and the fluid at hand.
+  MovingSphere<double, Dim> sphere_now(int lane, int index) const;
   /// Sets pose, velocity and forces of a sphere; a clamped one gets no velocity.
   void set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere);
   BondHistory<double, Dim> history(int lane, int bond) const;
   void set_history(int lane, int bond, const BondHistory<double, Dim>& history);
 
-  /// Forces at the states now; then, with the loads of the ramp's start and the velocities taken as those of this
-  /// moment, moves the velocities half a step back, where the leapfrog wants them.
+  /// Forces at the states now; then, with the loads of this moment and the velocities taken as those of this moment,
+  /// moves the velocities half a step back, where the leapfrog wants them.
   void synchronize();
   Poses<Dim> poses(int lane) const;
 
@@ -79,8 +94,23 @@ class MarchingBlock {
   void restore(const std::vector<double>& saved);
 
  private:
+  /// What drags a lane's spheres, and the flow's time at a step.
+  struct LaneFluid {
+    StokesDrag drag{};
+    Flow flow;
+    double time = 0, step = 0;
+  };
+
   LaneBlock view();
   void start();
+  int used(int lane) const { return lane < lanes_ ? lane : lanes_ - 1; }
+  void put_parameters(int lane);
+  /// Gradients of the steps to come; one stands for all of a steady flow.
+  void fill_gradients(int steps);
+  Gradient gradient_now(int lane, int steps_ahead) const;
+  EndLoad<double, Dim> load_now(int lane, int index) const;
+  /// `s` half a step on, or back, under its forces and the loads and fluid of this moment.
+  void move_half_step(int lane, int index, MovingSphere<double, Dim>& s, bool back) const;
   bool fixed(int sphere) const { return (sphere == 0 && clamps_.first) || (sphere == bonds_ && clamps_.last); }
   /// Places `stride` apart hold the numbers of element `i` (sphere, bond) of a lane, `size` numbers each.
   std::size_t place(int lane, int i, std::size_t size) const { return along_ ? i : i * size * kernel_.width + lane; }
@@ -91,9 +121,12 @@ class MarchingBlock {
   int bonds_;
   Clamps clamps_;
   bool along_;
-  double steps_on_ramp_ = 0;
+  bool fluid_, loaded_ = false, steady_ = true;
+  double steps_on_ramp_ = 0, steps_in_fluid_ = 0;
+  std::vector<Fiber> fibers_;
+  std::vector<LaneFluid> fluids_;
   std::vector<MarchParameters<double, Dim>> parameters_of_;
-  LaneArray spheres_, history_, natural_, parameters_, mobile_, loads_, workspace_;
+  LaneArray spheres_, history_, natural_, parameters_, mobile_, loads_, workspace_, dead_, gradients_;
 };
 
 }  // namespace fiberchain::dem

@@ -48,9 +48,9 @@ const LaneKernel& lane_kernel(const Physics& physics, InstructionSet set) {
   const auto found = std::find(built_physics.begin(), built_physics.end(), physics);
   if (found == built_physics.end()) {
     throw InvalidInput(fmt::format("dimension = {}, form = {}, damped = {}, drag = {}, curved = {}, solved = {}, "
-                                   "rolling = {} is not among the combinations that are built", physics.dimension,
+                                   "rolling = {}, fluid = {} is not among the combinations that are built", physics.dimension,
                                    name(physics.form), physics.damped, physics.drag, physics.curved, physics.solved,
-                                   name(physics.rolling)));
+                                   name(physics.rolling), physics.fluid));
   }
   return kernels(set)[found - built_physics.begin()];
 }

@@ -32,7 +32,8 @@ ChainBlock<P, Real> typed(const LaneBlock& block) {
           reinterpret_cast<BondHistory<Real, Dim>*>(block.history),
           reinterpret_cast<const NaturalEnds<Real, Dim>*>(block.natural),
           *reinterpret_cast<const MarchParameters<Real, Dim>*>(block.parameters),
-          reinterpret_cast<Real*>(block.workspace)};
+          reinterpret_cast<Real*>(block.workspace),
+          reinterpret_cast<const EndLoad<Real, Dim>*>(block.dead)};
 }
 
 template <Physics P, class Real>
@@ -43,7 +44,7 @@ void start_block(const LaneBlock& block) {
 template <Physics P, class Real>
 FIBERCHAIN_FLATTEN void march_block(const LaneBlock& block, double steps_before, int steps) {
   const ChainBlock<P, Real> chain = typed<P, Real>(block);
-  for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n);
+  for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n, flow_of_step<P, Real>(block, n));
 }
 
 template <class Real>

@@ -1,0 +1,74 @@
+#include "dem/motion/lanes/chain_lane.hpp"
+
+#include <cmath>
+
+namespace fiberchain::dem {
+
+template <int Dim>
+void put_state(MarchingBlock<Dim>& block, int lane, const Chain<Dim>& chain, const ChainState<Dim>& state) {
+  for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    MovingSphere<double, Dim> sphere = block.sphere(lane, static_cast<int>(i));
+    sphere.pose = state.poses[i];
+    sphere.velocity = state.velocity[i];
+    sphere.spin = state.spin[i];
+    block.set_sphere(lane, static_cast<int>(i), sphere);
+  }
+  const BondParameters<double> bond = bond_parameters(chain.fiber);
+  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
+    const auto k = bond_kinematics(chain, state.poses, i);
+    const auto loads = bond_loads(k, bond_stress(bond, k.separation, k.rotation));
+    block.set_history(lane, i,
+                      history_of(bond, state.poses[i + 1].position - state.poses[i].position, loads));
+  }
+}
+
+namespace {
+
+template <int Dim, class SphereAt>
+ChainState<Dim> state_of(int spheres, const SphereAt& sphere_at) {
+  ChainState<Dim> state;
+  for (int i = 0; i < spheres; ++i) {
+    const MovingSphere<double, Dim> s = sphere_at(i);
+    state.poses.push_back(s.pose);
+    state.velocity.push_back(s.velocity);
+    state.spin.push_back(s.spin);
+  }
+  return state;
+}
+
+}  // namespace
+
+template <int Dim>
+ChainState<Dim> lagged_state(const MarchingBlock<Dim>& block, int lane, int spheres) {
+  return state_of<Dim>(spheres, [&](int i) { return block.sphere(lane, i); });
+}
+
+template <int Dim>
+ChainState<Dim> state_now(const MarchingBlock<Dim>& block, int lane, int spheres) {
+  return state_of<Dim>(spheres, [&](int i) { return block.sphere_now(lane, i); });
+}
+
+template <int Dim>
+int broken_sphere(const MarchingBlock<Dim>& block, int lane, const Fiber& fiber) {
+  const double l = bond_length(fiber);
+  Vec<double, Dim> before = block.sphere(lane, 0).pose.position;
+  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    const MovingSphere<double, Dim> s = block.sphere(lane, i);
+    const double length = norm(s.pose.position - before);
+    const bool finite = std::isfinite(length + dot(s.velocity, s.velocity) + dot(s.spin, s.spin));
+    if (!finite || (i > 0 && (length > 10 * l || length < 0.1 * l))) return i;
+    before = s.pose.position;
+  }
+  return -1;
+}
+
+#define FIBERCHAIN_INSTANTIATE(Dim)                                                                            \
+  template void put_state<Dim>(MarchingBlock<Dim>&, int, const Chain<Dim>&, const ChainState<Dim>&);           \
+  template ChainState<Dim> lagged_state<Dim>(const MarchingBlock<Dim>&, int, int);                             \
+  template ChainState<Dim> state_now<Dim>(const MarchingBlock<Dim>&, int, int);                                \
+  template int broken_sphere<Dim>(const MarchingBlock<Dim>&, int, const Fiber&);
+FIBERCHAIN_INSTANTIATE(2)
+FIBERCHAIN_INSTANTIATE(3)
+#undef FIBERCHAIN_INSTANTIATE
+
+}  // namespace fiberchain::dem

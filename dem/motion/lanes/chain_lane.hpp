@@ -1,0 +1,25 @@
+#pragma once
+
+#include "dem/motion/chain_state.hpp"
+#include "dem/motion/lanes/block.hpp"
+
+// A chain's state into its lane and out of it, and whether it is still in one piece.
+namespace fiberchain::dem {
+
+/// Poses, velocities (half a step before, until synchronize()) and, for the incremental form, the strain they stand for.
+template <int Dim>
+void put_state(MarchingBlock<Dim>& block, int lane, const Chain<Dim>& chain, const ChainState<Dim>& state);
+
+/// Velocities as they stand: half a step before.
+template <int Dim>
+ChainState<Dim> lagged_state(const MarchingBlock<Dim>& block, int lane, int spheres);
+
+/// Velocities of this moment.
+template <int Dim>
+ChainState<Dim> state_now(const MarchingBlock<Dim>& block, int lane, int spheres);
+
+/// First sphere of a lane that has blown up: not finite, or its bond ten times too long or short; -1 if none.
+template <int Dim>
+int broken_sphere(const MarchingBlock<Dim>& block, int lane, const Fiber& fiber);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+
+#include "dem/fiber.hpp"
+#include "dem/flow/fluid.hpp"
+#include "dem/motion/state.hpp"
+
+// Stokes' drag within a step: solved, not lagged.
+namespace fiberchain::dem {
+
+/// A step of m dv/dt = F + c (u - v) with constant F and u, exactly: v -> keep v + follow u + gain F. Without drag
+/// v -> v + dt/m F.
+struct Relaxation {
+  double keep;    ///< exp(-c dt / m)
+  double follow;  ///< 1 - keep
+  double gain;    ///< (1 - keep) / c
+};
+
+/// `drag` c and `mass` m, or those of the spin; `time` may be part of a step.
+inline Relaxation relaxation(double drag, double mass, double time) {
+  if (drag == 0) return {1, 0, time / mass};
+  const double exponent = drag * time / mass, follow = -std::expm1(-exponent);
+  return {std::exp(-exponent), follow, follow / drag};
+}
+
+/// What of the parameters depends on the step, for a sphere with drag (zero without fluid).
+template <int Dim>
+void set_step(MarchParameters<double, Dim>& p, const Fiber& fiber, const StokesDrag& drag, double dt) {
+  const Relaxation move = relaxation(drag.translation, sphere_mass(fiber), dt);
+  const Relaxation turn = relaxation(drag.rotation, sphere_inertia(fiber), dt);
+  p.step = dt;
+  p.impulse = move.gain, p.keep = move.keep, p.follow = move.follow;
+  p.angular_impulse = turn.gain, p.spin_keep = turn.keep, p.spin_follow = turn.follow;
+}
+
+}  // namespace fiberchain::dem
