@@ -107,7 +107,7 @@ Table table_of(const std::vector<JefferyRun>& runs) {
 std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const OrbitOptions& options) {
   std::vector<OrbitCase> cases;
   for (const double bounded : kConstants) {
-    cases.push_back({.spheres = spheres, .direction = start_direction(bounded), .turns = orbits, .tolerance = 1e-10});
+    cases.push_back({.spheres = spheres, .direction = start_direction(bounded), .turns = orbits, .tolerance = 1e-10, .spatial = true});
   }
   std::vector<OrbitPoint> points = orbit_points(cases, options);
   std::vector<JefferyRun> runs;

@@ -19,6 +19,7 @@ struct OrbitCase {
   double interval = 0.1;          ///< strain between samples
   double tolerance = 1e-9;
   double poisson_ratio = 0.3;
+  bool spatial = false;           ///< in space even in the plane z = 0
 };
 
 struct OrbitPoint {

@@ -6,6 +6,7 @@
 #include "compare/flow/study.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
+#include "reference/rigid_chain_mobility.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -16,6 +17,13 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double jeffery(int spheres) {
   return reference::jeffery_period(reference::free_draining_aspect_ratio(spheres), 1);
+}
+
+double rigid(int spheres, dem::Hydrodynamics hydrodynamics) {
+  using enum reference::ChainCoupling;
+  constexpr reference::ChainCoupling couplings[] = {none, force_torque, force_torque_stresslet};
+  if (spheres > 500) return nan;
+  return reference::rigid_chain_period({spheres, couplings[static_cast<int>(hydrodynamics)]}, 1);
 }
 
 /// Period of a correlation at r = N; NaN where it makes no sense.
@@ -33,14 +41,15 @@ Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Miss
 NamedRow row_of(const OrbitPoint& p) {
   const int N = p.asked.spheres;
   const double cox = correlated("Cox", N), measured = correlated("Goldsmith-Mason", N);
-  const bool draining = p.asked.hydrodynamics == dem::Hydrodynamics::free_draining;
+  const double rigid_period = rigid(N, p.asked.hydrodynamics);
   return {{"aspect_ratio", std::int64_t{N - 1}},
           {"spheres", std::int64_t{N}},
           {"hydrodynamics", std::string(name(p.asked.hydrodynamics))},
           {"elasto_viscous", p.asked.elasto_viscous},
           {"period", known(p.period)},
+          {"period_rigid", known(rigid_period)},
+          {"period_error", known(p.period / rigid_period - 1)},
           {"period_jeffery", jeffery(N)},
-          {"period_error", known(draining ? p.period / jeffery(N) - 1 : nan)},
           {"period_cox", known(cox)},
           {"period_goldsmith_mason", known(measured)},
           {"period_harris_pittman", known(correlated("Harris-Pittman", N))},
@@ -54,8 +63,8 @@ NamedRow row_of(const OrbitPoint& p) {
 }
 
 Table table_of(const Points& points) {
-  Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "period", "period_jeffery", "period_error",
-               "period_cox", "period_goldsmith_mason", "period_harris_pittman", "period_zhang", "over_cox",
+  Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "period", "period_rigid",
+               "period_error", "period_jeffery", "period_cox", "period_goldsmith_mason", "period_harris_pittman", "period_zhang", "over_cox",
                "over_goldsmith_mason", "bending_angle", "steps", "run_time", "status"});
   for (const OrbitPoint& p : points) table.append(row_of(p));
   return table;
@@ -68,9 +77,9 @@ std::vector<Series> series_of(const Points& points, const Transform& y) {
   using dem::Hydrodynamics;
   std::vector<Series> all;
   for (const auto& [hydrodynamics, label] :
-       {std::pair{Hydrodynamics::free_draining, "chain, free draining"},
-        {Hydrodynamics::interactions, "chain, interactions"},
-        {Hydrodynamics::stresslets, "chain, interactions with stresslets"}}) {
+       {std::pair{Hydrodynamics::free_draining, "free draining"},
+        {Hydrodynamics::interactions, "interactions"},
+        {Hydrodynamics::stresslets, "stresslets"}}) {
     Series s{label, {}, {}, Mark::points};
     for (const OrbitPoint& p : points) {
       if (p.asked.hydrodynamics != hydrodynamics) continue;
@@ -81,11 +90,16 @@ std::vector<Series> series_of(const Points& points, const Transform& y) {
   }
   const auto add = [&](const std::string& label, Dash dash, int color, auto value) {
     Series s{label, {}, {}, Mark::line, dash, color};
-    for (double r = 2; r <= 101; r *= 1.06) s.x.push_back(r), s.y.push_back(y(value(r), r));
+    for (double r = 2; r <= 101; r *= 1.03) s.x.push_back(r), s.y.push_back(y(value(r), r));
     all.push_back(std::move(s));
   };
-  add("Jeffery, exact for the free-draining chain", Dash::solid, 0,
-      [](double r) { return reference::jeffery_period(std::sqrt((r * r + 1) / 2), 1); });
+  add("Jeffery, exact", Dash::solid, 0, [](double r) { return reference::jeffery_period(std::sqrt((r * r + 1) / 2), 1); });
+  int place = 1;
+  for (const auto hydrodynamics : {Hydrodynamics::interactions, Hydrodynamics::stresslets}) {
+    Series s{"", {}, {}, Mark::line, Dash::solid, place++};
+    for (int N = 2; N <= 101; N += 1 + N / 12) s.x.push_back(N), s.y.push_back(y(rigid(N, hydrodynamics), N));
+    all.push_back(std::move(s));
+  }
   int color = 3;
   for (const auto& correlation : reference::aspect_ratio_correlations()) {
     add(std::string(correlation.name), Dash::dashed, color++,
@@ -95,12 +109,19 @@ std::vector<Series> series_of(const Points& points, const Transform& y) {
 }
 
 std::vector<std::pair<std::string, Figure>> figures_of(const Points& points) {
-  const Axis ratio{"aspect ratio {/:Italic r} = {/:Italic N}", true};
-  Figure period{"Fig 5: orbit period of a rigid fiber in shear", ratio, {"shear rate times period", true},
-                series_of(points, [](double T, double) { return T; })};
-  Figure over{"Fig 5: orbit period over Cox's", ratio, {"period over Cox's - 1", false, std::pair{-0.3, 0.3}},
-              series_of(points, [](double T, double r) { return T / correlated("Cox", r) - 1; })};
-  return {{"fig-5", std::move(period)}, {"fig-5-over-cox", std::move(over)}};
+  const auto figure = [&](std::string title, Axis y, const Transform& transform) {
+    Figure made{};
+    made.title = std::move(title);
+    made.x = {"aspect ratio {/:Italic r} = {/:Italic N}", true};
+    made.y = std::move(y);
+    made.series = series_of(points, transform);
+    made.legend_title = "chains, rigid limit";
+    return made;
+  };
+  return {{"fig-5", figure("Fig 5: orbit period of a rigid fiber in shear", {"shear rate times period", true},
+                           [](double T, double) { return T; })},
+          {"fig-5-over-cox", figure("Fig 5: orbit period over Cox's", {"period over Cox's - 1"},
+                                    [](double T, double r) { return T / correlated("Cox", r) - 1; })}};
 }
 
 }  // namespace

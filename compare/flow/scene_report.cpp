@@ -4,12 +4,12 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numbers>
 
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turns.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
+#include "reference/rigid_chain_mobility.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -51,12 +51,15 @@ FlowHistory run_flow(const FlowScene& scene) {
   return scene.dimension == dem::io::Dimension::planar ? run_in<2>(scene) : run_in<3>(scene);
 }
 
-double scene_aspect_ratio(const FlowScene& scene, const FlowHistory& history) {
-  if (scene.fluid.hydrodynamics == dem::Hydrodynamics::free_draining) {
-    return reference::free_draining_aspect_ratio(scene.fiber.aspect_ratio + 1);
-  }
-  const double half = orbit_period(history.moments) * scene.rate / (4 * std::numbers::pi);  // (r + 1/r)/2
-  return half > 1 ? half + std::sqrt(half * half - 1) : nan;
+double scene_aspect_ratio(const FlowScene& scene) {
+  using enum reference::ChainCoupling;
+  const int N = scene.fiber.aspect_ratio + 1;
+  const auto hydrodynamics = scene.fluid.hydrodynamics;
+  if (hydrodynamics == dem::Hydrodynamics::free_draining) return reference::free_draining_aspect_ratio(N);
+  if (N > 500) return nan;
+  const bool stresslets = hydrodynamics == dem::Hydrodynamics::stresslets;
+  return reference::equivalent_aspect_ratio(
+      reference::rigid_chain_bretherton({N, stresslets ? force_torque_stresslet : force_torque}));
 }
 
 Table flow_table(const FlowScene& scene, const FlowHistory& history) {
@@ -64,7 +67,7 @@ Table flow_table(const FlowScene& scene, const FlowHistory& history) {
                "flow_method", "elasto_viscous", "strain", "period", "orbit_constant", "orbit_constant_last",
                "end_to_end_least", "bending_angle", "time_step", "steps", "bond_evaluations", "linear_solves",
                "factorizations", "run_time", "status"});
-  const double r_e = scene_aspect_ratio(scene, history);
+  const double r_e = scene_aspect_ratio(scene);
   const auto& work = history.record.work;
   const auto constant = [&](const auto& moments, bool last) {
     return moments.empty() ? nan
@@ -99,7 +102,7 @@ Table flow_table(const FlowScene& scene, const FlowHistory& history) {
 Table flow_history_table(const FlowScene& scene, const FlowHistory& history) {
   Table table({"strain", "direction_x", "direction_y", "direction_z", "orbit_constant", "end_to_end", "bending_energy",
                "bending_angle", "center_x", "center_y", "center_z"});
-  const double r_e = scene_aspect_ratio(scene, history);
+  const double r_e = scene_aspect_ratio(scene);
   for (const FlowMoment& m : history.moments) {
     table.append({{"strain", m.time * scene.rate},
                   {"direction_x", m.direction[0]},
