@@ -32,7 +32,7 @@ Material isotropic_material(double youngs_modulus, double nu, double density) {
 }
 
 double poisson_ratio(const Material& material) {
-  return material.youngs_modulus / (2 * material.shear_modulus) - 1;
+  return (material.youngs_modulus - 2 * material.shear_modulus) / (2 * material.shear_modulus);
 }
 
 std::string_view name(BondModel model) { return model == BondModel::paper ? "paper" : "corrected"; }

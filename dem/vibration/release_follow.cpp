@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "dem/errors.hpp"
 #include "dem/motion/cvode.hpp"
@@ -31,7 +32,7 @@ double deflection(const Release<Dim>& release, const ChainState<Dim>& state) {
   double largest = 0;
   for (std::size_t i = 0; i < state.poses.size(); ++i) {
     largest = std::max({largest, norm(state.poses[i].position - release.chain.poses[i].position),
-                        norm(state.velocity[i]) * release.period / 6.3});
+                        norm(state.velocity[i]) * release.period / (2 * std::numbers::pi)});
   }
   return largest > 0 ? largest : fiber_length(release.chain.fiber);
 }
@@ -39,7 +40,7 @@ double deflection(const Release<Dim>& release, const ChainState<Dim>& state) {
 template <int Dim>
 CvodeTolerance tolerance_of(const Release<Dim>& release, const ChainState<Dim>& state, double relative) {
   const double size = deflection(release, state);
-  return {relative, size, size / fiber_length(release.chain.fiber), release.period / 6.3};
+  return {relative, size, size / fiber_length(release.chain.fiber), release.period / (2 * std::numbers::pi)};
 }
 
 /// Records what `at(n)`, the state at sample n, gives until it throws.
