@@ -69,7 +69,7 @@ Table threshold_table(const OrbitOptions& options) {
 }
 
 Figure amplitude_figure(const std::vector<Growth>& growths) {
-  Figure figure{"A small even bend of 20 spheres compressed by extension: chain (points) and its linearization",
+  Figure figure{"A small bend of 20 spheres in compression: chain and its linearization",
                 {"rate times time"}, {"amplitude over that at the start", true}, {}};
   figure.legend_title = "3{/Symbol p m e}{/:Italic L}^4/{/:Italic EI}";
   figure.ordered = true;

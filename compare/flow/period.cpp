@@ -115,7 +115,7 @@ std::vector<std::pair<std::string, Figure>> figures_of(const Points& points) {
     made.x = {"aspect ratio {/:Italic r} = {/:Italic N}", true};
     made.y = std::move(y);
     made.series = series_of(points, transform);
-    made.legend_title = "chains, rigid limit";
+    made.legend_title = "rigid chains";
     return made;
   };
   return {{"fig-5", figure("Fig 5: orbit period of a rigid fiber in shear", {"shear rate times period", true},
