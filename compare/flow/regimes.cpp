@@ -76,9 +76,11 @@ FlowHistory followed(const RegimeCase& c) {
   const dem::Fiber fiber = fiber_of_spheres(c.spheres);
   const dem::Fluid fluid{viscosity_of(fiber, c.elasto_viscous, 1), {dem::simple_shear(1)}};
   dem::io::FlowStart start;
-  start.direction = {1, 0, 0};
-  start.bend_direction = {0, 1, 0};
-  start.bend = start.s_bend = c.bend;
+  const double length = std::hypot(1, 0.05);
+  start.direction = {-1 / length, 0.05 / length, 0};
+  start.bend_direction = {-0.05 / length, -1 / length, 0};
+  start.bend = c.bend;
+  start.s_bend = c.bend / 3;
   const double strain = c.turns * reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
   return follow_flow<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
                         even_times(strain, static_cast<int>(20 * strain)), {.tolerance = c.tolerance}, 1);

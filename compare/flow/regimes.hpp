@@ -6,11 +6,12 @@
 // 457 and 473), told apart by measured quantities.
 namespace fiberchain::compare {
 
+/// A fiber that has just turned into the quadrant in which the flow compresses it: along (-1, 0.05).
 struct RegimeCase {
   int spheres = 31;
   double elasto_viscous = 1000;  ///< 3 pi mu rate L^4/(E I)
-  double turns = 1.1;            ///< how long, in periods of the rigid chain
-  double bend = 1e-3;            ///< height over L of a parabola at the start, and of an S
+  double turns = 0.52;           ///< how long, in periods of the rigid chain
+  double bend = 0.01;            ///< height over L of a parabola at the start; an S has a third of it
   double tolerance = 1e-7;
 };
 
@@ -18,7 +19,8 @@ struct RegimeCase {
 /// - coil: somewhere along the fiber its direction turns by 3/2 pi or more at one moment: it is folded more than once;
 /// - snake turn: the ends change places in more than twice as many half turns as the fiber's long axis goes through: it
 ///   swings back, the bend travels along the fiber;
-/// - C-shaped: the end-to-end distance falls below 0.9 of the straight one's: the fiber buckles and turns over bent;
+/// - C-shaped: the end-to-end distance falls below 0.9 of the straight one's: the fiber buckles and turns over bent (into
+///   a C where the even mode leads, as from the start here; into an S where it does not);
 /// - springy: it falls below 0.99;
 /// - rigid.
 enum class Regime { rigid, springy, c_shaped, snake_turn, coil };
