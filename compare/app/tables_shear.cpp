@@ -3,6 +3,7 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/flow/buckling.hpp"
+#include "compare/flow/inertia.hpp"
 #include "compare/flow/regimes.hpp"
 
 namespace fiberchain::app {
@@ -23,7 +24,8 @@ constexpr Part kParts[] = {{"period", &periods},
                            {"orbits", &compare::jeffery_study},
                            {"stiffness", &compare::stiffness_study},
                            {"regimes", &compare::regime_study},
-                           {"buckling", &compare::buckling_study}};
+                           {"buckling", &compare::buckling_study},
+                           {"inertia", &compare::inertia_study}};
 
 std::vector<Part> parts_of(const Arguments& arguments) {
   std::vector<std::pair<std::string, Part>> choices;
@@ -78,7 +80,7 @@ Command tables_shear_command() {
                                 "Example:\n  fiberchain tables shear --spheres 5,11,31 --json\n") +
                     kListHelp,
           .options = with_output(
-              {{"--part", "LIST", "period, orbits, stiffness, regimes, buckling [all]"},
+              {{"--part", "LIST", "period, orbits, stiffness, regimes, buckling, inertia [all]"},
                {"--spheres", "LIST", "orbit period alone: N = r_f + 1 of free-draining chains"},
                {"--interacting", "LIST", "N of chains with hydrodynamic interactions"},
                {"--stresslets", "LIST", "N of chains with interactions and stresslets"}}),
