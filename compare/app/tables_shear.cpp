@@ -1,7 +1,8 @@
-#include <algorithm>
+#include <optional>
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/inertia.hpp"
 #include "compare/flow/regimes.hpp"
@@ -35,28 +36,36 @@ std::vector<Part> parts_of(const Arguments& arguments) {
   return chosen;
 }
 
-int run(const Arguments& arguments, Context& context) {
-  const OutputOptions output = output_options(arguments);
-  std::vector<Part> parts = parts_of(arguments);
-  compare::PeriodSweep sweep;
-  for (const auto& [option, list] : {std::pair{"--spheres", &sweep.spheres},
-                                     {"--interacting", &sweep.interacting},
-                                     {"--stresslets", &sweep.stresslets}}) {
-    if (arguments.has("--spheres") || arguments.has("--interacting") || arguments.has("--stresslets")) {
-      if (!arguments.has(option)) list->clear();
-      parts = {kParts[0]};
-    }
-    read_list(arguments, option, {.low = 2, .high = 1000}, *list);
+/// The sweep of the orbit period that was asked for; nothing if none was.
+std::optional<compare::PeriodSweep> sweep_of(const Arguments& arguments) {
+  compare::PeriodSweep sweep{.spheres = {}, .interacting = {}, .stresslets = {}};
+  read_list(arguments, "--spheres", {.low = 2, .high = 1000}, sweep.spheres);
+  read_list(arguments, "--interacting", {.low = 2, .high = 200}, sweep.interacting);
+  read_list(arguments, "--stresslets", {.low = 2, .high = 100}, sweep.stresslets);
+  if (sweep.spheres.empty() && sweep.interacting.empty() && sweep.stresslets.empty()) return std::nullopt;
+  if (arguments.has("--part")) {
+    throw compare::InputError("--part is not allowed with --spheres, --interacting or --stresslets: they are of the period");
   }
-  const auto directory = open_output(output);
+  return sweep;
+}
+
+std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& arguments, const OrbitOptions& options,
+                                                          const Context& context) {
+  if (const auto sweep = sweep_of(arguments)) return {{"period", compare::period_study(*sweep, options)}};
+  const std::vector<Part> parts = parts_of(arguments);
   const auto progress = context.progress(parts.size());
   std::vector<std::pair<std::string, FlowStudy>> studies;
   for (const Part& part : parts) {
-    const OrbitOptions options{.jobs = output.jobs};
-    studies.emplace_back(part.name, std::string_view(part.name) == "period" ? compare::period_study(sweep, options)
-                                                                            : part.study(options));
+    studies.emplace_back(part.name, part.study(options));
     progress->advance();
   }
+  return studies;
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const auto directory = open_output(output);
+  auto studies = studies_of(arguments, {.jobs = output.jobs}, context);
   Results results{.name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};
   int failed = 0;
   for (auto& [name, study] : studies) {

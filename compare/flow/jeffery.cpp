@@ -10,8 +10,6 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr double kConstants[] = {0.2, 0.5, 0.8, 1};  // C/(1 + C)
-
 /// In the plane of gradient and vorticity, where tan(theta) = C.
 Triple start_direction(double bounded) {
   return bounded == 1 ? Triple{0, 1, 0} : Triple{0, bounded / (1 - bounded), 1};
@@ -104,19 +102,20 @@ Table table_of(const std::vector<JefferyRun>& runs) {
 
 }  // namespace
 
-std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const OrbitOptions& options) {
+std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const std::vector<double>& constants,
+                                     const OrbitOptions& options) {
   std::vector<OrbitCase> cases;
-  for (const double bounded : kConstants) {
+  for (const double bounded : constants) {
     cases.push_back({.spheres = spheres, .direction = start_direction(bounded), .turns = orbits, .tolerance = 1e-10, .spatial = true});
   }
   std::vector<OrbitPoint> points = orbit_points(cases, options);
   std::vector<JefferyRun> runs;
-  for (std::size_t i = 0; i < points.size(); ++i) runs.push_back(measured(std::move(points[i]), kConstants[i]));
+  for (std::size_t i = 0; i < points.size(); ++i) runs.push_back(measured(std::move(points[i]), constants[i]));
   return runs;
 }
 
 FlowStudy jeffery_study(const OrbitOptions& options) {
-  const std::vector<JefferyRun> runs = jeffery_runs(11, 100, options);
+  const std::vector<JefferyRun> runs = jeffery_runs(11, 100, kOrbitConstants, options);
   const auto failed = std::ranges::count_if(runs, [](const JefferyRun& r) { return std::isnan(r.point.period); });
   return {.table = table_of(runs), .figures = {{"shear-sphere", sphere_figure(runs)}}, .failed = static_cast<int>(failed)};
 }

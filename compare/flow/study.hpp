@@ -32,15 +32,19 @@ std::vector<OrbitCase> period_cases(const PeriodSweep& sweep);
 /// Orbit period against aspect ratio: chains, their rigid limit, correlations.
 FlowStudy period_study(const PeriodSweep& sweep, const OrbitOptions& options);
 
-/// Four orbit constants, in the plane and three out of it, followed for that many orbits: distance from Jeffery's closed form
-/// and drift of the orbit constant.
+/// Orbit constants in the plane and three out of it, as C/(1 + C).
+inline const std::vector<double> kOrbitConstants{0.2, 0.5, 0.8, 1};
+
+/// A stiff chain, in space, followed for that many orbits: distance from Jeffery's closed form and drift of the orbit
+/// constant.
 struct JefferyRun {
   OrbitPoint point;
   double distance;    ///< largest |p - p_Jeffery| in the first orbit
   double drift;       ///< largest relative change of C, or of |p_z| in the plane
   double constant;    ///< C/(1 + C) at the start
 };
-std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const OrbitOptions& options);
+std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const std::vector<double>& constants,
+                                     const OrbitOptions& options);
 FlowStudy jeffery_study(const OrbitOptions& options);
 
 /// Finite stiffness: period over the rigid chain's less 1 against mu rate/E, and its order.
