@@ -336,7 +336,7 @@ std::vector<double> Assembly::saved() const {
   all.push_back(static_cast<double>(kept.size()));
   for (const KeptContact& c : kept) {
     all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
-                           c.spring[2], c.overlap});
+                           c.spring[2], c.overlap, c.opening});
   }
   for (const FiberBlock& own : s.blocks) {
     const std::vector<double> block = own.block.saved();
@@ -354,7 +354,7 @@ void Assembly::restore(const std::vector<double>& saved) {
   }();
   const std::size_t contacts_at = 2 + 3 * n;
   if (saved.size() <= contacts_at || !(saved[contacts_at] >= 0) ||
-      static_cast<double>(saved.size()) != static_cast<double>(contacts_at + 1 + block_numbers) + 6 * saved[contacts_at]) {
+      static_cast<double>(saved.size()) != static_cast<double>(contacts_at + 1 + block_numbers) + 7 * saved[contacts_at]) {
     throw InvalidInput("these numbers are not a state of this assembly");
   }
   s.steps = static_cast<std::int64_t>(saved[0]);
@@ -364,8 +364,8 @@ void Assembly::restore(const std::vector<double>& saved) {
   const auto count = static_cast<std::size_t>(*from++);
   std::vector<KeptContact> kept(count);
   for (KeptContact& c : kept) {
-    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5]};
-    from += 6;
+    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6]};
+    from += 7;
   }
   s.contacts.list_pairs(listed, saved[1]);
   s.contacts.forget();

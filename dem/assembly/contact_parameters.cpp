@@ -63,6 +63,7 @@ ContactParameters<double> contact_parameters(const ContactBody& a, const Contact
   p.friction = rules.friction;
   p.rolling = rules.rolling_friction * e.radius;
   p.rolling_limit = e.inertia / step;
+  p.ahead = 0.5;
   return p;
 }
 

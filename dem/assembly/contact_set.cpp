@@ -108,7 +108,7 @@ void ContactSet::fill_stripe(int k) {
   }
   stripe.deferred.resize(leaving);
   stripe.for_stripe.resize(kStripes);
-  for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap}) numbers->assign(padded, 0);
+  for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap, &stripe.opening}) numbers->assign(padded, 0);
 }
 
 void ContactSet::list_walls(int k) {
@@ -122,7 +122,7 @@ void ContactSet::list_walls(int k) {
       }
     }
     near.slots.resize(whole_vectors(near.slots.size(), kernel_->width), static_cast<std::int32_t>(spheres() + 2));
-    for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap}) {
+    for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
       numbers->assign(near.slots.size(), 0);
     }
   }
@@ -148,6 +148,7 @@ ContactView ContactSet::view(Stripe& stripe) {
     view.inverse_period[c] = view.period[c] > 0 ? 1 / view.period[c] : 0;
   }
   view.overlap = stripe.overlap.data();
+  view.opening = stripe.opening.data();
   view.parameters = pair_parameters_.data();
   view.kinds = kinds_;
   view.step = step_;
@@ -176,6 +177,7 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
   view.begin = 0;
   view.end = static_cast<std::int32_t>(near.slots.size());
   view.overlap = near.overlap.data();
+  view.opening = near.opening.data();
   view.parameters = wall_parameters_.data();
   return view;
 }
@@ -194,7 +196,7 @@ void ContactSet::work_out(int k, double time) {
     if (there(surroundings_.walls[w], time)) {
       kernel_->wall(contacts, wall_view(static_cast<int>(w), near, time), task);
     } else {
-      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap}) {
+      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
         std::ranges::fill(*numbers, 0.0);
       }
     }
@@ -291,7 +293,7 @@ std::vector<ContactState> ContactSet::states(double time) const {
     pair.overlap = c.overlap;
     pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
     pair.spin = other_spin - w;
-    ContactHistory<double> history{{c.spring[0], c.spring[1], c.spring[2]}, c.overlap};
+    ContactHistory<double> history{{c.spring[0], c.spring[1], c.spring[2]}, c.overlap, c.opening};
     const ContactAction<double> action = contact_action(*p, pair, 0.0, history);
     all.push_back({c.first, c.second, c.overlap, x + arm * pair.normal, action.force});
   }
@@ -305,14 +307,15 @@ std::vector<KeptContact> ContactSet::kept() const {
     for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
       if (!(stripe.overlap[p] > 0)) continue;
       const std::int64_t a = stripe.first[p], b = stripe.second[p];
-      all.push_back({a, b, {stripe.spring[0][p], stripe.spring[1][p], stripe.spring[2][p]}, stripe.overlap[p]});
+      all.push_back({a, b, {stripe.spring[0][p], stripe.spring[1][p], stripe.spring[2][p]}, stripe.overlap[p],
+                     stripe.opening[p]});
     }
     for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
       const NearWall& near = stripe.walls[w];
       for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
         if (!(near.overlap[n] > 0)) continue;
         all.push_back({near.slots[n], -1 - static_cast<std::int64_t>(w),
-                       {near.spring[0][n], near.spring[1][n], near.spring[2][n]}, near.overlap[n]});
+                       {near.spring[0][n], near.spring[1][n], near.spring[2][n]}, near.overlap[n], near.opening[n]});
       }
     }
   }
@@ -324,11 +327,11 @@ std::vector<KeptContact> ContactSet::kept() const {
 
 void ContactSet::forget() {
   for (Stripe& stripe : stripes_) {
-    for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap}) {
+    for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap, &stripe.opening}) {
       std::ranges::fill(*numbers, 0.0);
     }
     for (NearWall& near : stripe.walls) {
-      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap}) {
+      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
         std::ranges::fill(*numbers, 0.0);
       }
     }
@@ -349,6 +352,7 @@ void ContactSet::remember(const std::vector<KeptContact>& contacts) {
       if (contact == nullptr) continue;
       for (int c = 0; c < 3; ++c) stripe.spring[c][p] = contact->spring[c];
       stripe.overlap[p] = contact->overlap;
+      stripe.opening[p] = contact->opening;
     }
     for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
       NearWall& near = stripe.walls[w];
@@ -357,6 +361,7 @@ void ContactSet::remember(const std::vector<KeptContact>& contacts) {
         if (contact == nullptr) continue;
         for (int c = 0; c < 3; ++c) near.spring[c][n] = contact->spring[c];
         near.overlap[n] = contact->overlap;
+        near.opening[n] = contact->opening;
       }
     }
   }

@@ -14,7 +14,7 @@ namespace fiberchain::dem {
 struct KeptContact {
   std::int64_t first, second;
   double spring[3];  ///< on the first
-  double overlap;
+  double overlap, opening;
 };
 
 /// Doubles aligned for every instruction set, with room for a whole vector behind the last.
@@ -60,11 +60,11 @@ class ContactSet {
   /// Spheres of a stripe near a wall and what those contacts remember.
   struct NearWall {
     std::vector<std::int32_t> slots;
-    PaddedDoubles spring[3], overlap;
+    PaddedDoubles spring[3], overlap, opening;
   };
   struct Stripe {
     std::vector<std::int32_t> first, second, touching;
-    PaddedDoubles spring[3], overlap;
+    PaddedDoubles spring[3], overlap, opening;
     std::vector<DeferredForce> deferred;
     std::vector<NearWall> walls;
     std::vector<std::vector<std::int32_t>> for_stripe;  ///< places in deferred

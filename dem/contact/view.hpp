@@ -37,6 +37,7 @@ struct ContactView {
   const std::int32_t* second;
   double* spring[3];
   double* overlap;
+  double* opening;
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
   double period[3], inverse_period[3];
@@ -59,6 +60,7 @@ struct WallView {
   std::int32_t begin, end;  ///< padded to whole vectors
   double* spring[3];
   double* overlap;
+  double* opening;
   const ContactParameters<double>* parameters;  ///< of each kind
 };
 

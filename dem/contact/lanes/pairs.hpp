@@ -158,16 +158,19 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
   pair.mean_spin = Real(0.5) * (w_i + w_j);
   ContactHistory<Real> history{{gather_lanes<Real>(view.spring[0], pairs), gather_lanes<Real>(view.spring[1], pairs),
                                 gather_lanes<Real>(view.spring[2], pairs)},
-                               gather_lanes<Real>(view.overlap, pairs)};
+                               gather_lanes<Real>(view.overlap, pairs),
+                               gather_lanes<Real>(view.opening, pairs)};
   [[maybe_unused]] const ContactHistory<Real> before = history;
   const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
   if constexpr (P.booked) book(p, pair, before, history, action, Real(view.step), count, task.book);
-  double numbers[4][lanes];
+  double numbers[5][lanes];
   for (int c = 0; c < 3; ++c) store_lanes(history.spring[c], numbers[c]);
   store_lanes(history.overlap, numbers[3]);
+  store_lanes(history.opening, numbers[4]);
   for (int k = 0; k < count; ++k) {
     for (int c = 0; c < 3; ++c) view.spring[c][pairs[k]] = numbers[c][k];
     view.overlap[pairs[k]] = numbers[3][k];
+    view.opening[pairs[k]] = numbers[4][k];
   }
   const Vec<Real, 3> turn = cross(pair.normal, action.force);
   return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};

@@ -61,15 +61,16 @@ void contact_wall(const ContactView& view, const WallView& wall, ContactTask& ta
     pair.mean_spin = Real(0.5) * w;
     ContactHistory<Real> history{{load_lanes<Real>(wall.spring[0] + n), load_lanes<Real>(wall.spring[1] + n),
                                   load_lanes<Real>(wall.spring[2] + n)},
-                                 last};
+                                 last, load_lanes<Real>(wall.opening + n)};
     const ContactHistory<Real> before = history;
     const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
     const Vec<Real, 3> moment = seen.distance * cross(seen.normal, action.force) + action.moment;
-    double numbers[10][lanes];
+    double numbers[11][lanes];
     store_vector(action.force, numbers);
     store_vector(moment, numbers + 3);
     store_vector(history.spring, numbers + 6);
     store_lanes(history.overlap, numbers[9]);
+    store_lanes(history.opening, numbers[10]);
     for (int k = 0; k < lanes; ++k) {
       const std::int32_t at = n + k;
       if (touching >> k & 1u) {
@@ -77,6 +78,7 @@ void contact_wall(const ContactView& view, const WallView& wall, ContactTask& ta
         for (int c = 0; c < 6; ++c) own[c] += numbers[c][k];
         for (int c = 0; c < 3; ++c) wall.spring[c][at] = numbers[6 + c][k];
         wall.overlap[at] = numbers[9][k];
+        wall.opening[at] = numbers[10][k];
         ++task.contacts;
       } else if (ended >> k & 1u) {
         for (int c = 0; c < 3; ++c) wall.spring[c][at] = 0;
