@@ -19,7 +19,8 @@
 //   /observables/NAME                        in time, scalars
 //   /parameters/runs/N                       provenance of the run that began the file, and of those that resumed it
 //
-// All have the same steps and times, which are one dataset. Positions are doubles, what else moves is rounded to floats.
+// All have the same steps and times, which are one dataset. Positions are rounded to 2^-37 of their value (7e-12),
+// what else moves to floats: digits beyond these compress to nothing and mean nothing. Checkpoints have them all.
 // Units stand as H5MD's attribute "unit" except on lengths: MDAnalysis refuses the meter.
 namespace fiberchain::dem::io {
 

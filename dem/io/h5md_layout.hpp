@@ -14,14 +14,14 @@
 // Where things stand in a trajectory, for its writer and its reader.
 namespace fiberchain::dem::io::h5md {
 
-constexpr const char* kPosition = "particles/fibers/position";
-constexpr const char* kVelocity = "particles/fibers/velocity";
-constexpr const char* kEdges = "particles/fibers/box/edges";
-constexpr const char* kOrigin = "particles/fibers/box/origin";
-constexpr const char* kBondForce = "observables/fibers/bond_force";
-constexpr const char* kBendingAngle = "observables/fibers/bending_angle";
-constexpr const char* kBonds = "connectivity/bonds";
-constexpr std::array kElements = {kPosition, kVelocity, kEdges, kOrigin, kBondForce, kBendingAngle};
+inline constexpr const char* kPosition = "particles/fibers/position";
+inline constexpr const char* kVelocity = "particles/fibers/velocity";
+inline constexpr const char* kEdges = "particles/fibers/box/edges";
+inline constexpr const char* kOrigin = "particles/fibers/box/origin";
+inline constexpr const char* kBondForce = "observables/fibers/bond_force";
+inline constexpr const char* kBendingAngle = "observables/fibers/bending_angle";
+inline constexpr const char* kBonds = "connectivity/bonds";
+inline constexpr std::array kElements = {kPosition, kVelocity, kEdges, kOrigin, kBondForce, kBendingAngle};
 
 inline std::string value_of(const std::string& element) { return element + "/value"; }
 

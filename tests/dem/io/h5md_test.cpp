@@ -25,7 +25,7 @@ void check_equal(const Vec<double, 3>& found, const Vec<double, 3>& expected, do
   for (int k = 0; k < 3; ++k) BOOST_TEST(std::abs(found[k] - expected[k]) <= tolerance * std::abs(expected[k]));
 }
 
-/// Positions, radii, box to the bit; what is stored in floats to their rounding.
+/// Radii, box, step, time to the bit; what is rounded to its rounding.
 void check_equal(const Frame& found, const Frame& expected) {
   constexpr double kFloat = 6e-8;
   BOOST_TEST(found.time == expected.time);
@@ -38,7 +38,7 @@ void check_equal(const Frame& found, const Frame& expected) {
   BOOST_REQUIRE(found.position.size() == expected.position.size());
   BOOST_REQUIRE(found.velocity.size() == expected.velocity.size());
   for (std::size_t i = 0; i < expected.position.size(); ++i) {
-    check_equal(found.position[i], expected.position[i], 0);
+    check_equal(found.position[i], expected.position[i], 7.3e-12);
     check_equal(found.velocity[i], expected.velocity[i], kFloat);
   }
   BOOST_REQUIRE(found.bonds.size() == expected.bonds.size());
