@@ -25,7 +25,6 @@ Handle text_type(std::size_t size) {
   Handle type(H5Tcopy(H5T_C_S1), &H5Tclose, "make a text type");
   check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "make a text type");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "make a text type");
-  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "make a text type");
   return type;
 }
 
@@ -116,10 +115,12 @@ std::vector<std::string> names_in(hid_t group) {
   return names;
 }
 
+// Of variable length: those h5py gives as str, the others as bytes, which readers of H5MD in Python do not expect.
 void set_attribute(hid_t object, const char* name, const std::string& text) {
-  const Handle type = text_type(text.size());
+  const Handle type = text_type(H5T_VARIABLE);
   const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");
-  write_attribute(object, name, type, space, text.empty() ? "\0" : text.data());
+  const char* const value = text.c_str();
+  write_attribute(object, name, type, space, &value);
 }
 
 void set_attribute(hid_t object, const char* name, const std::vector<std::int32_t>& numbers) {
@@ -130,7 +131,7 @@ void set_attribute(hid_t object, const char* name, const std::vector<std::int32_
 
 void set_attribute(hid_t object, const char* name, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
-  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  for (const std::string& text : texts) longest = std::max(longest, text.size() + 1);
   std::string all;
   for (const std::string& text : texts) all += text + std::string(longest - text.size(), '\0');
   write_attribute(object, name, text_type(longest), space_of({texts.size()}), all.data());
@@ -141,11 +142,12 @@ std::optional<std::string> text_attribute(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose, "open an attribute");
   const Handle type(H5Aget_type(attribute), &H5Tclose, "find an attribute's type");
   const Handle space(H5Aget_space(attribute), &H5Sclose, "find an attribute's size");
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || H5Sget_simple_extent_npoints(space) != 1)
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1)
     return std::nullopt;
-  std::string text(H5Tget_size(type), '\0');
-  check(H5Aread(attribute, type, text.data()), "read an attribute");
-  while (text.ends_with('\0')) text.pop_back();
+  char* value = nullptr;
+  check(H5Aread(attribute, type, &value), "read an attribute");
+  const std::string text = value ? value : "";
+  check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &value), "free an attribute");
   return text;
 }
 
