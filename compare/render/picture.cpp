@@ -31,20 +31,16 @@ int place_of(double value, const std::pair<double, double>& range) {
   return std::clamp(static_cast<int>(place * kColors), 0, kColors - 1);
 }
 
-/// Spheres, joined by cylinders along the bonds, each half in the color of its sphere. A bond through a periodic side is
-/// not drawn.
+/// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn.
 std::vector<Rod> rods_of(const dem::io::Frame& frame, const std::vector<double>& values,
                          const std::pair<double, double>& range) {
   std::vector<Rod> rods;
-  for (std::size_t i = 0; i < frame.position.size(); ++i) {
-    const Point& at = frame.position[i];
-    rods.push_back({at, at, frame.radius[i], place_of(values[i], range)});
-  }
+  for (std::size_t i = 0; i < frame.position.size(); ++i)
+    rods.push_back({frame.position[i], frame.position[i], frame.radius[i], place_of(values[i], range)});
   for (const dem::io::FrameBond& bond : frame.bonds) {
     const auto a = static_cast<std::size_t>(bond.first), b = a + 1;
-    const Point middle = 0.5 * (frame.position[a] + frame.position[b]);
     if (norm(frame.position[b] - frame.position[a]) > 4 * frame.radius[a]) continue;
-    for (const std::size_t i : {a, b}) rods.push_back({middle, frame.position[i], frame.radius[a], place_of(values[i], range)});
+    rods.push_back({frame.position[a], frame.position[b], frame.radius[a], place_of((values[a] + values[b]) / 2, range)});
   }
   return rods;
 }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kVerticalField = 30 * std::numbers::pi / 180;  ///< angle of view [rad]
 constexpr double kMargin = 1.03;
+constexpr int kSamples = 3;  ///< more than one a pixel
 
 apivector vector(const Point& p) { return rt_vector(p[0], p[1], p[2]); }
 Point unit(const Point& p) { return 1 / norm(p) * p; }
@@ -30,20 +31,42 @@ std::vector<Point> corners(const Solids& solids) {
   return all;
 }
 
-/// As near as it can be with every corner of the box within the field of view.
+/// Looking at `target` from `back`, as near as it can be with every corner within the field of view; `off` is how far
+/// the corners' middle is beside the middle of the picture, across the view through the target.
+Camera camera_at(const Solids& solids, const Point& target, const Point& back, const Point& right, double aspect,
+                 Point& off) {
+  const Point up = cross(back, right);
+  const double tall = std::tan(kVerticalField / 2) / kMargin, wide = aspect * tall;
+  double distance = 0;
+  for (const Point& corner : corners(solids)) {
+    const Point p = corner - target;
+    distance = std::max({distance, dot(p, back) + std::abs(dot(p, right)) / wide, dot(p, back) + std::abs(dot(p, up)) / tall});
+  }
+  double left = 0, most_right = 0, below = 0, above = 0;
+  for (const Point& corner : corners(solids)) {
+    const Point p = corner - target;
+    const double scale = distance / (distance - dot(p, back));
+    left = std::min(left, scale * dot(p, right));
+    most_right = std::max(most_right, scale * dot(p, right));
+    below = std::min(below, scale * dot(p, up));
+    above = std::max(above, scale * dot(p, up));
+  }
+  off = (left + most_right) / 2 * right + (below + above) / 2 * up;
+  return {target + distance * back, -1.0 * back, up};
+}
+
+/// The box in the middle of the picture, as large as it can be.
 Camera camera_of(const Solids& solids, const View& view, double aspect) {
   const double a = view.azimuth * std::numbers::pi / 180, e = view.elevation * std::numbers::pi / 180;
   const Point back = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
   const Point right = {-std::sin(a), std::cos(a), 0};
-  const Point up = cross(back, right);
-  const Point middle = 0.5 * (solids.low + solids.high);
-  const double tall = std::tan(kVerticalField / 2) / kMargin, wide = aspect * tall;
-  double distance = 0;
-  for (const Point& corner : corners(solids)) {
-    const Point p = corner - middle;
-    distance = std::max({distance, dot(p, back) + std::abs(dot(p, right)) / wide, dot(p, back) + std::abs(dot(p, up)) / tall});
+  Point target = 0.5 * (solids.low + solids.high), off;
+  Camera camera = camera_at(solids, target, back, right, aspect, off);
+  for (int i = 0; i < 20; ++i) {
+    target = target + off;
+    camera = camera_at(solids, target, back, right, aspect, off);
   }
-  return {middle + distance * back, -1.0 * back, up};
+  return camera;
 }
 
 void* texture(SceneHandle scene, const Color& color, double ambient, double diffuse, double specular) {
@@ -62,14 +85,17 @@ void* texture(SceneHandle scene, const Color& color, double ambient, double diff
 void add_rods(SceneHandle scene, const Solids& solids) {
   std::vector<void*> textures;
   for (const Color& color : solids.palette) {
-    textures.push_back(texture(scene, color, 0.35, 0.65, 0));
+    textures.push_back(texture(scene, color, 0.42, 0.62, 0));
     rt_tex_phong(textures.back(), 0.12, 30, RT_PHONG_PLASTIC);
   }
   for (const Rod& rod : solids.rods) {
     void* const look = textures[static_cast<std::size_t>(rod.color)];
-    rt_sphere(scene, look, vector(rod.to), rod.radius);
     const Point axis = rod.to - rod.from;
-    if (norm(axis) > 0) rt_fcylinder(scene, look, vector(rod.from), vector(axis), rod.radius);
+    if (norm(axis) > 0) {
+      rt_fcylinder(scene, look, vector(rod.from), vector(axis), rod.radius);
+    } else {
+      rt_sphere(scene, look, vector(rod.from), rod.radius);
+    }
   }
 }
 
@@ -90,13 +116,18 @@ void add_box(SceneHandle scene, const Solids& solids) {
   rt_tri(scene, floor, vector(below[0]), vector(below[3]), vector(below[2]));
 }
 
-/// From above, over the camera's left shoulder with shadows, and weaker from the right.
+/// From above, over the camera's left shoulder.
 void add_lights(SceneHandle scene, const Camera& camera) {
   const Point right = cross(camera.forward, camera.up), down = {0, 0, -1};
-  void* const key = texture(scene, {0.75f, 0.75f, 0.75f}, 1, 1, 0);
-  void* const fill = texture(scene, {0.3f, 0.3f, 0.3f}, 1, 1, 0);
-  rt_directional_light(scene, key, vector(unit(camera.forward + 0.6 * right + 1.6 * down)));
-  rt_directional_light(scene, fill, vector(unit(camera.forward - 0.9 * right + 0.3 * down)));
+  void* const light = texture(scene, {1, 1, 1}, 1, 1, 0);
+  rt_directional_light(scene, light, vector(unit(camera.forward + 0.5 * right + 1.2 * down)));
+}
+
+/// Tachyon begins with the lowest row.
+void turn_over(Image& image) {
+  const auto row = 3 * static_cast<std::ptrdiff_t>(image.width);
+  for (auto top = image.rgb.begin(), bottom = image.rgb.end() - row; top < bottom; top += row, bottom -= row)
+    std::swap_ranges(top, top + row, bottom);
 }
 
 /// Tachyon's library is one for the program; it is begun once and says nothing.
@@ -126,7 +157,7 @@ Image ray_trace(const Solids& solids, const View& view, int width, int height, i
   rt_set_numthreads(scene, threads);
   rt_resolution(scene, width, height);
   rt_aspectratio(scene, 1);
-  rt_aa_maxsamples(scene, 6);
+  rt_aa_maxsamples(scene, kSamples);
   rt_rawimage_rgb24(scene, image.rgb.data());
   rt_background(scene, rt_color(1, 1, 1));
   rt_shadermode(scene, RT_SHADER_FULL);
@@ -136,11 +167,12 @@ Image ray_trace(const Solids& solids, const View& view, int width, int height, i
   rt_camera_projection(scene, RT_PROJECTION_PERSPECTIVE);
   rt_camera_raydepth(scene, 3);
   rt_camera_position(scene, vector(camera.place), vector(camera.forward), vector(camera.up));
-  rt_camera_vfov(scene, kVerticalField * 180 / std::numbers::pi);
+  rt_camera_zoom(scene, 0.5 / std::tan(kVerticalField / 2));  // at zoom 1 the view is as high as far
   add_rods(scene, solids);
   add_box(scene, solids);
   add_lights(scene, camera);
   rt_renderscene(scene);
+  turn_over(image);
   return image;
 }
 

@@ -14,7 +14,7 @@ struct Color {
   float red, green, blue;  ///< from 0 to 1
 };
 
-/// A cylinder between two points with round ends, or a sphere where they are the same.
+/// A cylinder between two points, or a sphere where they are the same.
 struct Rod {
   Point from, to;
   double radius;
