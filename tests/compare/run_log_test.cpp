@@ -2,12 +2,13 @@
 #include "compare/run_log.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
 #include "compare/csv.hpp"
 #include "compare/errors.hpp"
-#include "tests/dem/io/frames.hpp"
+#include "tests/dem/io/files.hpp"
 
 using namespace fiberchain::compare;
 using namespace fiberchain::test;

@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE render
 #include <boost/test/unit_test.hpp>
+#include <fstream>
 
 #include "dem/io/h5md.hpp"
 #include "tests/dem/io/frames.hpp"
@@ -56,7 +57,6 @@ BOOST_FIXTURE_TEST_CASE(pictures_differ_by_what_they_show, Trajectory) {
   };
   const std::string last = picture({}, "fall-0002-vertical_speed.png");
   BOOST_TEST(last.starts_with("frame 2 of 3"));
-  BOOST_TEST(last == picture({"--frame", "last"}, "fall-0002-vertical_speed.png").substr(0, 0) + last);
   const std::string bent = picture({"--color", "bending_angle"}, "fall-0002-bending_angle.png");
   BOOST_TEST((bent.substr(bent.find("PNG")) != last.substr(last.find("PNG"))));
   BOOST_TEST(bent.find(" rad\n") != std::string::npos);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "dem/io/file_error.hpp"
-#include "tests/dem/io/frames.hpp"
+#include "tests/dem/io/files.hpp"
 
 using namespace fiberchain::dem::io;
 using namespace fiberchain::test;

@@ -9,6 +9,7 @@
 #include "dem/errors.hpp"
 #include "dem/io/file_error.hpp"
 #include "dem/io/overlay_file.hpp"
+#include "tests/dem/io/files.hpp"
 #include "tests/dem/io/frames.hpp"
 
 using namespace fiberchain::dem;

@@ -10,6 +10,7 @@
 #include "dem/errors.hpp"
 #include "dem/io/base64.hpp"
 #include "dem/io/file_error.hpp"
+#include "tests/dem/io/files.hpp"
 #include "tests/dem/io/frames.hpp"
 
 using namespace fiberchain::dem;
