@@ -56,7 +56,8 @@ RunLog::RunLog(std::filesystem::path path) : path_(std::move(path)) {
 RunLog::RunLog(const std::filesystem::path& path, const Provenance& provenance)
     : RunLog((dem::io::replace_file(path, head(provenance)), path)) {}
 
-RunLog RunLog::resume(const std::filesystem::path& path, const Provenance& provenance, std::int64_t last_step) {
+RunLog RunLog::resume(const std::filesystem::path& path, const Provenance& provenance,
+                      std::int64_t last_step) {
   std::ifstream before(path, std::ios::binary);
   if (!before) return RunLog(path, provenance);
   const std::string text{std::istreambuf_iterator<char>(before), {}};
@@ -64,7 +65,8 @@ RunLog RunLog::resume(const std::filesystem::path& path, const Provenance& prove
   return RunLog(path);
 }
 
-RunLog::RunLog(RunLog&& other) noexcept : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+RunLog::RunLog(RunLog&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
 
 RunLog::~RunLog() {
   if (file_ >= 0) ::close(file_);
@@ -85,7 +87,8 @@ void RunLog::append(const RunStatus& status) {
   if (written == static_cast<ssize_t>(line.size())) return;
   const int reason = written >= 0 ? ENOSPC : errno;
   if (const off_t end = ::lseek(file_, 0, SEEK_END); written > 0 && end >= written) {
-    if (::ftruncate(file_, end - written) != 0) throw OutputError(path_, std::strerror(errno));  // no half line
+    if (::ftruncate(file_, end - written) != 0)
+      throw OutputError(path_, std::strerror(errno));  // no half line
   }
   throw OutputError(path_, std::strerror(reason));
 }

@@ -8,17 +8,19 @@
 
 namespace fiberchain::compare {
 
-/// How a run went, as CSV (compare/csv.hpp) that grows by a whole line at a time, each given to the system at once.
+/// How a run went, as CSV (compare/csv.hpp) that grows by a whole line at a time, each given to the system at
+/// once.
 class RunLog {
  public:
   /// A new log under its provenance, in place of what stood there.
   /// @throws OutputError
   RunLog(const std::filesystem::path& path, const Provenance& provenance);
 
-  /// Goes on with a log without its lines later than `last_step` and without one that a kill cut off; begins it if there
-  /// is none.
+  /// Goes on with a log without its lines later than `last_step` and without one that a kill cut off; begins
+  /// it if there is none.
   /// @throws OutputError, InputError if what stands there is no log of ours
-  static RunLog resume(const std::filesystem::path& path, const Provenance& provenance, std::int64_t last_step);
+  static RunLog resume(const std::filesystem::path& path, const Provenance& provenance,
+                       std::int64_t last_step);
 
   RunLog(RunLog&& other) noexcept;
   ~RunLog();

@@ -25,11 +25,14 @@ double Pace::step_rate(std::int64_t step) const {
   return static_cast<double>(step - done_) / passed.count();
 }
 
-double Pace::time_left(std::int64_t step) const { return static_cast<double>(total_ - step) / step_rate(step); }
+double Pace::time_left(std::int64_t step) const {
+  return static_cast<double>(total_ - step) / step_rate(step);
+}
 
 std::string status_line(const RunStatus& status, std::int64_t steps) {
-  std::string line = fmt::format("step {} of {}, t = {:.4g} s, {} contacts, kinetic energy {:.3g} J, height {:.3g} m",
-                                 status.step, steps, status.time, status.contacts, status.kinetic_energy, status.height);
+  std::string line =
+      fmt::format("step {} of {}, t = {:.4g} s, {} contacts, kinetic energy {:.3g} J, height {:.3g} m",
+                  status.step, steps, status.time, status.contacts, status.kinetic_energy, status.height);
   if (std::isfinite(status.step_rate)) line += fmt::format(", {:.0f} steps/s", status.step_rate);
   if (std::isfinite(status.time_left)) line += fmt::format(", {} left", duration(status.time_left));
   return line;

@@ -10,12 +10,12 @@ namespace fiberchain::compare {
 /// Where a run of many steps stands.
 struct RunStatus {
   std::int64_t step;
-  double time;             ///< simulated [s]
+  double time;  ///< simulated [s]
   std::int64_t contacts;
-  double kinetic_energy;   ///< [J]
-  double height;           ///< of the packing [m]
-  double step_rate;        ///< [1/s]
-  double time_left;        ///< until the last step, by the clock [s]; NaN while nobody knows
+  double kinetic_energy;  ///< [J]
+  double height;          ///< of the packing [m]
+  double step_rate;       ///< [1/s]
+  double time_left;       ///< until the last step, by the clock [s]; NaN while nobody knows
 };
 
 /// The rate of steps since this was made: of this session, not of those it resumed.

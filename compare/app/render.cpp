@@ -19,7 +19,8 @@ std::optional<std::pair<double, double>> pair_of(const Arguments& arguments, con
   std::vector<double> values;
   read_list(arguments, option, {}, values);
   if (values.size() != 2)
-    throw compare::InputError(fmt::format("{}: '{}' wants two numbers, joined by a comma", option, arguments.text(option)));
+    throw compare::InputError(
+        fmt::format("{}: '{}' wants two numbers, joined by a comma", option, arguments.text(option)));
   return std::pair{values[0], values[1]};
 }
 
@@ -28,7 +29,8 @@ compare::PictureOptions picture_options(const Arguments& arguments) {
   std::vector<compare::Shade> shades = {options.shade};
   read_choices(arguments, "--color", shades, kShades);
   if (shades.size() != 1)
-    throw compare::InputError(fmt::format("--color: '{}' is more than one choice", arguments.text("--color")));
+    throw compare::InputError(
+        fmt::format("--color: '{}' is more than one choice", arguments.text("--color")));
   options.shade = shades.front();
   options.range = pair_of(arguments, "--range");
   if (options.range && !(options.range->first < options.range->second))
@@ -73,32 +75,35 @@ int run(const Arguments& arguments, Context& context) {
   const std::string name = fmt::format("{}-{:04}-{}.png", path.stem().string(), n, color);
   directory.write({{name, picture.png}});
   context.log->info("wrote {}", (directory.path() / name).string());
-  context.out << fmt::format("frame {} of {}, step {}, time {:.6g} s, {} spheres, color scale from {:.6g} to {:.6g} {}\n", n,
-                             trajectory.frames(), frame.step, frame.time, frame.position.size(), picture.range.first,
-                             picture.range.second, options.shade == compare::Shade::vertical_speed ? "m/s" : "rad");
+  context.out << fmt::format(
+      "frame {} of {}, step {}, time {:.6g} s, {} spheres, color scale from {:.6g} to {:.6g} {}\n", n,
+      trajectory.frames(), frame.step, frame.time, frame.position.size(), picture.range.first,
+      picture.range.second, options.shade == compare::Shade::vertical_speed ? "m/s" : "rad");
   return kSuccess;
 }
 
 }  // namespace
 
 Command render_command() {
-  return {.name = "render",
-          .description = "draw a frame of a trajectory to PNG, without a display",
-          .footer =
-              "Example:\n  fiberchain run data/scenes/packing-small.yaml --out results\n"
-              "  fiberchain render results/packing-small.h5 --frame last --color vertical_speed --range -0.5,0.5",
-          .options = {{"FILE", "", "trajectory (H5MD), also of a run in progress", OptionKind::required},
-                      {"--frame", "N", "number of the frame from 0, or last [last]"},
-                      {"--color", "NAME", "vertical_speed or bending_angle [vertical_speed]"},
-                      {"--range", "LOW,HIGH", "ends of the color scale, m/s or rad [those of the data, without their "
-                                              "lowest and highest half percent]"},
-                      {"--azimuth", "DEGREES", "of the camera about the vertical, from the x axis [-60]"},
-                      {"--elevation", "DEGREES", "of the camera above the horizontal [18]"},
-                      {"--width", "PIXELS", "of the picture [1280]"},
-                      {"--height", "PIXELS", "of the picture [800]"},
-                      {"--out", "DIR", "directory for the picture [results]"},
-                      {"--jobs", "N", "threads [all cores]"}},
-          .run = &run};
+  return {
+      .name = "render",
+      .description = "draw a frame of a trajectory to PNG, without a display",
+      .footer =
+          "Example:\n  fiberchain run data/scenes/packing-small.yaml --out results\n"
+          "  fiberchain render results/packing-small.h5 --frame last --color vertical_speed --range -0.5,0.5",
+      .options = {{"FILE", "", "trajectory (H5MD), also of a run in progress", OptionKind::required},
+                  {"--frame", "N", "number of the frame from 0, or last [last]"},
+                  {"--color", "NAME", "vertical_speed or bending_angle [vertical_speed]"},
+                  {"--range", "LOW,HIGH",
+                   "ends of the color scale, m/s or rad [those of the data, without their "
+                   "lowest and highest half percent]"},
+                  {"--azimuth", "DEGREES", "of the camera about the vertical, from the x axis [-60]"},
+                  {"--elevation", "DEGREES", "of the camera above the horizontal [18]"},
+                  {"--width", "PIXELS", "of the picture [1280]"},
+                  {"--height", "PIXELS", "of the picture [800]"},
+                  {"--out", "DIR", "directory for the picture [results]"},
+                  {"--jobs", "N", "threads [all cores]"}},
+      .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -14,7 +14,8 @@ StopSignals::StopSignals() {
   last_signal = 0;
   struct sigaction action {};
   action.sa_handler = &remember;
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);  // writes go on; the second signal is the system's
+  action.sa_flags =
+      static_cast<int>(SA_RESTART | SA_RESETHAND);  // writes go on; the second signal is the system's
   sigemptyset(&action.sa_mask);
   ::sigaction(SIGINT, nullptr, &interrupt_);
   ::sigaction(SIGTERM, nullptr, &terminate_);

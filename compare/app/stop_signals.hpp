@@ -4,8 +4,8 @@
 
 namespace fiberchain::app {
 
-/// While it lives, SIGINT and SIGTERM ask a run to stop instead of ending the program; a second one ends it at once. Only
-/// one at a time.
+/// While it lives, SIGINT and SIGTERM ask a run to stop instead of ending the program; a second one ends it
+/// at once. Only one at a time.
 class StopSignals {
  public:
   StopSignals();

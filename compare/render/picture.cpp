@@ -14,16 +14,22 @@ namespace {
 
 constexpr int kColors = 64;
 /// viridis, from low to high; also in gnuplot's words
-constexpr std::array<Color, 8> kScale = {{{0.267f, 0.004f, 0.329f}, {0.275f, 0.196f, 0.494f}, {0.212f, 0.361f, 0.553f},
-                                          {0.153f, 0.498f, 0.557f}, {0.122f, 0.631f, 0.529f}, {0.290f, 0.757f, 0.427f},
-                                          {0.627f, 0.855f, 0.224f}, {0.992f, 0.906f, 0.145f}}};
+constexpr std::array<Color, 8> kScale = {{{0.267f, 0.004f, 0.329f},
+                                          {0.275f, 0.196f, 0.494f},
+                                          {0.212f, 0.361f, 0.553f},
+                                          {0.153f, 0.498f, 0.557f},
+                                          {0.122f, 0.631f, 0.529f},
+                                          {0.290f, 0.757f, 0.427f},
+                                          {0.627f, 0.855f, 0.224f},
+                                          {0.992f, 0.906f, 0.145f}}};
 
 Color color_at(double place) {
   const double x = std::clamp(place, 0.0, 1.0) * (kScale.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(x), kScale.size() - 2);
   const auto part = static_cast<float>(x - static_cast<double>(below));
   const Color &a = kScale[below], &b = kScale[below + 1];
-  return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green), a.blue + part * (b.blue - a.blue)};
+  return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green),
+          a.blue + part * (b.blue - a.blue)};
 }
 
 int place_of(double value, const std::pair<double, double>& range) {
@@ -40,7 +46,8 @@ std::vector<Rod> rods_of(const dem::io::Frame& frame, const std::vector<double>&
   for (const dem::io::FrameBond& bond : frame.bonds) {
     const auto a = static_cast<std::size_t>(bond.first), b = a + 1;
     if (norm(frame.position[b] - frame.position[a]) > 4 * frame.radius[a]) continue;
-    rods.push_back({frame.position[a], frame.position[b], frame.radius[a], place_of((values[a] + values[b]) / 2, range)});
+    rods.push_back({frame.position[a], frame.position[b], frame.radius[a],
+                    place_of((values[a] + values[b]) / 2, range)});
   }
   return rods;
 }
@@ -50,25 +57,29 @@ std::string label_of(Shade shade) {
 }
 
 /// Gnuplot's commands that put a color scale and the time beside the image.
-std::string commands(const dem::io::Frame& frame, const PictureOptions& options, const std::pair<double, double>& range,
-                     const Image& image) {
+std::string commands(const dem::io::Frame& frame, const PictureOptions& options,
+                     const std::pair<double, double>& range, const Image& image) {
   std::vector<std::string> colors;
   for (std::size_t i = 0; i < kScale.size(); ++i)
     colors.push_back(fmt::format("{} {} {} {}", i, kScale[i].red, kScale[i].green, kScale[i].blue));
   std::string text = fmt::format(
-      "set terminal pngcairo size {0},{1} enhanced font 'DejaVu Sans,12' fontscale {2} background rgb 'white'\n"
+      "set terminal pngcairo size {0},{1} enhanced font 'DejaVu Sans,12' fontscale {2} background rgb "
+      "'white'\n"
       "set output\nunset border\nunset tics\nset cbtics\nset lmargin at screen 0\nset bmargin at screen 0\n"
       "set tmargin at screen 1\nset rmargin at screen {3}\nset xrange [-0.5:{4}]\nset yrange [{5}:-0.5]\n",
-      options.width, options.height, 1.3 * options.height / 800, static_cast<double>(image.width) / options.width,
-      image.width - 0.5, image.height - 0.5);
-  text += fmt::format("set palette defined ({})\nset palette maxcolors {}\n", fmt::join(colors, ", "), kColors);
+      options.width, options.height, 1.3 * options.height / 800,
+      static_cast<double>(image.width) / options.width, image.width - 0.5, image.height - 0.5);
+  text +=
+      fmt::format("set palette defined ({})\nset palette maxcolors {}\n", fmt::join(colors, ", "), kColors);
   text += fmt::format(
-      "set cbrange [{}:{}]\nset colorbox user origin {},0.12 size 0.02,0.7\nset cblabel '{}'\nset label 1 't = {:.4g} s' at "
+      "set cbrange [{}:{}]\nset colorbox user origin {},0.12 size 0.02,0.7\nset cblabel '{}'\nset label 1 't "
+      "= {:.4g} s' at "
       "screen 0.98,0.93 right\n",
-      range.first, range.second, static_cast<double>(image.width) / options.width + 0.005, label_of(options.shade),
-      frame.time);
+      range.first, range.second, static_cast<double>(image.width) / options.width + 0.005,
+      label_of(options.shade), frame.time);
   return text + fmt::format(
-                    "plot '-' binary array=({},{}) format='%uchar%uchar%uchar' using 1:2:3 with rgbimage notitle, NaN with "
+                    "plot '-' binary array=({},{}) format='%uchar%uchar%uchar' using 1:2:3 with rgbimage "
+                    "notitle, NaN with "
                     "lines palette notitle\n",
                     image.width, image.height);
 }
@@ -98,7 +109,8 @@ std::pair<double, double> range_of(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t rare = values.size() / 200;
   const double low = values[rare], high = values[values.size() - 1 - rare];
-  const double least = 1e-3 * std::max({std::abs(low), std::abs(high), 1e-9});  // what hardly differs looks alike
+  const double least =
+      1e-3 * std::max({std::abs(low), std::abs(high), 1e-9});  // what hardly differs looks alike
   return high - low > least ? std::pair{low, high} : std::pair{low - least, high + least};
 }
 

@@ -19,7 +19,8 @@ enum class Shade {
 
 struct PictureOptions {
   Shade shade = Shade::vertical_speed;
-  std::optional<std::pair<double, double>> range = std::nullopt;  ///< of the color scale; without it, from the data
+  std::optional<std::pair<double, double>> range =
+      std::nullopt;  ///< of the color scale; without it, from the data
   View view = {};
   int width = 1280, height = 800;  ///< [pixels]
   int threads = 1;
@@ -28,7 +29,8 @@ struct PictureOptions {
 /// A number for each sphere of the frame.
 std::vector<double> shade_of(const dem::io::Frame& frame, Shade shade);
 
-/// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the end colors.
+/// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the
+/// end colors.
 std::pair<double, double> range_of(std::vector<double> values);
 
 struct Picture {

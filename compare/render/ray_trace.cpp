@@ -31,16 +31,17 @@ std::vector<Point> corners(const Solids& solids) {
   return all;
 }
 
-/// Looking at `target` from `back`, as near as it can be with every corner within the field of view; `off` is how far
-/// the corners' middle is beside the middle of the picture, across the view through the target.
-Camera camera_at(const Solids& solids, const Point& target, const Point& back, const Point& right, double aspect,
-                 Point& off) {
+/// Looking at `target` from `back`, as near as it can be with every corner within the field of view; `off` is
+/// how far the corners' middle is beside the middle of the picture, across the view through the target.
+Camera camera_at(const Solids& solids, const Point& target, const Point& back, const Point& right,
+                 double aspect, Point& off) {
   const Point up = cross(back, right);
   const double tall = std::tan(kVerticalField / 2) / kMargin, wide = aspect * tall;
   double distance = 0;
   for (const Point& corner : corners(solids)) {
     const Point p = corner - target;
-    distance = std::max({distance, dot(p, back) + std::abs(dot(p, right)) / wide, dot(p, back) + std::abs(dot(p, up)) / tall});
+    distance = std::max({distance, dot(p, back) + std::abs(dot(p, right)) / wide,
+                         dot(p, back) + std::abs(dot(p, up)) / tall});
   }
   double left = 0, most_right = 0, below = 0, above = 0;
   for (const Point& corner : corners(solids)) {
@@ -150,7 +151,9 @@ Image ray_trace(const Solids& solids, const View& view, int width, int height, i
   begin_tachyon();
   const std::unique_ptr<void, void (*)(SceneHandle)> owner(rt_newscene(), &rt_deletescene);
   const SceneHandle scene = owner.get();
-  Image image{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  Image image{
+      width, height,
+      std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   const double aspect = static_cast<double>(width) / height;
   const Camera camera = camera_of(solids, view, aspect);
   rt_verbose(scene, 0);

@@ -28,7 +28,8 @@ struct Solids {
   Point low, high;  ///< box that is shown by its edges and a floor
 };
 
-/// Where the camera stands, seen from the middle of the box. Its distance is chosen so that the whole box is in view.
+/// Where the camera stands, seen from the middle of the box. Its distance is chosen so that the whole box is
+/// in view.
 struct View {
   double azimuth = -60;   ///< from the x axis, about z [degrees]
   double elevation = 18;  ///< above the floor [degrees]

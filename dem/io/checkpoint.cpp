@@ -41,7 +41,8 @@ void set_number(hid_t file, const char* name, hid_t memory, hid_t stored, const 
 }
 
 std::string image_of(const Checkpoint& checkpoint) {
-  const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), &H5Fclose, "make a file");
+  const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), &H5Fclose,
+                    "make a file");
   hdf5::set_attribute(file, "program", checkpoint.program);
   hdf5::set_attribute(file, "scene_sha256", checkpoint.scene_sha256);
   const std::vector<char> scene(checkpoint.scene.begin(), checkpoint.scene.end());
@@ -50,12 +51,13 @@ std::string image_of(const Checkpoint& checkpoint) {
   set_number(file, "threads", H5T_NATIVE_INT64, H5T_STD_I64LE, &threads);
   set_number(file, "step", H5T_NATIVE_INT64, H5T_STD_I64LE, &checkpoint.step);
   set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &checkpoint.time);
-  hdf5::write_array(file, "state", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {checkpoint.state.size()}, checkpoint.state.data(),
-                    false);
+  hdf5::write_array(file, "state", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {checkpoint.state.size()},
+                    checkpoint.state.data(), false);
   hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
-  if (size <= 0 || H5Fget_file_image(file, image.data(), image.size()) != size) throw hdf5::Failure("HDF5 gives no image");
+  if (size <= 0 || H5Fget_file_image(file, image.data(), image.size()) != size)
+    throw hdf5::Failure("HDF5 gives no image");
   return image;
 }
 
@@ -106,9 +108,11 @@ std::string checked_image(const std::filesystem::path& path, const std::string& 
   const auto format = parse_integer(line_of(head, kMagic));
   if (!format) throw ReadError(path, "is corrupt: no format");
   if (*format != kFormat)
-    throw ReadError(path, fmt::format("is a checkpoint of format {}; this program reads format {}", *format, kFormat));
+    throw ReadError(
+        path, fmt::format("is a checkpoint of format {}; this program reads format {}", *format, kFormat));
   const auto size = parse_integer(line_of(head, "\nbytes "));
-  if (!size) throw ReadError(path, content.size() < kHead ? "is cut off within its head" : "is corrupt: no size");
+  if (!size)
+    throw ReadError(path, content.size() < kHead ? "is cut off within its head" : "is corrupt: no size");
   const auto bytes = static_cast<std::int64_t>(content.size() - std::min(content.size(), kHead));
   if (bytes < *size) throw ReadError(path, fmt::format("is cut off: {} of {} bytes", bytes, *size));
   std::string image = content.substr(kHead);
@@ -138,7 +142,9 @@ void keep_as(const std::filesystem::path& path, const std::filesystem::path& pre
 
 }  // namespace
 
-std::filesystem::path previous_checkpoint(const std::filesystem::path& path) { return path.string() + ".previous"; }
+std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
+  return path.string() + ".previous";
+}
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const hdf5::Quiet quiet;
@@ -176,9 +182,11 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
 
 std::string resumed_differently(const Checkpoint& checkpoint, const std::string& program, int threads) {
   if (checkpoint.program != program)
-    return fmt::format("the checkpoint was written by another program ({}, not {})", checkpoint.program, program);
+    return fmt::format("the checkpoint was written by another program ({}, not {})", checkpoint.program,
+                       program);
   if (checkpoint.threads != threads)
-    return fmt::format("the checkpoint was written by a run of {} threads, not {}", checkpoint.threads, threads);
+    return fmt::format("the checkpoint was written by a run of {} threads, not {}", checkpoint.threads,
+                       threads);
   return "";
 }
 

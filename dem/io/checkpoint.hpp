@@ -20,13 +20,15 @@ struct Checkpoint {
   bool operator==(const Checkpoint&) const = default;
 };
 
-/// Writes a checkpoint: 512 bytes of text (format, SHA-256 and size of the rest), then HDF5, which h5dump and h5py open as it
-/// stands. The one that stood there before becomes PATH.previous. At any moment there is a whole checkpoint at the place.
+/// Writes a checkpoint: 512 bytes of text (format, SHA-256 and size of the rest), then HDF5, which h5dump and
+/// h5py open as it stands. The one that stood there before becomes PATH.previous. At any moment there is a
+/// whole checkpoint at the place.
 /// @throws WriteError; what stood there before then still does
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Reads a checkpoint. Not a byte of it is believed before its checksum is right.
-/// @throws ReadError naming the file and the reason: absent, no checkpoint, of another format, cut off, corrupt
+/// @throws ReadError naming the file and the reason: absent, no checkpoint, of another format, cut off,
+/// corrupt
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// The same, of that very scene.

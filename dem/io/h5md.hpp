@@ -17,11 +17,12 @@
 //   /connectivity/bonds                      fixed: pairs of spheres
 //   /observables/fibers/{bond_force,bending_angle}   in time, a row a bond: on its first sphere [N]; [rad]
 //   /observables/NAME                        in time, scalars
-//   /parameters/runs/N                       provenance of the run that began the file, and of those that resumed it
+//   /parameters/runs/N                       provenance of the run that began the file, and of those that
+//   resumed it
 //
-// All have the same steps and times, which are one dataset. Positions are rounded to 2^-37 of their value (7e-12),
-// what else moves to floats: digits beyond these compress to nothing and mean nothing. Checkpoints have them all.
-// Units stand as H5MD's attribute "unit" except on lengths: MDAnalysis refuses the meter.
+// All have the same steps and times, which are one dataset. Positions are rounded to 2^-37 of their value
+// (7e-12), what else moves to floats: digits beyond these compress to nothing and mean nothing. Checkpoints
+// have them all. Units stand as H5MD's attribute "unit" except on lengths: MDAnalysis refuses the meter.
 namespace fiberchain::dem::io {
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
@@ -33,10 +34,11 @@ struct TrajectoryHeader {
   Entries provenance;           ///< attributes, by name
 };
 
-/// Appends frames to a file, whole or not at all: each frame opens the file, brings it to the disk in one step and closes
-/// it again, so that readers can open a run in progress and nothing is lost but the frame being written when the run is
-/// killed or the disk is full. A kill within the microseconds of that step leaves a journal beside the file, which
-/// TrajectoryReader and resuming understand. Beside FILE.h5 stands FILE.xmf, for ParaView.
+/// Appends frames to a file, whole or not at all: each frame opens the file, brings it to the disk in one
+/// step and closes it again, so that readers can open a run in progress and nothing is lost but the frame
+/// being written when the run is killed or the disk is full. A kill within the microseconds of that step
+/// leaves a journal beside the file, which TrajectoryReader and resuming understand. Beside FILE.h5 stands
+/// FILE.xmf, for ParaView.
 class TrajectoryWriter {
  public:
   /// A new file; it appears with the first frame, in place of what stood there.
@@ -47,7 +49,8 @@ class TrajectoryWriter {
   static TrajectoryWriter resume(std::filesystem::path path, TrajectoryHeader header, std::int64_t last_step);
 
   /// @param scalars the same names with every frame
-  /// @throws InvalidInput if spheres, bonds or scalars are not those of the first frame, or the step is not later than
+  /// @throws InvalidInput if spheres, bonds or scalars are not those of the first frame, or the step is not
+  /// later than
   ///         the last; WriteError, the file is then as it was; ReadError if it is not as it was left
   void append(const Frame& frame, const Scalars& scalars = {});
 

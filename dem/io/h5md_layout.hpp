@@ -44,7 +44,8 @@ inline hdf5::Handle open_in(OverlayFile& overlay, Access access) {
   const char* name = overlay.path().c_str();
   if (access == Access::create)
     return {H5Fcreate(name, H5F_ACC_TRUNC, H5P_DEFAULT, by), &H5Fclose, "make this file"};
-  return {H5Fopen(name, access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, by), &H5Fclose, "open this file"};
+  return {H5Fopen(name, access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, by), &H5Fclose,
+          "open this file"};
 }
 
 }  // namespace fiberchain::dem::io::h5md

@@ -40,7 +40,8 @@ std::vector<double> entry(hid_t file, const std::string& element, std::int64_t n
   const std::string name = value_of(element);
   const Handle series = hdf5::open_array(file, name.c_str());
   const std::vector<hsize_t> found = hdf5::size_of(series);
-  if (found.empty() || static_cast<std::int64_t>(found[0]) <= n || !std::equal(found.begin() + 1, found.end(), size.begin(), size.end()))
+  if (found.empty() || static_cast<std::int64_t>(found[0]) <= n ||
+      !std::equal(found.begin() + 1, found.end(), size.begin(), size.end()))
     throw hdf5::Failure(fmt::format("{} is of another size", name));
   hsize_t count = 1;
   for (const hsize_t rows : size) count *= rows;
@@ -51,7 +52,8 @@ std::vector<double> entry(hid_t file, const std::string& element, std::int64_t n
 
 std::vector<Vec<double, 3>> vectors(const std::vector<double>& numbers) {
   std::vector<Vec<double, 3>> all;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) all.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    all.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   return all;
 }
 
@@ -61,7 +63,8 @@ void read_boundary(hid_t file, Frame& frame) {
   const Handle attribute(H5Aopen(box, "boundary", H5P_DEFAULT), &H5Aclose, "find the box's boundary");
   const Handle type(H5Aget_type(attribute), &H5Tclose, "read the box's boundary");
   const Handle space(H5Aget_space(attribute), &H5Sclose, "read the box's boundary");
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || H5Sget_simple_extent_npoints(space) != 3)
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 ||
+      H5Sget_simple_extent_npoints(space) != 3)
     throw hdf5::Failure("the box's boundary is no three words");
   const std::size_t length = H5Tget_size(type);
   std::string words(3 * length, '\0');
@@ -76,7 +79,8 @@ void read_bonds(hid_t file, std::int64_t n, Frame& frame) {
   const auto angle = entry(file, kBendingAngle, n, {bonds});
   for (std::size_t i = 0; i < bonds; ++i) {
     const std::int64_t first = pairs[2 * i];
-    if (first < 0 || first + 1 >= static_cast<std::int64_t>(frame.radius.size()) || pairs[2 * i + 1] != first + 1)
+    if (first < 0 || first + 1 >= static_cast<std::int64_t>(frame.radius.size()) ||
+        pairs[2 * i + 1] != first + 1)
       throw hdf5::Failure("a bond is between spheres that do not follow each other");
     frame.bonds.push_back({first, force[i], angle[i]});
   }
@@ -117,7 +121,8 @@ Frame TrajectoryReader::read(std::int64_t n) const {
 Scalars TrajectoryReader::scalars(std::int64_t n) const {
   return with_file(path_, [&](hid_t file) {
     Scalars all;
-    for (const std::string& name : scalar_names(file)) all.emplace_back(name, entry(file, "observables/" + name, n, {}).front());
+    for (const std::string& name : scalar_names(file))
+      all.emplace_back(name, entry(file, "observables/" + name, n, {}).front());
     return all;
   });
 }

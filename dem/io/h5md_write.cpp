@@ -44,8 +44,8 @@ void make_element(hid_t file, const std::string& name, hid_t type, const std::ve
     return;
   }
   for (const char* shared : {"step", "time"}) {
-    hdf5::check(H5Lcreate_hard(file, (std::string(kPosition) + "/" + shared).c_str(), group, shared, H5P_DEFAULT,
-                               H5P_DEFAULT),
+    hdf5::check(H5Lcreate_hard(file, (std::string(kPosition) + "/" + shared).c_str(), group, shared,
+                               H5P_DEFAULT, H5P_DEFAULT),
                 "link a dataset");
   }
 }
@@ -62,8 +62,9 @@ void write_head(hid_t file, const TrajectoryHeader& header) {
 }
 
 void write_run(hid_t file, const TrajectoryHeader& header) {
-  const Handle runs = hdf5::has(file, "parameters") ? hdf5::open_group(file, "parameters/runs")
-                                                    : hdf5::make_group(hdf5::make_group(file, "parameters"), "runs");
+  const Handle runs = hdf5::has(file, "parameters")
+                          ? hdf5::open_group(file, "parameters/runs")
+                          : hdf5::make_group(hdf5::make_group(file, "parameters"), "runs");
   const Handle run = hdf5::make_group(runs, std::to_string(hdf5::names_in(runs).size()).c_str());
   for (const auto& [key, value] : header.provenance) hdf5::set_attribute(run, key.c_str(), value);
 }
@@ -91,12 +92,14 @@ void write_fixed(hid_t file, hid_t group, const Frame& frame) {
     pairs.push_back(bond.first + 1);
   }
   const Handle connectivity = hdf5::make_group(file, "connectivity");
-  const Handle bonds = hdf5::write_array(connectivity, "bonds", kInteger, {frame.bonds.size(), 2}, pairs.data(), true);
+  const Handle bonds =
+      hdf5::write_array(connectivity, "bonds", kInteger, {frame.bonds.size(), 2}, pairs.data(), true);
   hobj_ref_t reference;
   hdf5::check(H5Rcreate(&reference, file, "particles/fibers", H5R_OBJECT, -1), "refer to a group");
   const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");
-  const Handle attribute(H5Acreate2(bonds, "particles_group", H5T_STD_REF_OBJ, space, H5P_DEFAULT, H5P_DEFAULT),
-                         &H5Aclose, "make an attribute");
+  const Handle attribute(
+      H5Acreate2(bonds, "particles_group", H5T_STD_REF_OBJ, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose,
+      "make an attribute");
   hdf5::check(H5Awrite(attribute, H5T_STD_REF_OBJ, &reference), "write an attribute");
 }
 
@@ -115,7 +118,8 @@ void write_layout(hid_t file, const TrajectoryHeader& header, const Frame& frame
   make_element(file, kOrigin, H5T_IEEE_F64LE, {3}, "", false);
   make_element(file, kBondForce, H5T_IEEE_F32LE, {bonds, 3}, "N", true);
   make_element(file, kBendingAngle, H5T_IEEE_F32LE, {bonds}, "rad", true);
-  for (const auto& [name, value] : scalars) make_element(file, "observables/" + name, H5T_IEEE_F64LE, {}, "", false);
+  for (const auto& [name, value] : scalars)
+    make_element(file, "observables/" + name, H5T_IEEE_F64LE, {}, "", false);
   write_fixed(file, fibers, frame);
 }
 
@@ -128,7 +132,8 @@ std::vector<std::string> all_series(hid_t file) {
 }
 
 void set_frames(hid_t file, hsize_t count) {
-  for (const std::string& series : all_series(file)) hdf5::resize_series(hdf5::open_array(file, series.c_str()), count);
+  for (const std::string& series : all_series(file))
+    hdf5::resize_series(hdf5::open_array(file, series.c_str()), count);
 }
 
 void check_same(hid_t file, const Frame& frame, const Scalars& scalars) {
@@ -137,8 +142,9 @@ void check_same(hid_t file, const Frame& frame, const Scalars& scalars) {
     return size.size() > 1 ? size[1] : 0;
   };
   if (rows(kPosition) != frame.position.size() || rows(kBendingAngle) != frame.bonds.size()) {
-    throw InvalidInput(fmt::format("a frame of {} spheres and {} bonds does not go with earlier ones of {} and {}",
-                                   frame.position.size(), frame.bonds.size(), rows(kPosition), rows(kBendingAngle)));
+    throw InvalidInput(
+        fmt::format("a frame of {} spheres and {} bonds does not go with earlier ones of {} and {}",
+                    frame.position.size(), frame.bonds.size(), rows(kPosition), rows(kBendingAngle)));
   }
   std::vector<std::string> names;
   for (const auto& [name, value] : scalars) names.push_back(name);
@@ -197,7 +203,8 @@ void check_frame(const Frame& frame) {
 TrajectoryWriter::TrajectoryWriter(std::filesystem::path path, TrajectoryHeader header)
     : path_(std::move(path)), header_(std::move(header)) {}
 
-TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, TrajectoryHeader header, std::int64_t last_step) {
+TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, TrajectoryHeader header,
+                                          std::int64_t last_step) {
   TrajectoryWriter writer(std::move(path), std::move(header));
   if (!std::filesystem::exists(writer.path_)) return writer;
   const TrajectoryReader before(writer.path_);

@@ -29,7 +29,8 @@ Handle text_type(std::size_t size) {
 }
 
 Handle space_of(const std::vector<hsize_t>& size, const hsize_t* largest = nullptr) {
-  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), largest), &H5Sclose, "make a dataspace"};
+  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), largest), &H5Sclose,
+          "make a dataspace"};
 }
 
 Handle creation() { return {H5Pcreate(H5P_DATASET_CREATE), &H5Pclose, "make a property list"}; }
@@ -55,7 +56,8 @@ Handle entry_space(hid_t series, hsize_t entry) {
   std::vector<hsize_t> start(count.size(), 0);
   start[0] = entry;
   count[0] = 1;
-  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "select an entry");
+  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+        "select an entry");
   return space;
 }
 
@@ -67,7 +69,8 @@ Handle entry_memory(hid_t series) {
 
 Handle write_attribute(hid_t object, const char* name, hid_t type, hid_t space, const void* value) {
   if (H5Aexists(object, name) > 0) check(H5Adelete(object, name), "replace an attribute");
-  Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose, "make an attribute");
+  Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose,
+                   "make an attribute");
   check(H5Awrite(attribute, type, value), "write an attribute");
   return attribute;
 }
@@ -93,7 +96,9 @@ Handle make_group(hid_t parent, const char* name) {
   return {H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), &H5Gclose, "make a group"};
 }
 
-Handle open_group(hid_t parent, const char* name) { return {H5Gopen2(parent, name, H5P_DEFAULT), &H5Gclose, name}; }
+Handle open_group(hid_t parent, const char* name) {
+  return {H5Gopen2(parent, name, H5P_DEFAULT), &H5Gclose, name};
+}
 
 bool has(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
 
@@ -115,7 +120,8 @@ std::vector<std::string> names_in(hid_t group) {
   return names;
 }
 
-// Of variable length: those h5py gives as str, the others as bytes, which readers of H5MD in Python do not expect.
+// Of variable length: those h5py gives as str, the others as bytes, which readers of H5MD in Python do not
+// expect.
 void set_attribute(hid_t object, const char* name, const std::string& text) {
   const Handle type = text_type(H5T_VARIABLE);
   const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");
@@ -142,7 +148,8 @@ std::optional<std::string> text_attribute(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose, "open an attribute");
   const Handle type(H5Aget_type(attribute), &H5Tclose, "find an attribute's type");
   const Handle space(H5Aget_space(attribute), &H5Sclose, "find an attribute's size");
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1)
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 ||
+      H5Sget_simple_extent_npoints(space) != 1)
     return std::nullopt;
   char* value = nullptr;
   check(H5Aread(attribute, type, &value), "read an attribute");
@@ -182,7 +189,8 @@ Handle write_array(hid_t parent, const char* name, const Stored& type, const std
   return array;
 }
 
-Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& size, bool compressed) {
+Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& size,
+                   bool compressed) {
   std::vector<hsize_t> extent = {0}, largest = {H5S_UNLIMITED}, chunk = {1};
   for (const hsize_t count : size) {
     extent.push_back(count);
@@ -197,11 +205,14 @@ Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector
     chunk[0] = 128;  // changed in place from entry to entry
   }
   check(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), "choose chunks");
-  return {H5Dcreate2(parent, name, type, space_of(extent, largest.data()), H5P_DEFAULT, properties, H5P_DEFAULT),
-          &H5Dclose, "make a dataset"};
+  return {
+      H5Dcreate2(parent, name, type, space_of(extent, largest.data()), H5P_DEFAULT, properties, H5P_DEFAULT),
+      &H5Dclose, "make a dataset"};
 }
 
-Handle open_array(hid_t parent, const char* name) { return {H5Dopen2(parent, name, H5P_DEFAULT), &H5Dclose, name}; }
+Handle open_array(hid_t parent, const char* name) {
+  return {H5Dopen2(parent, name, H5P_DEFAULT), &H5Dclose, name};
+}
 
 std::vector<hsize_t> size_of(hid_t array) {
   const Handle space(H5Dget_space(array), &H5Sclose, "find a dataset's size");
@@ -218,11 +229,13 @@ void resize_series(hid_t series, hsize_t length) {
 }
 
 void write_entry(hid_t series, hsize_t entry, hid_t type, const void* values) {
-  check(H5Dwrite(series, type, entry_memory(series), entry_space(series, entry), H5P_DEFAULT, values), "write an entry");
+  check(H5Dwrite(series, type, entry_memory(series), entry_space(series, entry), H5P_DEFAULT, values),
+        "write an entry");
 }
 
 void read_entry(hid_t series, hsize_t entry, hid_t type, void* values) {
-  check(H5Dread(series, type, entry_memory(series), entry_space(series, entry), H5P_DEFAULT, values), "read an entry");
+  check(H5Dread(series, type, entry_memory(series), entry_space(series, entry), H5P_DEFAULT, values),
+        "read an entry");
 }
 
 }  // namespace fiberchain::dem::io::hdf5

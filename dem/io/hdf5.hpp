@@ -79,7 +79,8 @@ Handle write_array(hid_t parent, const char* name, const Stored& type, const std
                    const void* values, bool compressed);
 
 /// A dataset that grows along its first index; `size` is that of one entry.
-Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& size, bool compressed);
+Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& size,
+                   bool compressed);
 
 Handle open_array(hid_t parent, const char* name);
 std::vector<hsize_t> size_of(hid_t array);

@@ -62,11 +62,13 @@ herr_t allocate(H5FD_t* file, H5FD_mem_t /*type*/, haddr_t end) {
 
 haddr_t end(const H5FD_t* file, H5FD_mem_t /*type*/) { return driven(file).file->size(); }
 
-herr_t read(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t at, std::size_t count, void* bytes) {
+herr_t read(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t at, std::size_t count,
+            void* bytes) {
   return attempt([&] { driven(file).file->read(at, bytes, count); });
 }
 
-herr_t write(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t at, std::size_t count, const void* bytes) {
+herr_t write(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_t at, std::size_t count,
+             const void* bytes) {
   return attempt([&] { driven(file).file->write(at, bytes, count); });
 }
 

@@ -143,7 +143,9 @@ void OverlayFile::resize(std::uint64_t size) {
   changed_.erase(changed_.lower_bound((size + kPage - 1) / kPage), changed_.end());
 }
 
-std::uint64_t OverlayFile::bytes_of(std::uint64_t page) const { return std::min(kPage, size_ - page * kPage); }
+std::uint64_t OverlayFile::bytes_of(std::uint64_t page) const {
+  return std::min(kPage, size_ - page * kPage);
+}
 
 void OverlayFile::commit() {
   if (file_ < 0) {
@@ -165,7 +167,8 @@ void OverlayFile::commit() {
 
 void OverlayFile::create_whole() {
   std::string content(size_, '\0');
-  for (const auto& [page, bytes] : changed_) std::memcpy(content.data() + page * kPage, bytes.data(), bytes_of(page));
+  for (const auto& [page, bytes] : changed_)
+    std::memcpy(content.data() + page * kPage, bytes.data(), bytes_of(page));
   ::unlink(journal_of(path_).c_str());  // of another file that stood here
   replace_file(path_, content);
   mode_ = Mode::change;
@@ -179,8 +182,10 @@ void OverlayFile::put(std::uint64_t page, const Page& content) const {
 
 void OverlayFile::write_beyond() {
   try {
-    for (auto at = changed_.lower_bound((old_size_ + kPage - 1) / kPage); at != changed_.end(); ++at) put(at->first, at->second);
-    if (size_ > old_size_ && ::ftruncate(file_, static_cast<off_t>(size_)) != 0) throw WriteError(path_, std::strerror(errno));
+    for (auto at = changed_.lower_bound((old_size_ + kPage - 1) / kPage); at != changed_.end(); ++at)
+      put(at->first, at->second);
+    if (size_ > old_size_ && ::ftruncate(file_, static_cast<off_t>(size_)) != 0)
+      throw WriteError(path_, std::strerror(errno));
     if (::fdatasync(file_) != 0) throw WriteError(path_, std::strerror(errno));
   } catch (const WriteError&) {
     if (::ftruncate(file_, static_cast<off_t>(old_size_)) != 0) throw;
@@ -203,7 +208,8 @@ void OverlayFile::write_within() {
     if (page * kPage >= old_size_) break;
     put(page, bytes);
   }
-  if (size_ < old_size_ && ::ftruncate(file_, static_cast<off_t>(size_)) != 0) throw WriteError(path_, std::strerror(errno));
+  if (size_ < old_size_ && ::ftruncate(file_, static_cast<off_t>(size_)) != 0)
+    throw WriteError(path_, std::strerror(errno));
   if (::fdatasync(file_) != 0) throw WriteError(path_, std::strerror(errno));
   ::unlink(journal_of(path_).c_str());
 }

@@ -7,12 +7,14 @@
 
 namespace fiberchain::dem::io {
 
-/// A file that changes in one step. What is written stays in memory until `commit`; a program that is killed, a disk
-/// that is full, a machine that loses its power leave the file as it was before the commit or as it was to be.
+/// A file that changes in one step. What is written stays in memory until `commit`; a program that is killed,
+/// a disk that is full, a machine that loses its power leave the file as it was before the commit or as it
+/// was to be.
 ///
-/// A commit first writes what lies beyond the file's old end, where nobody looks yet. The pages it has to change within
-/// the file go to a journal beside it, which is flushed and renamed to its place, then into the file. Opening a file
-/// with a journal sees the journal's pages, and the next commit finishes what the last one began.
+/// A commit first writes what lies beyond the file's old end, where nobody looks yet. The pages it has to
+/// change within the file go to a journal beside it, which is flushed and renamed to its place, then into the
+/// file. Opening a file with a journal sees the journal's pages, and the next commit finishes what the last
+/// one began.
 class OverlayFile {
  public:
   enum class Mode {

@@ -5,8 +5,8 @@
 
 namespace fiberchain::dem::io {
 
-/// A file under a temporary name beside its place, removed unless it was renamed there: what stands at the place is
-/// whole at any moment, whatever ends the program.
+/// A file under a temporary name beside its place, removed unless it was renamed there: what stands at the
+/// place is whole at any moment, whatever ends the program.
 class StagedFile {
  public:
   /// Writes the content and flushes it to the disk.

@@ -10,12 +10,13 @@
 
 // Frames as VTK PolyData (.vtp, inline base64) that ParaView and OVITO open, and their series (.pvd).
 //
-// OVITO reads PolyData as particles only if it holds nothing but a vertex for every point, with the arrays "id", "radius"
-// and "v"; so spheres and polylines are two files a frame:
+// OVITO reads PolyData as particles only if it holds nothing but a vertex for every point, with the arrays
+// "id", "radius" and "v"; so spheres and polylines are two files a frame:
 //   NAME.pvd         the spheres in time: NAME/spheres-STEP.vtp
 //   NAME-lines.pvd   the fibers in time:  NAME/lines-STEP.vtp, a polyline a fiber
-// Both have at their points id, fiber, radius [m], v [m/s] (velocity), bond_force [N] and bending_angle [rad]. The last two
-// are those of the bond to the next sphere, the force that on the point's own sphere; at the last sphere of a fiber 0.
+// Both have at their points id, fiber, radius [m], v [m/s] (velocity), bond_force [N] and bending_angle
+// [rad]. The last two are those of the bond to the next sphere, the force that on the point's own sphere; at
+// the last sphere of a fiber 0.
 namespace fiberchain::dem::io {
 
 /// The spheres of a frame as a .vtp file.
@@ -30,9 +31,11 @@ class VtkSeries {
   /// A new series. Nothing is written before the first frame.
   VtkSeries(std::filesystem::path directory, std::string name, Entries provenance);
 
-  /// Goes on with the series in a directory, without its frames later than `last_step`; begins it if there is none.
+  /// Goes on with the series in a directory, without its frames later than `last_step`; begins it if there is
+  /// none.
   /// @throws ReadError if the .pvd there is none of ours, WriteError
-  static VtkSeries resume(std::filesystem::path directory, std::string name, Entries provenance, std::int64_t last_step);
+  static VtkSeries resume(std::filesystem::path directory, std::string name, Entries provenance,
+                          std::int64_t last_step);
 
   /// @throws InvalidInput if the step is not later than the last, WriteError
   void append(const Frame& frame);

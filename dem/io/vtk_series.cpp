@@ -15,7 +15,9 @@
 namespace fiberchain::dem::io {
 namespace {
 
-std::string file_name(const char* kind, std::int64_t step) { return fmt::format("{}-{:012}.vtp", kind, step); }
+std::string file_name(const char* kind, std::int64_t step) {
+  return fmt::format("{}-{:012}.vtp", kind, step);
+}
 
 constexpr const char* kKinds[] = {"spheres", "lines"};
 
@@ -34,7 +36,8 @@ VtkSeries VtkSeries::resume(std::filesystem::path directory, std::string name, E
 
 void VtkSeries::append(const Frame& frame) {
   if (!entries_.empty() && frame.step <= entries_.back().step)
-    throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, entries_.back().step));
+    throw InvalidInput(
+        fmt::format("a frame of step {} after one of step {}", frame.step, entries_.back().step));
   const std::filesystem::path place = directory_ / name_;
   std::error_code error;
   std::filesystem::create_directories(place, error);
@@ -53,13 +56,15 @@ void VtkSeries::append(const Frame& frame) {
 void VtkSeries::write_series() const {
   for (const char* kind : kKinds) {
     std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+        "byte_order=\"LittleEndian\">\n<Collection>\n";
     for (const Entry& entry : entries_) {
-      text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", entry.time, xml_escaped(name_),
-                          file_name(kind, entry.step));
+      text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", entry.time,
+                          xml_escaped(name_), file_name(kind, entry.step));
     }
     const bool lines = kind == kKinds[1];
-    replace_file(directory_ / (name_ + (lines ? "-lines.pvd" : ".pvd")), text + "</Collection>\n</VTKFile>\n");
+    replace_file(directory_ / (name_ + (lines ? "-lines.pvd" : ".pvd")),
+                 text + "</Collection>\n</VTKFile>\n");
   }
 }
 
@@ -70,7 +75,8 @@ void VtkSeries::read_series(std::int64_t last_step) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (text.find("type=\"Collection\"") == std::string::npos || text.find("</VTKFile>") == std::string::npos)
     throw ReadError(path, "is no series of VTK files");
-  const std::regex pattern("<DataSet timestep=\"([^\"]*)\" part=\"0\" file=\"[^\"]*/spheres-([0-9]+).vtp\"/>");
+  const std::regex pattern(
+      "<DataSet timestep=\"([^\"]*)\" part=\"0\" file=\"[^\"]*/spheres-([0-9]+).vtp\"/>");
   for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
     const auto time = parse_number((*at)[1].str());
     const auto step = parse_integer((*at)[2].str());

@@ -27,8 +27,9 @@ constexpr const char* kType<std::int64_t> = "Int64";
 template <class Number>
 std::string array(const char* name, int components, const std::vector<Number>& values) {
   const std::uint64_t bytes = values.size() * sizeof(Number);
-  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}{}</DataArray>\n",
-                     kType<Number>, name, components, base64(&bytes, sizeof bytes), base64(values.data(), bytes));
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}{}</DataArray>\n",
+      kType<Number>, name, components, base64(&bytes, sizeof bytes), base64(values.data(), bytes));
 }
 
 template <class Number>
@@ -49,15 +50,18 @@ std::vector<std::int64_t> numbers_from(std::int64_t first, std::size_t count) {
 
 std::string point_data(const Frame& frame) {
   const std::size_t spheres = frame.position.size();
-  std::vector<float> radius(frame.radius.begin(), frame.radius.end()), force(3 * spheres, 0), angle(spheres, 0);
+  std::vector<float> radius(frame.radius.begin(), frame.radius.end()), force(3 * spheres, 0),
+      angle(spheres, 0);
   for (const FrameBond& bond : frame.bonds) {
     const auto first = static_cast<std::size_t>(bond.first);
-    for (std::size_t k = 0; k < 3; ++k) force[3 * first + k] = static_cast<float>(bond.force[static_cast<int>(k)]);
+    for (std::size_t k = 0; k < 3; ++k)
+      force[3 * first + k] = static_cast<float>(bond.force[static_cast<int>(k)]);
     angle[first] = static_cast<float>(bond.bending_angle);
   }
   return "<PointData Scalars=\"radius\" Vectors=\"v\">\n" + array("id", 1, numbers_from(0, spheres)) +
-         array("fiber", 1, frame.fiber) + array("radius", 1, radius) + array("v", 3, flat<float>(frame.velocity)) +
-         array("bond_force", 3, force) + array("bending_angle", 1, angle) + "</PointData>\n";
+         array("fiber", 1, frame.fiber) + array("radius", 1, radius) +
+         array("v", 3, flat<float>(frame.velocity)) + array("bond_force", 3, force) +
+         array("bending_angle", 1, angle) + "</PointData>\n";
 }
 
 /// A comment may not hold two dashes.
@@ -72,16 +76,20 @@ std::string comment(const Entries& provenance) {
 }
 
 /// Cells of one kind, by the points they join and where each ends.
-std::string cells(const char* kind, const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& ends) {
-  return fmt::format("<{0}>\n{1}{2}</{0}>\n", kind, array("connectivity", 1, points), array("offsets", 1, ends));
+std::string cells(const char* kind, const std::vector<std::int64_t>& points,
+                  const std::vector<std::int64_t>& ends) {
+  return fmt::format("<{0}>\n{1}{2}</{0}>\n", kind, array("connectivity", 1, points),
+                     array("offsets", 1, ends));
 }
 
 std::string file(const Frame& frame, const Entries& provenance, std::size_t verts, std::size_t lines,
                  const std::string& rest) {
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n{}<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
-      "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n{}<Points>\n{}</Points>\n{}</Piece>\n</PolyData>\n</VTKFile>\n",
+      "header_type=\"UInt64\">\n{}<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" "
+      "NumberOfLines=\"{}\" "
+      "NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"0\">\n{}<Points>\n{}</Points>\n{}</Piece>\n</PolyData>\n</VTKFile>\n",
       comment(provenance), frame.position.size(), verts, lines, point_data(frame),
       array("points", 3, flat<double>(frame.position)), rest);
 }
@@ -90,7 +98,8 @@ std::string file(const Frame& frame, const Entries& provenance, std::size_t vert
 
 std::string vtp_spheres(const Frame& frame, const Entries& provenance) {
   const std::size_t spheres = frame.position.size();
-  return file(frame, provenance, spheres, 0, cells("Verts", numbers_from(0, spheres), numbers_from(1, spheres)));
+  return file(frame, provenance, spheres, 0,
+              cells("Verts", numbers_from(0, spheres), numbers_from(1, spheres)));
 }
 
 std::string vtp_lines(const Frame& frame, const Entries& provenance) {

@@ -16,8 +16,9 @@ using namespace fiberchain::test;
 namespace {
 
 RunStatus status(std::int64_t step) {
-  return {step, 4e-6 * static_cast<double>(step), 3 * step, 1.5e-4 / static_cast<double>(step), 0.0625, 812.5,
-          std::numeric_limits<double>::quiet_NaN()};
+  return {
+      step,  4e-6 * static_cast<double>(step),        3 * step, 1.5e-4 / static_cast<double>(step), 0.0625,
+      812.5, std::numeric_limits<double>::quiet_NaN()};
 }
 
 std::vector<std::int64_t> steps(const std::filesystem::path& path) {
@@ -27,8 +28,15 @@ std::vector<std::int64_t> steps(const std::filesystem::path& path) {
   return all;
 }
 
-const Provenance kProvenance{.version = "1", .commit = "abc", .command = "run", .scene = "", .scene_sha256 = "",
-                             .compiler = "", .flags = "", .cpu = "", .date = ""};
+const Provenance kProvenance{.version = "1",
+                             .commit = "abc",
+                             .command = "run",
+                             .scene = "",
+                             .scene_sha256 = "",
+                             .compiler = "",
+                             .flags = "",
+                             .cpu = "",
+                             .date = ""};
 
 }  // namespace
 
@@ -70,7 +78,8 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_is_later_and_what_was_cut_off) {
   BOOST_TEST(steps(path) == (std::vector<std::int64_t>{7, 11, 31}), boost::test_tools::per_element());
   RunLog fresh = RunLog::resume(scratch.path / "other.csv", kProvenance, 100);
   fresh.append(status(8));
-  BOOST_TEST(steps(scratch.path / "other.csv") == (std::vector<std::int64_t>{8}), boost::test_tools::per_element());
+  BOOST_TEST(steps(scratch.path / "other.csv") == (std::vector<std::int64_t>{8}),
+             boost::test_tools::per_element());
   std::ofstream(scratch.path / "foreign.csv") << "a,b\n1,2\n";
   BOOST_CHECK_THROW(RunLog::resume(scratch.path / "foreign.csv", kProvenance, 1), InputError);
 }
@@ -94,7 +103,8 @@ BOOST_AUTO_TEST_CASE(a_status_is_a_line) {
   RunStatus now = status(1200);
   now.time_left = 187.2;
   BOOST_TEST(status_line(now, 20000) ==
-             "step 1200 of 20000, t = 0.0048 s, 3600 contacts, kinetic energy 1.25e-07 J, height 0.0625 m, 812 steps/s, "
+             "step 1200 of 20000, t = 0.0048 s, 3600 contacts, kinetic energy 1.25e-07 J, height 0.0625 m, "
+             "812 steps/s, "
              "3:08 min left");
   now.time_left = now.step_rate = std::numeric_limits<double>::quiet_NaN();
   BOOST_TEST(status_line(now, 20000).ends_with("height 0.0625 m"));

@@ -38,7 +38,8 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
 BOOST_FIXTURE_TEST_CASE(a_frame_becomes_a_picture, Trajectory) {
   const Outcome outcome = render({"--frame", "1", "--range", "-0.4,0"});
   BOOST_TEST(outcome.status == 0, outcome.error);
-  BOOST_TEST(outcome.out == "frame 1 of 3, step 10, time 0.0017 s, 45 spheres, color scale from -0.4 to 0 m/s\n");
+  BOOST_TEST(outcome.out ==
+             "frame 1 of 3, step 10, time 0.0017 s, 45 spheres, color scale from -0.4 to 0 m/s\n");
   const std::string png = fiberchain::test::content(path / "results/fall-0001-vertical_speed.png");
   BOOST_REQUIRE(png.size() > 2000);
   BOOST_TEST(png.substr(1, 3) == "PNG");

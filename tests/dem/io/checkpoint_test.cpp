@@ -15,9 +15,13 @@ namespace fs = std::filesystem;
 namespace {
 
 Checkpoint example(std::int64_t step, std::size_t numbers) {
-  Checkpoint checkpoint{.program = "fiberchain 0.1.0 abc GNU 12 -O3", .threads = 2,
-                        .scene_sha256 = "e3b0c44298fc1c149afbf4c8996fb924", .scene = "scene: packing\nfibers: 3\n",
-                        .step = step, .time = 0.1 * static_cast<double>(step), .state = {}};
+  Checkpoint checkpoint{.program = "fiberchain 0.1.0 abc GNU 12 -O3",
+                        .threads = 2,
+                        .scene_sha256 = "e3b0c44298fc1c149afbf4c8996fb924",
+                        .scene = "scene: packing\nfibers: 3\n",
+                        .step = step,
+                        .time = 0.1 * static_cast<double>(step),
+                        .state = {}};
   for (std::size_t i = 0; i < numbers; ++i) checkpoint.state.push_back(1 / (3.0 + static_cast<double>(i)));
   return checkpoint;
 }
@@ -49,7 +53,8 @@ BOOST_AUTO_TEST_CASE(every_bit_comes_back) {
   written.state[3] = -0.0;
   written.state[4] = std::numeric_limits<double>::denorm_min();
   written.state[5] = -std::numeric_limits<double>::infinity();
-  written.state[6] = std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
+  written.state[6] =
+      std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
   written.scene += std::string("\0 and beyond", 12);
   write_checkpoint(path, written);
   const Checkpoint read = read_checkpoint(path, written.scene_sha256);
@@ -83,12 +88,14 @@ BOOST_AUTO_TEST_CASE(what_is_no_whole_checkpoint_is_refused_with_its_reason) {
   fs::resize_file(path, 40);
   BOOST_TEST(refusal(path) == "is cut off within its head");
   std::ofstream(path, std::ios::binary) << whole.substr(0, whole.size() - 1);
-  BOOST_TEST(refusal(path) == "is cut off: " + std::to_string(whole.size() - 513) + " of " + std::to_string(whole.size() - 512) + " bytes");
+  BOOST_TEST(refusal(path) == "is cut off: " + std::to_string(whole.size() - 513) + " of " +
+                                  std::to_string(whole.size() - 512) + " bytes");
   std::ofstream(path, std::ios::binary) << whole << "more";
   BOOST_TEST(refusal(path) == "is corrupt: its checksum is not that of its content");
   std::ofstream(path, std::ios::binary) << whole;
   BOOST_TEST(refusal(path, "e3b0c44298fc1c149afbf4c8996fb924") == "none");
-  BOOST_TEST(refusal(path, "abcdefghijklmnop") == "belongs to another scene (SHA-256 e3b0c44298fc..., not abcdefghijkl...)");
+  BOOST_TEST(refusal(path, "abcdefghijklmnop") ==
+             "belongs to another scene (SHA-256 e3b0c44298fc..., not abcdefghijkl...)");
   std::string later = whole;
   later.replace(later.find("checkpoint 1"), 12, "checkpoint 7");
   std::ofstream(path, std::ios::binary) << later;
@@ -131,7 +138,8 @@ BOOST_AUTO_TEST_CASE(a_full_disk_keeps_the_last_good_one) {
 BOOST_AUTO_TEST_CASE(another_program_or_thread_count_is_told) {
   const Checkpoint checkpoint = example(5, 1);
   BOOST_TEST(resumed_differently(checkpoint, checkpoint.program, 2) == "");
-  BOOST_TEST(resumed_differently(checkpoint, checkpoint.program, 1) == "the checkpoint was written by a run of 2 threads, not 1");
+  BOOST_TEST(resumed_differently(checkpoint, checkpoint.program, 1) ==
+             "the checkpoint was written by a run of 2 threads, not 1");
   BOOST_TEST(resumed_differently(checkpoint, "other", 2) ==
              "the checkpoint was written by another program (fiberchain 0.1.0 abc GNU 12 -O3, not other)");
 }

@@ -19,11 +19,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const TrajectoryHeader kHeader{.author = "A. Tester", .creator_version = "1.2.3",
+const TrajectoryHeader kHeader{.author = "A. Tester",
+                               .creator_version = "1.2.3",
                                .provenance = {{"command", "fiberchain run x.yaml"}, {"commit", "abc"}}};
 
 void check_equal(const Vec<double, 3>& found, const Vec<double, 3>& expected, double tolerance) {
-  for (int k = 0; k < 3; ++k) BOOST_TEST(std::abs(found[k] - expected[k]) <= tolerance * std::abs(expected[k]));
+  for (int k = 0; k < 3; ++k)
+    BOOST_TEST(std::abs(found[k] - expected[k]) <= tolerance * std::abs(expected[k]));
 }
 
 /// Radii, box, step, time to the bit; what is rounded to its rounding.
@@ -51,7 +53,8 @@ void check_equal(const Frame& found, const Frame& expected) {
 }
 
 void write_frames(TrajectoryWriter& writer, std::int64_t first, std::int64_t last) {
-  for (std::int64_t step = first; step <= last; step += 10) writer.append(bent_fibers(3, 7, step), {{"height", 0.1 * static_cast<double>(step)}});
+  for (std::int64_t step = first; step <= last; step += 10)
+    writer.append(bent_fibers(3, 7, step), {{"height", 0.1 * static_cast<double>(step)}});
 }
 
 }  // namespace
@@ -69,7 +72,8 @@ BOOST_AUTO_TEST_CASE(frames_come_back) {
   const TrajectoryReader reader(path);
   check_equal(reader.read(1), bent_fibers(3, 7, 70));
   BOOST_TEST((reader.scalars(1) == Scalars{{"alpha", 2.5}, {"height", 7.0}}));
-  BOOST_TEST((reader.provenance() == Entries{{"command", "fiberchain run x.yaml"}, {"commit", "abc"}}) == true);
+  BOOST_TEST((reader.provenance() == Entries{{"command", "fiberchain run x.yaml"}, {"commit", "abc"}}) ==
+             true);
   BOOST_TEST(files_in(scratch.path) == 2);  // and run.xmf
   BOOST_CHECK_THROW(reader.read(3), ReadError);
   BOOST_CHECK_THROW(reader.read(-1), ReadError);
@@ -137,9 +141,10 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_what_was_there) {
   const std::string before = content(path);
   {
     const SizeLimit full(before.size() + 600);
-    BOOST_CHECK_EXCEPTION(writer.append(bent_fibers(3, 7, 30), {{"height", 3}}), WriteError, [&](const WriteError& error) {
-      return std::string(error.what()) == "cannot write " + path.string() + ": File too large";
-    });
+    BOOST_CHECK_EXCEPTION(
+        writer.append(bent_fibers(3, 7, 30), {{"height", 3}}), WriteError, [&](const WriteError& error) {
+          return std::string(error.what()) == "cannot write " + path.string() + ": File too large";
+        });
   }
   BOOST_TEST(content(path) == before);
   BOOST_TEST(files_in(scratch.path) == 2);
@@ -147,7 +152,8 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_what_was_there) {
   check_equal(TrajectoryReader(path).read(3), bent_fibers(3, 7, 30));
 }
 
-// The child appends as fast as it can; wherever it is killed, all frames it reported are there, and resuming works.
+// The child appends as fast as it can; wherever it is killed, all frames it reported are there, and resuming
+// works.
 BOOST_AUTO_TEST_CASE(a_killed_run_leaves_a_readable_file) {
   const Scratch scratch;
   const fs::path path = scratch.path / "run.h5";
@@ -175,13 +181,15 @@ BOOST_AUTO_TEST_CASE(a_killed_run_leaves_a_readable_file) {
     const TrajectoryReader reader(path);
     BOOST_TEST(reader.frames() >= reported);
     BOOST_TEST(reader.frames() <= reported + 1);
-    for (std::int64_t n = kept; n < reader.frames(); ++n) check_equal(reader.read(n), bent_fibers(3, 7, 10 * n));
+    for (std::int64_t n = kept; n < reader.frames(); ++n)
+      check_equal(reader.read(n), bent_fibers(3, 7, 10 * n));
     kept = reader.frames() - 2;  // the next run resumes from an earlier checkpoint
   }
   BOOST_TEST(kept >= 15);
 }
 
-// The limit lets the journal and the first page through and stops the second page, as a kill between them would.
+// The limit lets the journal and the first page through and stops the second page, as a kill between them
+// would.
 BOOST_AUTO_TEST_CASE(a_commit_cut_off_in_the_middle_is_finished_from_the_journal) {
   const Scratch scratch;
   const fs::path path = scratch.path / "file";

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Entries kProvenance = {{"command", "fiberchain run x.yaml --out there"}, {"note", "a --> b < c & d ---"}};
+const Entries kProvenance = {{"command", "fiberchain run x.yaml --out there"},
+                             {"note", "a --> b < c & d ---"}};
 
 ptree parsed(const std::string& text) {
   std::istringstream stream(text);
@@ -39,7 +40,8 @@ std::string decoded(const std::string& text) {
 
 /// Values of a DataArray: its header, 12 characters of base64, gives the number of bytes of the rest.
 template <class Number>
-std::vector<Number> values(const ptree& piece, const std::string& section, const std::string& name, const char* type) {
+std::vector<Number> values(const ptree& piece, const std::string& section, const std::string& name,
+                           const char* type) {
   for (const auto& [tag, found] : piece.get_child(section)) {
     const ptree& array = found;
     if (tag != "DataArray" || array.get<std::string>("<xmlattr>.Name") != name) continue;
@@ -93,7 +95,8 @@ std::vector<std::pair<double, std::string>> entries(const fs::path& path) {
   const ptree tree = parsed(content(path));
   BOOST_TEST(tree.get<std::string>("VTKFile.<xmlattr>.type") == "Collection");
   for (const auto& [tag, set] : tree.get_child("VTKFile.Collection")) {
-    if (tag == "DataSet") all.emplace_back(set.get<double>("<xmlattr>.timestep"), set.get<std::string>("<xmlattr>.file"));
+    if (tag == "DataSet")
+      all.emplace_back(set.get<double>("<xmlattr>.timestep"), set.get<std::string>("<xmlattr>.file"));
   }
   return all;
 }
@@ -101,8 +104,14 @@ std::vector<std::pair<double, std::string>> entries(const fs::path& path) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(base64_is_that_of_the_standard) {  // RFC 4648, 10
-  const char* const words[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="},
-                                  {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}, {"\xff\xfe\xfd", "//79"}};
+  const char* const words[][2] = {{"", ""},
+                                  {"f", "Zg=="},
+                                  {"fo", "Zm8="},
+                                  {"foo", "Zm9v"},
+                                  {"foob", "Zm9vYg=="},
+                                  {"fooba", "Zm9vYmE="},
+                                  {"foobar", "Zm9vYmFy"},
+                                  {"\xff\xfe\xfd", "//79"}};
   for (const auto& [bytes, text] : words) BOOST_TEST(base64(bytes, std::strlen(bytes)) == text);
 }
 
@@ -131,7 +140,8 @@ BOOST_AUTO_TEST_CASE(lines_are_the_fibers) {
   BOOST_TEST(piece.get<int>("<xmlattr>.NumberOfVerts") == 0);
   BOOST_TEST(piece.get<int>("<xmlattr>.NumberOfLines") == 3);
   BOOST_TEST(values<std::int64_t>(piece, "Lines", "connectivity", "Int64").size() == 21);
-  BOOST_TEST((values<std::int64_t>(piece, "Lines", "offsets", "Int64") == std::vector<std::int64_t>{7, 14, 21}));
+  BOOST_TEST(
+      (values<std::int64_t>(piece, "Lines", "offsets", "Int64") == std::vector<std::int64_t>{7, 14, 21}));
 }
 
 BOOST_AUTO_TEST_CASE(a_series_names_its_frames_and_goes_on) {
