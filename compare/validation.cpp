@@ -33,7 +33,8 @@ const std::vector<ValidationStep>& validation_steps() {
                                                  {"static cantilever", static_rows},
                                                  {"damped vibration", damping_rows},
                                                  {"rolling friction", rolling_rows},
-                                                 {"stability", stability_rows}};
+                                                 {"stability", stability_rows},
+                                                 {"fibers in flows", flow_rows}};
   return steps;
 }
 

@@ -29,6 +29,9 @@ std::vector<MatrixRow> rolling_rows(const ValidationInput& input);
 /// The largest stable step: theory against runs, the paper's rules for the time step.
 std::vector<MatrixRow> stability_rows(const ValidationInput& input);
 
+/// Fibers in flows: Jeffery's orbits, the paper's statements on Fig 5, interactions, buckling, inertia.
+std::vector<MatrixRow> flow_rows(const ValidationInput& input);
+
 /// A piece of the matrix that is worked out on its own.
 struct ValidationStep {
   std::string_view feature;

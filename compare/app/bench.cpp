@@ -13,7 +13,7 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, skips, kernels };
+enum class Case { statics, damping, history, flow, skips, kernels };
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -43,6 +43,7 @@ std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions
     for (const int aspect_ratio : sizes) add(compare::damping_problem(aspect_ratio, options));
   }
   if (has(cases, Case::history)) add(compare::history_problem(10, 2, options));
+  if (has(cases, Case::flow)) add(compare::flow_problem(options));
   return problems;
 }
 
@@ -97,13 +98,14 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
 
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics, Case::damping, Case::history, Case::skips, Case::kernels};
+  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::skips, Case::kernels};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
                       {"history", Case::history},
                       {"skips", Case::skips},
-                      {"kernels", Case::kernels}});
+                      {"kernels", Case::kernels},
+                      {"flow", Case::flow}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   const auto directory = open_output(output);
@@ -125,7 +127,7 @@ Command bench_command() {
                     kListHelp,
           .options = {{"--quick", "", "fewer settings and runs: half a minute in all, not five",
                        OptionKind::flag},
-                      {"--case", "LIST", "static, damping, history, skips, kernels [all]"},
+                      {"--case", "LIST", "static, damping, history, skips, kernels, flow [all]"},
                       {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
                       json_option(),
                       {"--out", "DIR",

@@ -2,6 +2,7 @@
 #include "compare/app/results.hpp"
 #include "compare/cantilever.hpp"
 #include "compare/csv.hpp"
+#include "compare/flow/scene_report.hpp"
 #include "compare/release_report.hpp"
 #include "dem/errors.hpp"
 
@@ -46,6 +47,22 @@ Outcome outcome_of(const dem::io::ReleaseScene& scene, const std::string& name) 
   compare::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
                                                "fiber_damping", "fiber_damping_modes", "run_time", "status"});
   return {std::move(results), std::move(shown), run.failure};
+}
+
+Outcome outcome_of(const dem::io::FlowScene& scene, const std::string& name) {
+  const compare::FlowHistory history = compare::run_flow(scene);
+  Results results{.name = name,
+                  .heading = "Fiber in a flow",
+                  .table = compare::flow_table(scene, history),
+                  .more_tables = {{name + "-history", compare::flow_history_table(scene, history)},
+                                  {name + "-shapes", compare::flow_shapes_table(scene, history)}}};
+  for (auto& [end, figure] : compare::flow_scene_figures(scene, history)) {
+    results.figures.emplace_back(name + end, std::move(figure));
+  }
+  compare::Table shown = results.table.select({"aspect_ratio", "hydrodynamics", "flow_method", "elasto_viscous", "strain",
+                                               "period", "orbit_constant", "end_to_end_least", "bending_angle",
+                                               "run_time", "status"});
+  return {std::move(results), std::move(shown), history.record.failure};
 }
 
 int run(const Arguments& arguments, Context& context) {

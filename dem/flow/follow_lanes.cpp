@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <tuple>
 
 #include "dem/errors.hpp"
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/flow/flow_march.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -15,6 +17,7 @@ template <int Dim>
 void check_built(const FlowCase<Dim>& flow, const FlowOptions& options) {
   const Fiber& fiber = flow.chain.fiber;
   check(fiber);
+  check<Dim>(flow.fluid);
   if (fiber.rolling_friction > 0) {
     throw InvalidInput(fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",
                                    fiber.rolling_friction));
@@ -55,144 +58,74 @@ double largest_step(const Fiber& fiber, double stable, const FlowOptions& option
   return ratio * t_b;
 }
 
+/// What can share a block: equal length, damped or not, straight or not, clamped alike, equal numbers of steps.
 template <int Dim>
-Physics physics_of(const FlowCase<Dim>& flow, BondForm form) {
-  return {.dimension = Dim, .form = form, .damped = damped(flow.chain.fiber), .drag = false,
-          .curved = !flow.chain.natural.empty(), .fluid = true};
+auto kind_of(const FlowJob<Dim>& job, const FlowPlan& plan) {
+  return std::tuple{job.flow.chain.fiber.aspect_ratio, damped(job.flow.chain.fiber), job.flow.chain.natural.empty(),
+                    plan.clamps.first, plan.clamps.last, plan.counts};
 }
-
-/// With the velocities of the undisturbed flow.
-template <int Dim>
-ChainState<Dim> state_at_start(const FlowCase<Dim>& flow) {
-  ChainState<Dim> state = at_rest<Dim>(flow.start);
-  const Gradient A = gradient_at(flow.fluid.flow, 0);
-  for (std::size_t i = 0; i < state.poses.size(); ++i) {
-    state.velocity[i] = velocity_at<Dim>(A, state.poses[i].position);
-    state.spin[i] = spin_of<Dim>(A);
-  }
-  return state;
-}
-
-/// Steps between two looks at the whole chain: long enough that looking costs little.
-constexpr int steps_between_looks = 256;
-
-/// One fiber on its way.
-template <int Dim>
-class FlowMarch {
- public:
-  FlowMarch(const FlowCase<Dim>& flow, double first_time, const FlowOptions& options)
-      : flow_(flow),
-        stable_(stable_time_step(flow.chain.fiber, flow.fluid)),
-        largest_(largest_step(flow.chain.fiber, stable_, options)),
-        step_(step_to(first_time)),
-        block_({flow.chain}, clamps_of(flow), {step_}, {0.0}, physics_of(flow, options.form), options.instruction_set) {
-    block_.set_fluid(0, flow.fluid);
-    block_.set_loads(0, flow.boundary);
-    put_state(block_, 0, flow.chain, state_at_start(flow));
-    block_.synchronize();
-  }
-
-  /// Whole steps to a time; false if the chain blew up on the way.
-  bool go_to(double time) {
-    const double interval = time - time_;
-    if (interval > 0) {
-      take_step(step_to(time));
-      const double steps = std::round(interval / step_);
-      for (double done = 0; done < steps; done += steps_between_looks) {
-        if (!stretch(static_cast<int>(std::min<double>(steps - done, steps_between_looks)))) return false;
-      }
-      time_ = time;
-    }
-    record.reached = time_;
-    return true;
-  }
-
-  ChainState<Dim> state() const { return state_now(block_, 0, flow_.chain.fiber.aspect_ratio + 1); }
-
-  FlowRecord record{};
-
- private:
-  /// The largest step allowed that leads to a time in whole steps.
-  double step_to(double time) const {
-    const double interval = time - time_;
-    return interval > 0 ? interval / std::max(std::ceil(interval / largest_ * (1 - 1e-12)), 1.0) : largest_;
-  }
-
-  /// Equal intervals differ by the rounding of their ends; that is not worth another step.
-  void take_step(double step) {
-    if (std::abs(step - step_) > 1e-12 * step_) {
-      block_.set_step(0, step);
-      step_ = step;
-    }
-    record.time_step = std::max(record.time_step, step_);
-  }
-
-  bool stretch(int steps) {
-    const std::vector<double> saved = block_.saved();
-    block_.march(steps);
-    const bool whole = broken_sphere(block_, 0, flow_.chain.fiber) < 0;
-    if (!whole) {
-      block_.restore(saved);
-      find_break(steps);
-    } else {
-      count(steps);
-    }
-    return whole;
-  }
-
-  void count(int steps) {
-    record.work.steps += steps;
-    record.work.bond_evaluations += static_cast<double>(steps) * flow_.chain.fiber.aspect_ratio;
-    time_ += steps * step_;
-  }
-
-  /// Goes over a stretch that broke the chain again, step by step, from where all was well.
-  void find_break(int steps) {
-    for (int n = 1; n <= steps; ++n) {
-      record.reached = time_;
-      block_.march(1);
-      count(1);
-      const int sphere = broken_sphere(block_, 0, flow_.chain.fiber);
-      if (sphere >= 0) {
-        record.failure = failure_text(sphere);
-        return;
-      }
-    }
-  }
-
-  std::string failure_text(int sphere) const {
-    const std::string cause = step_ >= stable_
-                                  ? fmt::format("the step is beyond the stable one, {:.6g} s", stable_)
-                                  : std::string("a flow or load far beyond the bonds' stiffness, or a step too long for it");
-    return fmt::format("the run blew up: sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}", sphere,
-                       record.work.steps, step_, time_, cause);
-  }
-
-  const FlowCase<Dim>& flow_;
-  double time_ = 0;
-  double stable_, largest_, step_;
-  MarchingBlock<Dim> block_;
-};
 
 }  // namespace
 
 template <int Dim>
-FlowRecord follow_by_leapfrog(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
-                              const FlowSample<Dim>& sample) {
+FlowPlan plan_of(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options) {
   check_built(flow, options);
-  check<Dim>(flow.fluid);
-  const auto first = std::ranges::find_if(times, [](double time) { return time > 0; });
-  FlowMarch<Dim> march(flow, first == times.end() ? 0 : *first, options);
+  FlowPlan plan{stable_time_step(flow.chain.fiber, flow.fluid), {}, {}, clamps_of(flow)};
+  const double largest = largest_step(flow.chain.fiber, plan.stable, options);
+  double before = 0;
   for (const double time : times) {
-    if (!march.go_to(time)) break;
-    sample(time, time > 0 ? march.state() : state_at_start(flow));
+    const double interval = time - before;
+    if (!(interval >= 0)) {
+      throw InvalidInput(fmt::format("times: {} after {} is not allowed: they must not fall", time, before));
+    }
+    plan.counts.push_back(interval > 0 ? std::max(std::ceil(interval / largest * (1 - 1e-12)), 1.0) : 0.0);
+    plan.lengths.push_back(interval / std::max(plan.counts.back(), 1.0));
+    before = time;
   }
-  return march.record;
+  return plan;
 }
 
-template FlowRecord follow_by_leapfrog<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&,
-                                          const FlowSample<2>&);
-template FlowRecord follow_by_leapfrog<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&,
-                                          const FlowSample<3>&);
+template <int Dim>
+FlowRecord follow_by_leapfrog(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
+                              const FlowSample<Dim>& sample) {
+  FlowMarch<Dim> march({{&flow, &times, plan_of(flow, times, options)}}, options);
+  return march.run([&](std::size_t, double time, const ChainState<Dim>& state) { sample(time, state); })[0];
+}
+
+template <int Dim>
+std::vector<FlowRecord> follow_many_by_leapfrog(const std::vector<FlowJob<Dim>>& jobs, const FlowOptions& options,
+                                                const FlowJobSample<Dim>& sample) {
+  std::vector<FlowPlan> plans;
+  for (const FlowJob<Dim>& job : jobs) plans.push_back(plan_of(job.flow, job.times, options));
+  std::map<decltype(kind_of(jobs[0], plans[0])), std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < jobs.size(); ++i) groups[kind_of(jobs[i], plans[i])].push_back(i);
+  const std::size_t width = lane_kernel(built_physics[0], options.instruction_set).width;
+  std::vector<FlowRecord> records(jobs.size());
+  for (const auto& [kind, numbers] : groups) {
+    for (std::size_t first = 0; first < numbers.size(); first += width) {
+      const std::size_t end = std::min(first + width, numbers.size());
+      std::vector<typename FlowMarch<Dim>::Member> members;
+      for (std::size_t i = first; i < end; ++i) {
+        members.push_back({&jobs[numbers[i]].flow, &jobs[numbers[i]].times, plans[numbers[i]]});
+      }
+      FlowMarch<Dim> march(std::move(members), options);
+      const auto done = march.run([&](std::size_t lane, double time, const ChainState<Dim>& state) {
+        sample(numbers[first + lane], time, state);
+      });
+      for (std::size_t i = first; i < end; ++i) records[numbers[i]] = done[i - first];
+    }
+  }
+  return records;
+}
+
+#define FIBERCHAIN_INSTANTIATE(Dim)                                                                              \
+  template FlowPlan plan_of<Dim>(const FlowCase<Dim>&, const std::vector<double>&, const FlowOptions&);          \
+  template FlowRecord follow_by_leapfrog<Dim>(const FlowCase<Dim>&, const std::vector<double>&,                  \
+                                              const FlowOptions&, const FlowSample<Dim>&);                       \
+  template std::vector<FlowRecord> follow_many_by_leapfrog<Dim>(const std::vector<FlowJob<Dim>>&,                \
+                                                                const FlowOptions&, const FlowJobSample<Dim>&);
+FIBERCHAIN_INSTANTIATE(2)
+FIBERCHAIN_INSTANTIATE(3)
+#undef FIBERCHAIN_INSTANTIATE
 
 }  // namespace fiberchain::dem

@@ -77,8 +77,11 @@ SceneText read_scene_text(const std::filesystem::path& path) {
 
 Scene parse_scene(const SceneText& scene) {
   const Section top(scene.text, scene.name);
-  if (top.choice("scene", {"cantilever", "release"}) == 0) return read_cantilever(top);
-  return read_release(top);
+  switch (top.choice("scene", {"cantilever", "release", "flow"})) {
+    case 0: return read_cantilever(top);
+    case 1: return read_release(top);
+    default: return read_flow(top);
+  }
 }
 
 }  // namespace fiberchain::dem::io

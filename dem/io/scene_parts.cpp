@@ -5,20 +5,16 @@
 #include "dem/errors.hpp"
 
 namespace fiberchain::dem::io {
-namespace {
-
-std::array<double, 3> read_direction(const Section& load, Dimension dimension) {
-  auto direction = load.vector("direction");
+std::array<double, 3> read_direction(const Section& section, const char* key, Dimension dimension) {
+  auto direction = section.vector(key);
   const double length = std::hypot(direction[0], direction[1], direction[2]);
-  if (!(length > 0) || !std::isfinite(length)) load.fail("direction", "must not be zero");
+  if (!(length > 0) || !std::isfinite(length)) section.fail(key, "must not be zero");
   if (dimension == Dimension::planar && direction[2] != 0) {
-    load.fail("direction", "must lie in the x-y plane where the scene is planar");
+    section.fail(key, "must lie in the x-y plane where the scene is planar");
   }
   for (double& component : direction) component /= length;
   return direction;
 }
-
-}  // namespace
 
 Fiber read_fiber(const Section& top) {
   const Section section = top.section(
@@ -70,7 +66,7 @@ EndPull read_load(const Section& top, const Fiber& fiber, Dimension dimension) {
     pull.load = section.quantity("force", "N", kNonNegative) / load_force(fiber, 1.0);
     if (!std::isfinite(pull.load)) section.fail("force", "is too large for this fiber");
   }
-  if (section.has("direction")) pull.direction = read_direction(section, dimension);
+  if (section.has("direction")) pull.direction = read_direction(section, "direction", dimension);
   return pull;
 }
 

@@ -18,9 +18,17 @@ void read_bond(const Section& section, Fiber& fiber, BondForm& form);
 /// Section "load": reduced or force, and its direction.
 EndPull read_load(const Section& top, const Fiber& fiber, Dimension dimension);
 
+/// Unit vector along the three numbers of a key; in the x-y plane where the scene is planar.
+std::array<double, 3> read_direction(const Section& section, const char* key, Dimension dimension);
+
 /// "dimension", planar if absent.
 Dimension read_dimension(const Section& top);
 
 ReleaseScene read_release(const Section& top);
+
+/// Section "fluid": viscosity, flow and hydrodynamics of a flow scene, with its rate.
+void read_fluid(const Section& top, FlowScene& scene);
+
+FlowScene read_flow(const Section& top);
 
 }  // namespace fiberchain::dem::io

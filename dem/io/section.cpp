@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -35,6 +36,18 @@ std::string nearest(const std::string& key, const std::vector<std::string>& keys
   if (found != keys.end() && far(*found) <= 1 + found->size() / 3)
     return fmt::format("did you mean '{}'?", *found);
   return fmt::format("allowed: {}", fmt::join(keys, ", "));
+}
+
+/// Three finite numbers; nothing if the node is anything else.
+std::optional<std::array<double, 3>> three_numbers(const YAML::Node& node) {
+  if (!node.IsSequence() || node.size() != 3) return std::nullopt;
+  std::array<double, 3> components{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = node[i].IsScalar() ? parse_number(node[i].Scalar()) : std::nullopt;
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    components[i] = *number;
+  }
+  return components;
 }
 
 }  // namespace
@@ -113,15 +126,20 @@ std::size_t Section::choice(const std::string& key, const std::vector<std::strin
 }
 
 std::array<double, 3> Section::vector(const std::string& key) const {
+  const auto components = three_numbers(value(key));
+  if (!components) fail(key, "must be three finite numbers such as [0, 1, 0]");
+  return *components;
+}
+
+std::array<std::array<double, 3>, 3> Section::matrix(const std::string& key) const {
   const YAML::Node node = value(key);
-  if (!node.IsSequence() || node.size() != 3) fail(key, "must be three numbers such as [0, 1, 0]");
-  std::array<double, 3> components{};
+  std::array<std::array<double, 3>, 3> rows{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = node[i].IsScalar() ? parse_number(node[i].Scalar()) : std::nullopt;
-    if (!number || !std::isfinite(*number)) fail(key, "must be three finite numbers such as [0, 1, 0]");
-    components[i] = *number;
+    const auto row = node.IsSequence() && node.size() == 3 ? three_numbers(node[i]) : std::nullopt;
+    if (!row) fail(key, "must be three rows of three finite numbers such as [[0, 1, 0], [0, 0, 0], [0, 0, 0]]");
+    rows[i] = *row;
   }
-  return components;
+  return rows;
 }
 
 std::string Section::one_of(const std::vector<std::string>& keys) const {

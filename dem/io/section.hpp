@@ -42,6 +42,9 @@ class Section {
   /// Three finite numbers.
   std::array<double, 3> vector(const std::string& key) const;
 
+  /// Three rows of three finite numbers.
+  std::array<std::array<double, 3>, 3> matrix(const std::string& key) const;
+
   /// Exactly one of these keys must be there; its name.
   std::string one_of(const std::vector<std::string>& keys) const;
 

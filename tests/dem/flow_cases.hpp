@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "dem/flow/follow_lanes.hpp"
@@ -81,5 +82,8 @@ double distance(const dem::ChainState<Dim>& a, const dem::ChainState<Dim>& b, co
   }
   return largest / dem::fiber_length(fiber);
 }
+
+/// Order that an error shows when the step is halved.
+inline double order_of(double coarse, double fine) { return std::log2(coarse / fine); }
 
 }  // namespace flowing

@@ -21,7 +21,8 @@ using Command = std::vector<std::string>;
 
 const Command kCommands[] = {{},         {"columns"},          {"run"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
-                             {"tables", "friction"},           {"fit"},
+                             {"tables", "friction"},           {"tables", "shear"},
+                             {"fit"},
                              {"calibrate"},                    {"stability"},
                              {"bench"},                        {"validate"}};
 
@@ -38,9 +39,13 @@ const Command kJsonCommands[] = {
     {"tables", "friction", "--aspect-ratio", "5", "--load", "0.7", "--rolling-friction", "0,3", "--law",
      "set_valued,explicit_sign", "--step", "0.1", "--peaks", "0..2"},
     {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
+    {"tables", "shear", "--spheres", "2,7", "--interacting", "5", "--stresslets", "3"},
+    {"tables", "shear", "--part", "stiffness,buckling"},
+    {"run", kScenes + "flow-shear.yaml"},
+    {"run", kScenes + "flow-flexible.yaml"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
     {"stability", "--aspect-ratio", "4", "--poisson-ratio", "0.17", "--bond-damping", "0,0.6"},
-    {"bench", "--quick", "--case", "static"},
+    {"bench", "--quick", "--case", "static,flow"},
     {"bench", "--quick", "--case", "skips,kernels"},
     {"validate"},
 };

@@ -89,7 +89,7 @@ class MarchingBlock {
   void synchronize();
   Poses<Dim> poses(int lane) const;
 
-  /// The whole state, to go back to.
+  /// The whole state, to go back to; not past a set_step().
   std::vector<double> saved() const;
   void restore(const std::vector<double>& saved);
 

@@ -91,7 +91,7 @@ const Fault kFaults[] = {
     {"reduced: 1.25", "force: 1e308 N", "test.yaml:11: load.force: "},
     {"[0, 3, 4]", "[0, 0, 0]", "test.yaml:11: load.direction: must not be zero"},
     {"[0, 3, 4]", "[0, x, 4]", "test.yaml:11: load.direction: must be three finite numbers"},
-    {"[0, 3, 4]", "[3, 4]", "test.yaml:11: load.direction: must be three numbers"},
+    {"[0, 3, 4]", "[3, 4]", "test.yaml:11: load.direction: must be three finite numbers"},
     {"spatial", "planar", "test.yaml:11: load.direction: must lie in the x-y plane"},
     {"method: march", "method: solve", "test.yaml:13: march: is of use only with 'method: march'"},
     {"step_ratio: 0.11", "step_ratio: 0", "test.yaml:13: march.step_ratio: '0' is out of range"},

@@ -1,0 +1,99 @@
+#include <optional>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/errors.hpp"
+#include "compare/flow/buckling.hpp"
+#include "compare/flow/inertia.hpp"
+#include "compare/flow/regimes.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+using compare::FlowStudy;
+using compare::OrbitOptions;
+
+/// A question, the name of its table, and what is shown of it.
+struct Part {
+  const char* name;
+  FlowStudy (*study)(const OrbitOptions&);
+};
+
+FlowStudy periods(const OrbitOptions& options) { return compare::period_study({}, options); }
+
+constexpr Part kParts[] = {{"period", &periods},
+                           {"orbits", &compare::jeffery_study},
+                           {"stiffness", &compare::stiffness_study},
+                           {"regimes", &compare::regime_study},
+                           {"buckling", &compare::buckling_study},
+                           {"inertia", &compare::inertia_study}};
+
+std::vector<Part> parts_of(const Arguments& arguments) {
+  std::vector<std::pair<std::string, Part>> choices;
+  for (const Part& part : kParts) choices.emplace_back(part.name, part);
+  std::vector<Part> chosen{std::begin(kParts), std::end(kParts)};
+  read_choices(arguments, "--part", chosen, choices);
+  return chosen;
+}
+
+/// The sweep of the orbit period that was asked for; nothing if none was.
+std::optional<compare::PeriodSweep> sweep_of(const Arguments& arguments) {
+  compare::PeriodSweep sweep{.spheres = {}, .interacting = {}, .stresslets = {}};
+  read_list(arguments, "--spheres", {.low = 2, .high = 1000}, sweep.spheres);
+  read_list(arguments, "--interacting", {.low = 2, .high = 200}, sweep.interacting);
+  read_list(arguments, "--stresslets", {.low = 2, .high = 100}, sweep.stresslets);
+  if (sweep.spheres.empty() && sweep.interacting.empty() && sweep.stresslets.empty()) return std::nullopt;
+  if (arguments.has("--part")) {
+    throw compare::InputError("--part is not allowed with --spheres, --interacting or --stresslets: they are of the period");
+  }
+  return sweep;
+}
+
+std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& arguments, const OrbitOptions& options,
+                                                          const Context& context) {
+  if (const auto sweep = sweep_of(arguments)) return {{"period", compare::period_study(*sweep, options)}};
+  const std::vector<Part> parts = parts_of(arguments);
+  const auto progress = context.progress(parts.size());
+  std::vector<std::pair<std::string, FlowStudy>> studies;
+  for (const Part& part : parts) {
+    studies.emplace_back(part.name, part.study(options));
+    progress->advance();
+  }
+  return studies;
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const auto directory = open_output(output);
+  auto studies = studies_of(arguments, {.jobs = output.jobs}, context);
+  Results results{.name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};
+  int failed = 0;
+  for (auto& [name, study] : studies) {
+    if (name != studies.front().first) results.more_tables.emplace_back("shear-" + name, std::move(study.table));
+    for (auto& more : study.more_tables) results.more_tables.push_back(std::move(more));
+    for (auto& figure : study.figures) results.figures.push_back(std::move(figure));
+    failed += study.failed;
+  }
+  deliver(results, results.table, output, directory, context);
+  if (failed == 0) return kSuccess;
+  context.log->error("error: {} cases could not be measured, see column status", failed);
+  return kRunFailed;
+}
+
+}  // namespace
+
+Command tables_shear_command() {
+  return {.name = "tables shear",
+          .description = "fibers in flows: orbit period (Fig 5), orbits, shapes of flexible fibers, buckling",
+          .footer = std::string("Without a choice all parts are made.\n"
+                                "Example:\n  fiberchain tables shear --spheres 5,11,31 --json\n") +
+                    kListHelp,
+          .options = with_output(
+              {{"--part", "LIST", "period, orbits, stiffness, regimes, buckling, inertia [all]"},
+               {"--spheres", "LIST", "orbit period alone: N = r_f + 1 of free-draining chains"},
+               {"--interacting", "LIST", "N of chains with hydrodynamic interactions"},
+               {"--stresslets", "LIST", "N of chains with interactions and stresslets"}}),
+          .run = &run};
+}
+
+}  // namespace fiberchain::app

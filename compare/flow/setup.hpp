@@ -1,0 +1,23 @@
+#pragma once
+
+#include "dem/flow/follow.hpp"
+#include "dem/io/scene.hpp"
+
+// Fibers in a flow by their dimensionless numbers. L = 2RN here: the spheres' whole length, which is what the fluid acts on.
+namespace fiberchain::compare {
+
+/// The nominal fiber of that many spheres, r_f = N - 1. Throws dem::InvalidInput unless spheres >= 2.
+dem::Fiber fiber_of_spheres(int spheres, double poisson_ratio = 0.3);
+
+/// 3 pi mu rate L^4/(E I)
+double elasto_viscous_number(const dem::Fiber& fiber, double viscosity, double rate);
+
+/// The viscosity [Pa s] that gives that number.
+double viscosity_of(const dem::Fiber& fiber, double elasto_viscous, double rate);
+
+/// The straight fiber's spheres on the start's curve, center of mass at the origin. Bonds keep their length: their angle to
+/// the line is the curve's slope, which is exact as the bend vanishes.
+template <int Dim>
+dem::Poses<Dim> start_poses(const dem::Fiber& fiber, const dem::io::FlowStart& start);
+
+}  // namespace fiberchain::compare
