@@ -357,6 +357,15 @@ constexpr Column kColumns[] = {
     {"column", text, "", "name of a column"},
     {"kind", text, "", "type of the column's cells: number, integer or text"},
     {"meaning", text, "", "meaning of the column"},
+
+    // How a run of many fibers goes.
+    {"step", integer, "1", "time steps done since the start of the scene"},
+    {"simulated_time", number, "s", "time since the start of the scene"},
+    {"contacts", integer, "1", "pairs that touch: spheres of fibers with each other and with walls"},
+    {"kinetic_energy", number, "J", "of all spheres, spin included"},
+    {"height", number, "m", "of the packing, as the run defines it"},
+    {"step_rate", number, "1/s", "steps over the wall-clock time since the run was begun or resumed"},
+    {"time_left", number, "s", "wall-clock time until the last step at that rate"},
 };
 
 }  // namespace

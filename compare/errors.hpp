@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dem/io/file_error.hpp"
+
 /// What can go wrong in compare/. Every message is one line, names the thing at fault and what is allowed.
 namespace fiberchain::compare {
 
@@ -12,11 +14,7 @@ struct InputError : std::runtime_error {
 };
 
 /// A result could not be written: unwritable directory, full disk.
-struct OutputError : std::runtime_error {
-  /// Message "cannot write PATH: REASON".
-  OutputError(const std::string& path, const std::string& reason)
-      : std::runtime_error("cannot write " + path + ": " + reason) {}
-};
+using OutputError = dem::io::WriteError;
 
 /// gnuplot is missing or refused a figure.
 struct FigureError : std::runtime_error {

@@ -11,6 +11,7 @@ Command bench_command();           ///< run time against error, and what bounds 
 Command calibrate_command();       ///< damping of the bonds for a damping of the fiber, and the reverse
 Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
+Command render_command();          ///< pictures of a trajectory, Fig 11
 Command run_command();             ///< one scene
 Command stability_command();       ///< largest stable step, theory and runs
 Command tables_damping_command();  ///< damping of the fiber by that of the bonds, Figs 6 to 9
@@ -28,7 +29,7 @@ struct Group {
 
 /// All of them, in the order of the help.
 inline std::vector<Command> all_commands() {
-  return {columns_command(),        run_command(), tables_static_command(),
+  return {columns_command(),        run_command(),             render_command(),       tables_static_command(),
           tables_damping_command(), tables_friction_command(), tables_shear_command(), fit_command(),
           calibrate_command(),      stability_command(),       bench_command(),
           validate_command()};

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "compare/provenance.hpp"
+#include "compare/render/ray_trace.hpp"
+#include "dem/io/frame.hpp"
+
+/// Pictures of many fibers as the paper's Fig 11.
+namespace fiberchain::compare {
+
+/// What the color of a fiber tells.
+enum class Shade {
+  vertical_speed,  ///< z component of the velocity [m/s]
+  bending_angle    ///< of the bonds, at a sphere the mean of its two [rad]
+};
+
+struct PictureOptions {
+  Shade shade = Shade::vertical_speed;
+  std::optional<std::pair<double, double>> range =
+      std::nullopt;  ///< of the color scale; without it, from the data
+  View view = {};
+  int width = 1280, height = 800;  ///< [pixels]
+  int threads = 1;
+};
+
+/// A number for each sphere of the frame.
+std::vector<double> shade_of(const dem::io::Frame& frame, Shade shade);
+
+/// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the
+/// end colors.
+std::pair<double, double> range_of(std::vector<double> values);
+
+struct Picture {
+  std::string png;
+  std::pair<double, double> range;  ///< of the color scale
+};
+
+/// The frame as PNG: fibers, box, color scale with its unit, time; provenance as tEXt chunks.
+/// @throws FigureError if gnuplot, which sets the texts, is missing or refuses
+Picture draw(const dem::io::Frame& frame, const PictureOptions& options, const Provenance& provenance);
+
+}  // namespace fiberchain::compare

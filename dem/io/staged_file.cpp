@@ -1,0 +1,71 @@
+#include "dem/io/staged_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "dem/io/file_error.hpp"
+
+namespace fiberchain::dem::io {
+namespace {
+
+std::filesystem::path staged_name(const std::filesystem::path& place) {
+  return place.parent_path() / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".part");
+}
+
+}  // namespace
+
+StagedFile::StagedFile(std::filesystem::path place, std::string_view content)
+    : place_(std::move(place)), staged_(staged_name(place_)) {
+  ::unlink(staged_.c_str());  // left by a killed run of the same process id
+  file_ = ::open(staged_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ < 0) fail();
+  try {
+    fill(content);
+  } catch (...) {
+    discard();
+    throw;
+  }
+}
+
+StagedFile::~StagedFile() { discard(); }
+
+void StagedFile::take_place() {
+  if (::rename(staged_.c_str(), place_.c_str()) != 0) fail();
+  staged_.clear();
+}
+
+void StagedFile::fill(std::string_view content) {
+  for (std::size_t done = 0; done < content.size();) {
+    const ssize_t written = ::write(file_, content.data() + done, content.size() - done);
+    if (written < 0 && errno != EINTR) fail();
+    if (written > 0) done += static_cast<std::size_t>(written);
+  }
+  if (::fsync(file_) != 0) fail();
+  if (::close(std::exchange(file_, -1)) != 0) fail();
+}
+
+void StagedFile::discard() noexcept {
+  if (file_ >= 0) ::close(std::exchange(file_, -1));
+  if (!staged_.empty()) ::unlink(staged_.c_str());
+}
+
+void StagedFile::fail() const { throw WriteError(place_, std::strerror(errno)); }
+
+void flush_directory(const std::filesystem::path& path) {
+  const int directory = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (directory < 0) return;
+  ::fsync(directory);
+  ::close(directory);
+}
+
+void replace_file(const std::filesystem::path& place, std::string_view content) {
+  StagedFile file(place, content);
+  file.take_place();
+  flush_directory(place.parent_path());
+}
+
+}  // namespace fiberchain::dem::io

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace fiberchain::dem::io {
+
+/// A file under a temporary name beside its place, removed unless it was renamed there: what stands at the
+/// place is whole at any moment, whatever ends the program.
+class StagedFile {
+ public:
+  /// Writes the content and flushes it to the disk.
+  /// @throws WriteError naming the place and the reason
+  StagedFile(std::filesystem::path place, std::string_view content);
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile();
+
+  /// @throws WriteError
+  void take_place();
+
+ private:
+  void fill(std::string_view content);
+  void discard() noexcept;
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path place_;
+  std::filesystem::path staged_;
+  int file_ = -1;
+};
+
+/// Flushes the renames in a directory to the disk. File systems that cannot do that are let off.
+void flush_directory(const std::filesystem::path& path);
+
+/// A file of this content at this place, in one step.
+/// @throws WriteError; what stood there before then still does
+void replace_file(const std::filesystem::path& place, std::string_view content);
+
+}  // namespace fiberchain::dem::io

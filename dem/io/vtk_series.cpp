@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <system_error>
+
+#include "dem/errors.hpp"
+#include "dem/io/file_error.hpp"
+#include "dem/io/numbers.hpp"
+#include "dem/io/staged_file.hpp"
+#include "dem/io/vtk.hpp"
+#include "dem/io/xml.hpp"
+
+namespace fiberchain::dem::io {
+namespace {
+
+std::string file_name(const char* kind, std::int64_t step) {
+  return fmt::format("{}-{:012}.vtp", kind, step);
+}
+
+constexpr const char* kKinds[] = {"spheres", "lines"};
+
+}  // namespace
+
+VtkSeries::VtkSeries(std::filesystem::path directory, std::string name, Entries provenance)
+    : directory_(std::move(directory)), name_(std::move(name)), provenance_(std::move(provenance)) {}
+
+VtkSeries VtkSeries::resume(std::filesystem::path directory, std::string name, Entries provenance,
+                            std::int64_t last_step) {
+  VtkSeries series(std::move(directory), std::move(name), std::move(provenance));
+  series.read_series(last_step);
+  if (!series.entries_.empty()) series.write_series();
+  return series;
+}
+
+void VtkSeries::append(const Frame& frame) {
+  if (!entries_.empty() && frame.step <= entries_.back().step)
+    throw InvalidInput(
+        fmt::format("a frame of step {} after one of step {}", frame.step, entries_.back().step));
+  const std::filesystem::path place = directory_ / name_;
+  std::error_code error;
+  std::filesystem::create_directories(place, error);
+  if (error) throw WriteError(place, error.message());
+  replace_file(place / file_name("spheres", frame.step), vtp_spheres(frame, provenance_));
+  replace_file(place / file_name("lines", frame.step), vtp_lines(frame, provenance_));
+  entries_.push_back({frame.step, frame.time});
+  try {
+    write_series();
+  } catch (...) {
+    entries_.pop_back();
+    throw;
+  }
+}
+
+void VtkSeries::write_series() const {
+  for (const char* kind : kKinds) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+        "byte_order=\"LittleEndian\">\n<Collection>\n";
+    for (const Entry& entry : entries_) {
+      text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", entry.time,
+                          xml_escaped(name_), file_name(kind, entry.step));
+    }
+    const bool lines = kind == kKinds[1];
+    replace_file(directory_ / (name_ + (lines ? "-lines.pvd" : ".pvd")),
+                 text + "</Collection>\n</VTKFile>\n");
+  }
+}
+
+void VtkSeries::read_series(std::int64_t last_step) {
+  const std::filesystem::path path = directory_ / (name_ + ".pvd");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return;
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (text.find("type=\"Collection\"") == std::string::npos || text.find("</VTKFile>") == std::string::npos)
+    throw ReadError(path, "is no series of VTK files");
+  const std::regex pattern(
+      "<DataSet timestep=\"([^\"]*)\" part=\"0\" file=\"[^\"]*/spheres-([0-9]+).vtp\"/>");
+  for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
+    const auto time = parse_number((*at)[1].str());
+    const auto step = parse_integer((*at)[2].str());
+    if (!time || !step) throw ReadError(path, "is no series of VTK files that this program wrote");
+    if (*step <= last_step) entries_.push_back({*step, *time});
+  }
+}
+
+}  // namespace fiberchain::dem::io
