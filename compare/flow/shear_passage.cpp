@@ -1,0 +1,72 @@
+#include "compare/flow/shear_passage.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "compare/errors.hpp"
+#include "compare/flow/history.hpp"
+#include "compare/flow/setup.hpp"
+#include "dem/errors.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+/// Amplitude across the line of the ends, weighed by P_2, which no translation or rotation has.
+double bend_of(const FlowShape& shape) {
+  const auto& x = shape.spheres;
+  const auto n = static_cast<double>(x.size());
+  const double dx = x.back()[0] - x.front()[0], dy = x.back()[1] - x.front()[1], length = std::hypot(dx, dy);
+  const auto xi = [&](std::size_t i) { return 2 * static_cast<double>(i) / (n - 1) - 1; };
+  double square = 0, sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) square += xi(i) * xi(i) / n;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sum += (xi(i) * xi(i) - square) * (dx * x[i][1] - dy * x[i][0]) / length;
+  }
+  return sum;
+}
+
+double angle_of(const FlowShape& shape) {
+  return std::atan2(shape.spheres.back()[1] - shape.spheres.front()[1],
+                    shape.spheres.back()[0] - shape.spheres.front()[0]);
+}
+
+}  // namespace
+
+double growth_at_passage(const ShearPassage& c) {
+  constexpr double before = 0.35, passage = 0.75 * std::numbers::pi;
+  const dem::Fiber fiber = fiber_of_spheres(c.spheres, c.poisson_ratio);
+  const dem::Fluid fluid{viscosity_of(fiber, c.number, 1), {dem::simple_shear(1)}};
+  dem::io::FlowStart start;
+  start.direction = {std::cos(passage + before), std::sin(passage + before), 0};
+  start.bend_direction = {-start.direction[1], start.direction[0], 0};
+  start.bend = c.bend;
+  const FlowHistory history = follow_flow<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
+                                             even_times(1.5, 600), {.tolerance = c.tolerance}, 1);
+  if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
+  // the interval in which it passes: central differences at both ends, linear in between
+  for (std::size_t i = 2; i + 3 < history.shapes.size(); ++i) {
+    const double here = angle_of(history.shapes[i]), next = angle_of(history.shapes[i + 1]);
+    if (here < passage || next >= passage) continue;
+    const auto log_at = [&](std::size_t k) { return std::log(std::abs(bend_of(history.shapes[k]))); };
+    const double h = history.shapes[i + 1].time - history.shapes[i].time;
+    const auto slope = [&](std::size_t k) { return (log_at(k + 1) - log_at(k - 1)) / (2 * h); };
+    const double part = (here - passage) / (here - next);
+    return (1 - part) * slope(i) + part * slope(i + 1);
+  }
+  throw InputError("the fiber did not pass the direction of greatest compression");
+}
+
+double passage_threshold(int spheres, double low, double high, double width) {
+  const auto grows = [&](double number) { return growth_at_passage({.spheres = spheres, .number = number}) > 0; };
+  if (grows(low) || !grows(high)) {
+    throw InputError(fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
+  }
+  while (high - low > width) {
+    const double middle = (low + high) / 2;
+    (grows(middle) ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace fiberchain::compare
