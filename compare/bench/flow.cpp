@@ -34,7 +34,7 @@ void times(PrecisionRow& row, double factor) {
 }  // namespace
 
 PrecisionProblem flow_problem(const BenchOptions& options) {
-  const double orbits = options.quick ? 10 : 100;
+  const double orbits = options.quick ? 3 : 100;
   const InertiaCase still{.spheres = spheres, .elasto_viscous = number, .tolerance = 1e-12};
   InertiaCase looser = still;
   looser.tolerance = 1e-11;

@@ -114,6 +114,7 @@ std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const std::vect
     cases.push_back({.spheres = spheres,
                      .direction = start_direction(bounded),
                      .turns = orbits,
+                     .interval = orbits > 10 ? 0.4 : 0.1,
                      .tolerance = 1e-10,
                      .spatial = true});
   }

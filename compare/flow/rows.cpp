@@ -153,7 +153,7 @@ double worst_drag() {
 Rows motion_rows(const ValidationInput&) {
   const InertiaCase coarse{.stokes = 0.03, .method = dem::FlowMethod::leapfrog},
       fine{.stokes = 0.01, .method = dem::FlowMethod::leapfrog},
-      implicit{.stokes = 0.01, .method = dem::FlowMethod::cvode};
+      implicit{.stokes = 0.01, .method = dem::FlowMethod::cvode, .tolerance = 1e-6};
   const double near = inertia_distance(fine);
   const double order = std::log(inertia_distance(coarse) / near) / std::log(coarse.stokes / fine.stokes);
   return {
