@@ -19,4 +19,9 @@ struct NoConvergence : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Fibers that do not go in where they were asked to; the message says how many did and what to change.
+struct NoRoom : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace fiberchain::dem

@@ -89,6 +89,13 @@ class MarchingBlock {
   void synchronize();
   Poses<Dim> poses(int lane) const;
 
+  /// Numbers of all spheres as they lie: number n of sphere i (of a MovingSphere) of a lane at place + n * stride.
+  double* sphere_numbers() { return spheres_.data(); }
+  const double* sphere_numbers() const { return spheres_.data(); }
+  std::size_t sphere_place(int lane, int i) const { return place(lane, i, numbers_of<MovingSphere<double, Dim>>); }
+  std::size_t number_stride() const { return stride(); }
+  const MarchParameters<double, Dim>& parameters(int lane) const { return parameters_of_[lane]; }
+
   /// The whole state, to go back to; not past a set_step().
   std::vector<double> saved() const;
   void restore(const std::vector<double>& saved);

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dem/assembly/surroundings.hpp"
+#include "dem/motion/chain_state.hpp"
+#include "dem/motion/lanes/kernel.hpp"
+
+// Many fibers that touch each other and walls, marched by the leapfrog: bonds in SIMD lanes across fibers, contacts
+// streamed through memory in the order of a cell grid. Results do not depend on the number of threads, to the bit.
+namespace fiberchain::dem {
+
+/// Fibers of one kind and where they start.
+struct FiberGroup {
+  Chain<3> chain;                      ///< with `natural` where curved at rest
+  std::vector<ChainState<3>> fibers;   ///< one state a fiber
+};
+
+struct AssemblyOptions {
+  std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
+  BondForm form = BondForm::incremental;
+  Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
+  int threads = 1;
+  bool book_energy = false;               ///< sum what each mechanism dissipates
+  InstructionSet instruction_set = best_instruction_set();
+};
+
+/// Where energy is, and what contacts have taken and walls given so far where it is booked [J].
+struct EnergyBalance {
+  double kinetic, bonds, contacts, gravity;
+  double contact_normal, contact_tangential, contact_rolling;
+  double wall_work;
+};
+
+/// A pair that touches.
+struct ContactState {
+  std::int64_t first, second;  ///< sphere numbers; second < 0: wall -1 - second
+  double overlap;              ///< [m]
+  Vec<double, 3> point;        ///< [m]
+  Vec<double, 3> force;        ///< on the first [N]
+};
+
+class Assembly {
+ public:
+  /// Throws InvalidInput for what makes no sense or is not built: no fibers, spheres beyond a wall, a fluid that is not free
+  /// draining, a step beyond the stable one.
+  Assembly(std::vector<FiberGroup> groups, Surroundings surroundings, AssemblyOptions options);
+  ~Assembly();
+  Assembly(Assembly&&) noexcept;
+
+  /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up.
+  void march(std::int64_t steps);
+
+  double step() const;           ///< dt [s]
+  std::int64_t steps() const;    ///< done
+  double time() const;           ///< [s]
+  std::int64_t spheres() const;
+  const std::vector<FiberGroup>& groups() const;  ///< as given at the start
+
+  /// State now of a fiber, velocities of this moment.
+  ChainState<3> state(int group, int fiber) const;
+  /// Sphere numbers go through the groups, fibers and spheres in order.
+  std::int64_t first_sphere(int group, int fiber) const;
+  std::int64_t touching() const;  ///< contacts now
+  std::vector<ContactState> contacts() const;
+  EnergyBalance energy() const;
+
+  /// The whole state, to go on from to the bit.
+  std::vector<double> saved() const;
+  /// Throws InvalidInput for numbers that cannot be a state of this assembly.
+  void restore(const std::vector<double>& saved);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The step [s] an assembly takes when none is asked for, and what sets it.
+struct StepChoice {
+  double step;
+  std::string_view set_by;  ///< "bonds", "bond damping" or "contacts"
+  double bonds, damped_bonds, contacts;  ///< largest steps each allows [s]
+};
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,79 @@
+#include "dem/assembly/contact_parameters.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "dem/contact/restitution.hpp"
+#include "dem/errors.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Effective {
+  double youngs_modulus, shear_modulus, radius, mass, inertia;
+};
+
+/// 1 / (1/a + 1/b), also where one is infinite.
+double joined(double a, double b) { return 1 / (1 / a + 1 / b); }
+
+Effective effective(const ContactBody& a, const ContactBody& b) {
+  const auto flat = [](const ContactBody& x) { return x.youngs_modulus / (1 - x.poisson_ratio * x.poisson_ratio); };
+  const auto along = [](const ContactBody& x) {
+    return x.youngs_modulus / (2 * (1 + x.poisson_ratio) * (2 - x.poisson_ratio));
+  };
+  return {joined(flat(a), flat(b)), joined(along(a), along(b)), joined(a.radius, b.radius), joined(a.mass, b.mass),
+          joined(a.inertia, b.inertia)};
+}
+
+void check(const ContactRules& rules) {
+  const auto require = [](const char* what, double value, bool allowed) {
+    if (!allowed || !std::isfinite(value)) {
+      throw InvalidInput(fmt::format("{} = {} is not allowed: it must be finite and 0 or greater", what, value));
+    }
+  };
+  require("friction", rules.friction, rules.friction >= 0);
+  require("rolling_friction", rules.rolling_friction, rules.rolling_friction >= 0);
+}
+
+}  // namespace
+
+ContactBody sphere_body(const Fiber& fiber) {
+  return {fiber.material.youngs_modulus, poisson_ratio(fiber.material), sphere_radius(fiber), sphere_mass(fiber),
+          sphere_inertia(fiber)};
+}
+
+ContactBody wall_body(const Surroundings& surroundings) {
+  const double E = surroundings.wall_youngs_modulus;
+  return {E > 0 ? E : infinite, surroundings.wall_poisson_ratio, infinite, infinite, infinite};
+}
+
+ContactParameters<double> contact_parameters(const ContactBody& a, const ContactBody& b, const ContactRules& rules,
+                                             double step) {
+  check(rules);
+  const Effective e = effective(a, b);
+  const double zeta = damping_ratio_for(rules.restitution);
+  ContactParameters<double> p{};
+  p.normal = 4.0 / 3 * e.youngs_modulus * std::sqrt(e.radius);
+  p.tangential = 8 * e.shear_modulus * std::sqrt(e.radius);
+  p.normal_damping = 2 * zeta * std::sqrt(5.0 / 4 * e.mass * p.normal);
+  p.tangential_damping = 2 * zeta * std::sqrt(5.0 / 6 * e.mass * p.tangential);
+  p.friction = rules.friction;
+  p.rolling = rules.rolling_friction * e.radius;
+  p.rolling_limit = e.inertia / step;
+  p.ahead = 0.5;
+  return p;
+}
+
+double contact_step_limit(const ContactBody& a, const ContactBody& b, const ContactRules& rules, double overlap,
+                          int neighbors) {
+  const Effective e = effective(a, b);
+  const double stiffness = 2 * e.youngs_modulus * std::sqrt(e.radius * overlap) * neighbors;
+  const double zeta = damping_ratio_for(rules.restitution) * std::sqrt(5.0 / 6 * neighbors);
+  // m a = -k x - c v, c at the lagged velocity: w dt < 2 (sqrt(1 + zeta^2) - zeta)
+  return 2 * (std::sqrt(1 + zeta * zeta) - zeta) * std::sqrt(e.mass / stiffness);
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,370 @@
+#include "dem/assembly/contact_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dem/assembly/contact_parameters.hpp"
+#include "dem/contact/lanes/tables.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+/// Fixed, so that sums are the same for any number of threads.
+constexpr int kStripes = 8;
+
+/// Gap up to which a pair is listed, in radii: wide lists are read every step, narrow ones made often.
+constexpr double kSkin = 0.35;
+
+std::int32_t whole_vectors(std::size_t count, int width) {
+  return static_cast<std::int32_t>((count + width - 1) / width * width);
+}
+
+bool there(const Wall& wall, double time) { return time >= wall.from && time < wall.until; }
+
+/// Gap between a place and a wall.
+double distance(const Wall& wall, const Vec<double, 3>& x, double time) {
+  if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
+    return dot(x - plane->point - time * wall.velocity, plane->normal);
+  }
+  const auto& cylinder = std::get<Cylinder>(wall.shape);
+  const Vec<double, 3> from = x - cylinder.point - time * wall.velocity;
+  return cylinder.radius - norm(from - dot(from, cylinder.axis) * cylinder.axis);
+}
+
+/// Direction from a place to a wall.
+Vec<double, 3> toward(const Wall& wall, const Vec<double, 3>& x, double time) {
+  if (const auto* plane = std::get_if<Plane>(&wall.shape)) return -plane->normal;
+  const auto& cylinder = std::get<Cylinder>(wall.shape);
+  const Vec<double, 3> from = x - cylinder.point - time * wall.velocity;
+  const Vec<double, 3> out = from - dot(from, cylinder.axis) * cylinder.axis;
+  return (1 / norm(out)) * out;
+}
+
+}  // namespace
+
+ContactSet::ContactSet(const std::vector<FiberGroup>& groups, const Surroundings& surroundings,
+                       const AssemblyOptions& options, double step)
+    : surroundings_(surroundings), kinds_(static_cast<int>(groups.size())), threads_(options.threads), step_(step) {
+  std::vector<ContactBody> bodies;
+  for (const FiberGroup& group : groups) bodies.push_back(sphere_body(group.chain.fiber));
+  const ContactBody wall = wall_body(surroundings);
+  std::int32_t fiber = 0;
+  for (int kind = 0; kind < kinds_; ++kind) {
+    const int n = groups[kind].chain.fiber.aspect_ratio + 1;
+    for (std::size_t f = 0; f < groups[kind].fibers.size(); ++f, ++fiber) {
+      fiber_.insert(fiber_.end(), n, fiber);
+      radius_.insert(radius_.end(), n, bodies[kind].radius);
+      kind_of_sphere_.insert(kind_of_sphere_.end(), n, kind);
+    }
+    for (const ContactBody& other : bodies) {
+      pair_parameters_.push_back(contact_parameters(bodies[kind], other, surroundings.contacts, step));
+    }
+    wall_parameters_.push_back(contact_parameters(bodies[kind], wall, surroundings.contacts, step));
+  }
+  skin_ = kSkin * *std::ranges::min_element(radius_);
+  const bool periodic = std::ranges::any_of(surroundings.period.c, [](double p) { return p > 0; });
+  kernel_ = &contact_kernel({kinds_ == 1, periodic, surroundings.contacts.rolling_friction > 0, options.book_energy},
+                            options.instruction_set);
+  stripes_.resize(kStripes);
+  for (Stripe& stripe : stripes_) stripe.walls.resize(surroundings.walls.size());
+  const std::int64_t n = spheres();
+  for (int k = 0; k <= kStripes; ++k) stripe_begin_.push_back(static_cast<std::int32_t>(n * k / kStripes));
+  // three that pad whole vectors: two of no size far from each other, one that no wall is near to
+  positions_.assign((n + 3) * position_numbers, 0);
+  motions_.assign((n + 3) * motion_numbers, 0);
+  loads_.assign((n + 3) * force_numbers, 0);
+  for (std::int64_t s = 0; s < n; ++s) positions_[s * position_numbers + 3] = radius_[s];
+  for (int c = 0; c < 3; ++c) {
+    const double period = surroundings_.period[c];
+    positions_[(n + 1) * position_numbers + c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
+  }
+  positions_[(n + 2) * position_numbers + 3] = -std::numeric_limits<double>::max();
+  kind_of_sphere_.resize(n + 3, 0);
+}
+
+void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time) {
+  const std::vector<KeptContact> contacts = listed_at_.empty() ? std::vector<KeptContact>{} : kept();
+  listed_at_ = positions;
+  listed_time_ = time;
+  pairs_ = close_pairs({positions, radius_, fiber_, surroundings_.period}, skin_, stripe_begin_, threads_);
+  for (int k = 0; k < kStripes; ++k) fill_stripe(k), list_walls(k);
+  remember(contacts);
+}
+
+void ContactSet::fill_stripe(int k) {
+  Stripe& stripe = stripes_[k];
+  const auto dummy = static_cast<std::int32_t>(spheres());
+  const std::vector<ClosePair>& pairs = pairs_[k];
+  const std::int32_t padded = whole_vectors(pairs.size(), kernel_->width);
+  stripe.first.assign(padded, dummy);
+  stripe.second.assign(padded, dummy + 1);
+  stripe.touching.resize(padded);
+  std::size_t leaving = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    stripe.first[p] = pairs[p].first;
+    stripe.second[p] = pairs[p].second;
+    leaving += pairs[p].second >= stripe_begin_[k + 1];
+  }
+  stripe.deferred.resize(leaving);
+  stripe.for_stripe.resize(kStripes);
+  for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap, &stripe.opening}) numbers->assign(padded, 0);
+}
+
+void ContactSet::list_walls(int k) {
+  for (std::size_t w = 0; w < surroundings_.walls.size(); ++w) {
+    const Wall& wall = surroundings_.walls[w];
+    NearWall& near = stripes_[k].walls[w];
+    near.slots.clear();
+    for (std::int32_t i = stripe_begin_[k]; i < stripe_begin_[k + 1]; ++i) {
+      if (distance(wall, listed_at_[i], listed_time_) < radius_[i] + skin_) {
+        near.slots.push_back(i);
+      }
+    }
+    near.slots.resize(whole_vectors(near.slots.size(), kernel_->width), static_cast<std::int32_t>(spheres() + 2));
+    for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
+      numbers->assign(near.slots.size(), 0);
+    }
+  }
+}
+
+bool ContactSet::walls_moved_far(double time) const {
+  return std::ranges::any_of(surroundings_.walls, [&](const Wall& wall) {
+    return norm(wall.velocity) * (time - listed_time_) > 0.5 * skin_;
+  });
+}
+
+ContactView ContactSet::view(Stripe& stripe) {
+  ContactView view{};
+  view.position = positions_.data();
+  view.motion = motions_.data();
+  view.force = loads_.data();
+  view.kind = kind_of_sphere_.data();
+  view.first = stripe.first.data();
+  view.second = stripe.second.data();
+  for (int c = 0; c < 3; ++c) {
+    view.spring[c] = stripe.spring[c].data();
+    view.period[c] = surroundings_.period[c];
+    view.inverse_period[c] = view.period[c] > 0 ? 1 / view.period[c] : 0;
+  }
+  view.overlap = stripe.overlap.data();
+  view.opening = stripe.opening.data();
+  view.parameters = pair_parameters_.data();
+  view.kinds = kinds_;
+  view.step = step_;
+  return view;
+}
+
+WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
+  const Wall& wall = surroundings_.walls[w];
+  WallView view{};
+  Vec<double, 3> point, direction;
+  if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
+    point = plane->point, direction = plane->normal;
+  } else {
+    const auto& cylinder = std::get<Cylinder>(wall.shape);
+    point = cylinder.point, direction = cylinder.axis;
+    view.cylinder = true;
+    view.radius = cylinder.radius;
+  }
+  for (int c = 0; c < 3; ++c) {
+    view.point[c] = point[c] + time * wall.velocity[c];
+    view.direction[c] = direction[c];
+    view.velocity[c] = wall.velocity[c];
+    view.spring[c] = near.spring[c].data();
+  }
+  view.slots = near.slots.data();
+  view.begin = 0;
+  view.end = static_cast<std::int32_t>(near.slots.size());
+  view.overlap = near.overlap.data();
+  view.opening = near.opening.data();
+  view.parameters = wall_parameters_.data();
+  return view;
+}
+
+void ContactSet::work_out(int k, double time) {
+  Stripe& stripe = stripes_[k];
+  const std::int32_t begin = stripe_begin_[k], end = stripe_begin_[k + 1];
+  std::fill(loads_.begin() + begin * force_numbers, loads_.begin() + end * force_numbers, 0.0);
+  const ContactView contacts = view(stripe);
+  ContactTask task{0, static_cast<std::int32_t>(stripe.first.size()), end, stripe.touching.data(), stripe.deferred.data(),
+                   0, 0, stripe.book, stripe.wall_work};
+  kernel_->pairs(contacts, task);
+  for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
+    NearWall& near = stripe.walls[w];
+    if (near.slots.empty()) continue;
+    if (there(surroundings_.walls[w], time)) {
+      kernel_->wall(contacts, wall_view(static_cast<int>(w), near, time), task);
+    } else {
+      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
+        std::ranges::fill(*numbers, 0.0);
+      }
+    }
+  }
+  for (auto& entries : stripe.for_stripe) entries.clear();
+  for (std::int32_t n = 0; n < task.deferred_count; ++n) {
+    const auto target = std::ranges::upper_bound(stripe_begin_, stripe.deferred[n].slot) - stripe_begin_.begin() - 1;
+    stripe.for_stripe[target].push_back(n);
+  }
+  stripe.contacts = task.contacts;
+  stripe.book = task.book;
+  stripe.wall_work = task.wall_work;
+}
+
+void ContactSet::gather_loads(int k) {
+  for (int from = 0; from < k; ++from) {
+    const Stripe& other = stripes_[from];
+    for (const std::int32_t n : other.for_stripe[k]) {
+      const DeferredForce& later = other.deferred[n];
+      double* load = loads_.data() + later.slot * force_numbers;
+      for (int c = 0; c < 6; ++c) load[c] += later.load[c];
+    }
+  }
+}
+
+std::int64_t ContactSet::touching() const {
+  std::int64_t sum = 0;
+  for (const Stripe& stripe : stripes_) sum += stripe.contacts;
+  return sum;
+}
+
+ContactBook<double> ContactSet::taken() const {
+  ContactBook<double> sum{};
+  for (const Stripe& stripe : stripes_) {
+    sum.normal_dashpot += stripe.book.normal_dashpot;
+    sum.sliding += stripe.book.sliding;
+    sum.rolling += stripe.book.rolling;
+  }
+  return sum;
+}
+
+double ContactSet::wall_work() const {
+  double sum = 0;
+  for (const Stripe& stripe : stripes_) sum += stripe.wall_work;
+  return sum;
+}
+
+double ContactSet::stored_energy() const {
+  double sum = 0;
+  for (const KeptContact& c : kept()) {
+    const int kind = kind_of_sphere_[c.first];
+    const ContactParameters<double>& p = c.second < 0 ? wall_parameters_[kind]
+                                                      : pair_parameters_[kind * kinds_ + kind_of_sphere_[c.second]];
+    const double root = std::sqrt(c.overlap);
+    sum += 0.4 * p.normal * c.overlap * c.overlap * root;
+    for (const double spring : c.spring) {
+      if (p.tangential > 0) sum += 0.5 * spring * spring / (p.tangential * root);
+    }
+  }
+  return sum;
+}
+
+std::vector<ContactState> ContactSet::states(double time) const {
+  std::vector<ContactState> all;
+  const auto at = [](const std::vector<double>& numbers, std::int64_t i) {
+    return Vec<double, 3>{numbers[i], numbers[i + 1], numbers[i + 2]};
+  };
+  for (const KeptContact& c : kept()) {
+    const Vec<double, 3> x = at(positions_, c.first * position_numbers);
+    const Vec<double, 3> v = at(motions_, c.first * motion_numbers), w = at(motions_, c.first * motion_numbers + 3);
+    const int kind = kind_of_sphere_[c.first];
+    Vec<double, 3> other_velocity{}, other_spin{};
+    TouchingPair<double> pair{};
+    double arm, other_arm = 0;
+    const ContactParameters<double>* p = &wall_parameters_[kind];
+    if (c.second < 0) {
+      const Wall& wall = surroundings_.walls[-1 - c.second];
+      pair.normal = toward(wall, x, time);
+      arm = distance(wall, x, time);
+      other_velocity = wall.velocity;
+    } else {
+      Vec<double, 3> r = at(positions_, c.second * position_numbers) - x;
+      for (int k = 0; k < 3; ++k) {
+        const double period = surroundings_.period[k];
+        if (period > 0) r[k] -= period * std::nearbyint(r[k] / period);
+      }
+      pair.normal = (1 / norm(r)) * r;
+      arm = norm(r) * radius_[c.first] / (radius_[c.first] + radius_[c.second]);
+      other_arm = norm(r) - arm;
+      other_velocity = at(motions_, c.second * motion_numbers);
+      other_spin = at(motions_, c.second * motion_numbers + 3);
+      p = &pair_parameters_[kind * kinds_ + kind_of_sphere_[c.second]];
+    }
+    pair.overlap = c.overlap;
+    pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
+    pair.spin = other_spin - w;
+    ContactHistory<double> history{{c.spring[0], c.spring[1], c.spring[2]}, c.overlap, c.opening};
+    const ContactAction<double> action = contact_action(*p, pair, 0.0, history);
+    all.push_back({c.first, c.second, c.overlap, x + arm * pair.normal, action.force});
+  }
+  return all;
+}
+
+std::vector<KeptContact> ContactSet::kept() const {
+  std::vector<KeptContact> all;
+  for (int k = 0; k < kStripes; ++k) {
+    const Stripe& stripe = stripes_[k];
+    for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
+      if (!(stripe.overlap[p] > 0)) continue;
+      const std::int64_t a = stripe.first[p], b = stripe.second[p];
+      all.push_back({a, b, {stripe.spring[0][p], stripe.spring[1][p], stripe.spring[2][p]}, stripe.overlap[p],
+                     stripe.opening[p]});
+    }
+    for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
+      const NearWall& near = stripe.walls[w];
+      for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
+        if (!(near.overlap[n] > 0)) continue;
+        all.push_back({near.slots[n], -1 - static_cast<std::int64_t>(w),
+                       {near.spring[0][n], near.spring[1][n], near.spring[2][n]}, near.overlap[n], near.opening[n]});
+      }
+    }
+  }
+  std::ranges::sort(all, [](const KeptContact& x, const KeptContact& y) {
+    return std::pair(x.first, x.second) < std::pair(y.first, y.second);
+  });
+  return all;
+}
+
+void ContactSet::forget() {
+  for (Stripe& stripe : stripes_) {
+    for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap, &stripe.opening}) {
+      std::ranges::fill(*numbers, 0.0);
+    }
+    for (NearWall& near : stripe.walls) {
+      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
+        std::ranges::fill(*numbers, 0.0);
+      }
+    }
+  }
+}
+
+void ContactSet::remember(const std::vector<KeptContact>& contacts) {
+  const auto find = [&](std::int64_t first, std::int64_t second) -> const KeptContact* {
+    const auto found = std::ranges::lower_bound(
+        contacts, std::pair(first, second), {}, [](const KeptContact& c) { return std::pair(c.first, c.second); });
+    return found != contacts.end() && found->first == first && found->second == second ? &*found : nullptr;
+  };
+  for (int k = 0; k < kStripes; ++k) {
+    Stripe& stripe = stripes_[k];
+    for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
+      const std::int64_t a = stripe.first[p], b = stripe.second[p];
+      const KeptContact* contact = find(a, b);
+      if (contact == nullptr) continue;
+      for (int c = 0; c < 3; ++c) stripe.spring[c][p] = contact->spring[c];
+      stripe.overlap[p] = contact->overlap;
+      stripe.opening[p] = contact->opening;
+    }
+    for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
+      NearWall& near = stripe.walls[w];
+      for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
+        const KeptContact* contact = find(near.slots[n], -1 - static_cast<std::int64_t>(w));
+        if (contact == nullptr) continue;
+        for (int c = 0; c < 3; ++c) near.spring[c][n] = contact->spring[c];
+        near.overlap[n] = contact->overlap;
+        near.opening[n] = contact->opening;
+      }
+    }
+  }
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <vector>
+
+#include "dem/assembly/assembly.hpp"
+#include "dem/contact/neighbors.hpp"
+#include "dem/contact/view.hpp"
+
+// All contacts of an assembly: which spheres are close, what their contacts remember, and their loads.
+namespace fiberchain::dem {
+
+/// What a touching pair remembers, by sphere numbers, to be kept when the pairs are listed anew or written to a file.
+/// second < 0: wall -1 - second.
+struct KeptContact {
+  std::int64_t first, second;
+  double spring[3];  ///< on the first
+  double overlap, opening;
+};
+
+/// Doubles aligned for every instruction set, with room for a whole vector behind the last.
+using PaddedDoubles = std::vector<double>;
+
+class ContactSet {
+ public:
+  ContactSet(const std::vector<FiberGroup>& groups, const Surroundings& surroundings, const AssemblyOptions& options,
+             double step);
+
+  std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
+  double skin() const { return skin_; }
+
+  /// Lists the pairs that are close at these positions anew; contacts that touch keep what they remember.
+  void list_pairs(const std::vector<Vec<double, 3>>& positions, double time);
+  /// Whether a wall has moved so far since then that spheres near it may be missing.
+  bool walls_moved_far(double time) const;
+  const std::vector<Vec<double, 3>>& listed_at() const { return listed_at_; }
+  double listed_time() const { return listed_time_; }
+
+  /// Numbers of the spheres, in their order, and loads on them.
+  double* positions() { return positions_.data(); }
+  double* motions() { return motions_.data(); }
+  const double* loads() const { return loads_.data(); }
+
+  int stripes() const { return static_cast<int>(stripes_.size()); }
+  /// Loads of a stripe's pairs and walls; what leaves the stripe waits for gather_loads().
+  void work_out(int stripe, double time);
+  /// Adds what other stripes have for this one, in their order.
+  void gather_loads(int stripe);
+
+  std::int64_t touching() const;
+  ContactBook<double> taken() const;  ///< since the start [J]
+  double wall_work() const;           ///< [J]
+  double stored_energy() const;       ///< in the springs now [J]
+
+  std::vector<ContactState> states(double time) const;
+  std::vector<KeptContact> kept() const;
+  void forget();
+  void remember(const std::vector<KeptContact>& contacts);
+
+ private:
+  /// Spheres of a stripe near a wall and what those contacts remember.
+  struct NearWall {
+    std::vector<std::int32_t> slots;
+    PaddedDoubles spring[3], overlap, opening;
+  };
+  struct Stripe {
+    std::vector<std::int32_t> first, second, touching;
+    PaddedDoubles spring[3], overlap, opening;
+    std::vector<DeferredForce> deferred;
+    std::vector<NearWall> walls;
+    std::vector<std::vector<std::int32_t>> for_stripe;  ///< places in deferred
+    std::int64_t contacts = 0;
+    ContactBook<double> book{};
+    double wall_work = 0;
+  };
+
+  void fill_stripe(int stripe);
+  void list_walls(int stripe);
+  ContactView view(Stripe& stripe);
+  WallView wall_view(int wall, NearWall& near, double time) const;
+
+  Surroundings surroundings_;
+  std::vector<ContactParameters<double>> pair_parameters_, wall_parameters_;
+  std::vector<double> radius_;
+  std::vector<std::int32_t> fiber_, kind_of_sphere_;
+  int kinds_, threads_;
+  double step_, skin_;
+  const ContactKernel* kernel_;
+  std::vector<std::int32_t> stripe_begin_;
+  std::vector<std::vector<ClosePair>> pairs_;
+  std::vector<Vec<double, 3>> listed_at_;
+  double listed_time_ = 0;
+  PaddedDoubles positions_, motions_, loads_;
+  std::vector<Stripe> stripes_;
+};
+
+}  // namespace fiberchain::dem

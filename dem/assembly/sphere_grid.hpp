@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dem/math/vec.hpp"
+
+namespace fiberchain::dem {
+
+/// A box along the axes [m].
+struct Box {
+  Vec<double, 3> low, high;
+};
+
+/// Spheres that stand somewhere.
+struct PlacedSpheres {
+  std::vector<Vec<double, 3>> position;  ///< of centers [m]
+  std::vector<double> radius;            ///< [m]
+};
+
+/// Spheres by cells, to ask whether there is room for one more.
+class SphereGrid {
+ public:
+  /// For spheres of at most the reach, that are added in or near the box, about `expected` of them. Periodic
+  /// along axes whose `period` is above 0. Throws InvalidInput when a period is less than twice the largest
+  /// distance of contact.
+  SphereGrid(const Box& box, const Vec<double, 3>& period, double largest_radius, double gap,
+             std::int64_t expected);
+
+  void add(const Vec<double, 3>& center, double radius);
+
+  /// Whether no sphere is nearer than the radii and the gap, periodic images included.
+  bool free(const Vec<double, 3>& center, double radius) const;
+
+  /// From a to the nearest image of b.
+  Vec<double, 3> nearest(const Vec<double, 3>& a, const Vec<double, 3>& b) const;
+
+ private:
+  int cell(double x, int axis) const;
+  std::size_t index(const std::array<int, 3>& cell) const;
+
+  Vec<double, 3> low_, period_;
+  std::array<int, 3> cells_;
+  Vec<double, 3> inverse_edge_;
+  double gap_;
+  std::vector<std::int64_t> head_, next_;  ///< chains of spheres in a cell; -1 ends
+  PlacedSpheres spheres_;
+};
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+namespace fiberchain::dem {
+
+template <class Real>
+inline constexpr int contact_lanes = static_cast<int>(sizeof(Real) / sizeof(double));
+
+template <class Real>
+Real load_lanes(const double* source) {
+  if constexpr (contact_lanes<Real> == 1) {
+    return *source;
+  } else {
+    return Real::load_unaligned(source);
+  }
+}
+
+template <class Real>
+void store_lanes(const Real& value, double* target) {
+  if constexpr (contact_lanes<Real> == 1) {
+    *target = value;
+  } else {
+    value.store_unaligned(target);
+  }
+}
+
+/// source[index[lane]]
+template <class Real>
+Real gather_lanes(const double* source, const std::int32_t* index) {
+#ifdef __AVX512F__
+  if constexpr (contact_lanes<Real> == 8) {
+    return Real(_mm512_i32gather_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), source, 8));
+  }
+#endif
+  double numbers[contact_lanes<Real>];
+  for (int k = 0; k < contact_lanes<Real>; ++k) numbers[k] = source[index[k]];
+  return load_lanes<Real>(numbers);
+}
+
+/// Bit k is set where a < b in lane k.
+template <class Real>
+unsigned less_mask(const Real& a, const Real& b) {
+  if constexpr (contact_lanes<Real> == 1) {
+    return a < b ? 1u : 0u;
+#ifdef __AVX512F__
+  } else if constexpr (contact_lanes<Real> == 8) {
+    return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+#endif
+#ifdef __AVX2__
+  } else if constexpr (contact_lanes<Real> == 4) {
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
+#endif
+  } else {
+    alignas(64) bool less[contact_lanes<Real>];
+    (a < b).store_aligned(less);
+    unsigned mask = 0;
+    for (int k = 0; k < contact_lanes<Real>; ++k) mask |= less[k] ? 1u << k : 0u;
+    return mask;
+  }
+}
+
+inline double nearest(double x) { return __builtin_nearbyint(x); }
+template <class T, class A>
+xsimd::batch<T, A> nearest(const xsimd::batch<T, A>& x) {
+  return xsimd::nearbyint(x);
+}
+
+}  // namespace fiberchain::dem

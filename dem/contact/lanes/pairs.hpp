@@ -1,0 +1,221 @@
+#pragma once
+
+#include "dem/contact/lanes/gather.hpp"
+#include "dem/contact/view.hpp"
+
+// The contact loop: distances of all close pairs, then the law for those that touch, as many at a time as there are lanes.
+namespace fiberchain::dem {
+
+template <class Real>
+using Place = Vec<Real, 3>;
+
+/// Index of the slots of some pairs, scaled to the arrays' strides.
+template <class Real>
+struct SlotIndex {
+  std::int32_t slot[contact_lanes<Real>], position[contact_lanes<Real>], motion[contact_lanes<Real>];
+};
+
+template <class Real>
+SlotIndex<Real> slot_index(const std::int32_t* slots, const std::int32_t* pairs) {
+  SlotIndex<Real> index;
+  for (int k = 0; k < contact_lanes<Real>; ++k) {
+    const std::int32_t slot = slots[pairs[k]];
+    index.slot[k] = slot;
+    index.position[k] = slot * position_numbers;
+    index.motion[k] = slot * motion_numbers;
+  }
+  return index;
+}
+
+template <class Real>
+Vec<Real, 3> gather_vector(const double* source, const std::int32_t* index) {
+  return {gather_lanes<Real>(source, index), gather_lanes<Real>(source + 1, index), gather_lanes<Real>(source + 2, index)};
+}
+
+/// The nearest image of a separation in a periodic cell.
+template <ContactPhysics P, class Real>
+Vec<Real, 3> nearest_image(const ContactView& view, Vec<Real, 3> r) {
+  if constexpr (P.periodic) {
+    for (int c = 0; c < 3; ++c) r[c] = r[c] - Real(view.period[c]) * nearest(r[c] * Real(view.inverse_period[c]));
+  }
+  return r;
+}
+
+/// Pairs of the task that touch go into its list; the history of those that no longer do is wiped.
+template <ContactPhysics P, class Real>
+int find_touching(const ContactView& view, ContactTask& task) {
+  constexpr int lanes = contact_lanes<Real>;
+  int count = 0;
+  for (std::int32_t p = task.begin; p < task.end; p += lanes) {
+    std::int32_t i[lanes], j[lanes];
+    for (int k = 0; k < lanes; ++k) {
+      i[k] = view.first[p + k] * position_numbers;
+      j[k] = view.second[p + k] * position_numbers;
+    }
+    const Vec<Real, 3> r =
+        nearest_image<P, Real>(view, gather_vector<Real>(view.position, j) - gather_vector<Real>(view.position, i));
+    Real reach = Real(2.0 * view.position[3]);
+    if constexpr (!P.uniform) reach = gather_lanes<Real>(view.position + 3, i) + gather_lanes<Real>(view.position + 3, j);
+    unsigned touching = less_mask(dot(r, r), reach * reach);
+    unsigned ended = less_mask(Real(0.0), load_lanes<Real>(view.overlap + p)) & ~touching;
+    for (; touching != 0; touching &= touching - 1) task.touching[count++] = p + __builtin_ctz(touching);
+    for (; ended != 0; ended &= ended - 1) {
+      const std::int32_t pair = p + __builtin_ctz(ended);
+      view.overlap[pair] = view.spring[0][pair] = view.spring[1][pair] = view.spring[2][pair] = 0;
+    }
+  }
+  return count;
+}
+
+template <class Real>
+ContactParameters<Real> broadcast(const ContactParameters<double>& p) {
+  ContactParameters<Real> result;
+  const double* in = reinterpret_cast<const double*>(&p);
+  Real* out = reinterpret_cast<Real*>(&result);
+  for (std::size_t n = 0; n < sizeof(p) / sizeof(double); ++n) out[n] = Real(in[n]);
+  return result;
+}
+
+/// Parameters of the pairs' kinds.
+template <class Real>
+ContactParameters<Real> gather_parameters(const ContactParameters<double>* table, const std::int32_t* entry) {
+  constexpr int numbers = sizeof(ContactParameters<double>) / sizeof(double);
+  std::int32_t index[contact_lanes<Real>];
+  for (int k = 0; k < contact_lanes<Real>; ++k) index[k] = entry[k] * numbers;
+  ContactParameters<Real> result;
+  Real* out = reinterpret_cast<Real*>(&result);
+  const double* in = reinterpret_cast<const double*>(table);
+  for (int n = 0; n < numbers; ++n) out[n] = gather_lanes<Real>(in + n, index);
+  return result;
+}
+
+/// What one pair gives to its two spheres.
+template <class Real>
+struct PairLoads {
+  Vec<Real, 3> force, first_moment, second_moment;  ///< force on the first
+};
+
+template <class Real>
+double summed(const Real& value, int count) {
+  double numbers[contact_lanes<Real>], sum = 0;
+  store_lanes(value, numbers);
+  for (int k = 0; k < count; ++k) sum += numbers[k];
+  return sum;
+}
+
+/// Energies of the step, from the contact before and after.
+template <class Real>
+void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, const ContactHistory<Real>& before,
+          const ContactHistory<Real>& after, const ContactAction<Real>& action, const Real& dt, int count,
+          ContactBook<double>& book) {
+  using std::max;
+  using std::sqrt;
+  const auto stored = [&](const ContactHistory<Real>& h) {
+    const Real stiffness = max(p.tangential * sqrt(max(h.overlap, Real(0.0))), Real(1e-300));
+    return select(h.overlap > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
+  };
+  const Real opening = dot(pair.velocity, pair.normal);
+  const Real push = Real(0.0) - dot(action.force, pair.normal);
+  const Real hertz = p.normal * pair.overlap * sqrt(pair.overlap);
+  book.normal_dashpot += summed<Real>(dt * (hertz - push) * opening, count);
+  const Vec<Real, 3> slip = pair.velocity - opening * pair.normal;
+  const Vec<Real, 3> drag = action.force + push * pair.normal;
+  book.sliding += summed<Real>(dt * dot(drag, slip) - (stored(after) - stored(before)), count);
+  book.rolling += summed<Real>(dt * dot(action.moment, pair.spin), count);
+}
+
+/// The law for the pairs touching[0 ... lanes - 1], of which `count` count.
+template <ContactPhysics P, class Real>
+PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const SlotIndex<Real>& i,
+                           const SlotIndex<Real>& j, int count, ContactTask& task) {
+  using std::sqrt;
+  constexpr int lanes = contact_lanes<Real>;
+  const Vec<Real, 3> r = nearest_image<P, Real>(
+      view, gather_vector<Real>(view.position, j.position) - gather_vector<Real>(view.position, i.position));
+  const Real distance = sqrt(dot(r, r));
+  ContactParameters<Real> p;
+  Real reach, share = Real(0.5);
+  if constexpr (P.uniform) {
+    p = broadcast<Real>(view.parameters[0]);
+    reach = Real(2.0 * view.position[3]);
+  } else {
+    const Real first = gather_lanes<Real>(view.position + 3, i.position);
+    reach = first + gather_lanes<Real>(view.position + 3, j.position);
+    share = first / reach;
+    std::int32_t entry[lanes];
+    for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.slot[k]] * view.kinds + view.kind[j.slot[k]];
+    p = gather_parameters<Real>(view.parameters, entry);
+  }
+  if constexpr (!P.rolling) p.rolling = p.rolling_limit = Real(0.0);
+  const Vec<Real, 3> v_i = gather_vector<Real>(view.motion, i.motion), v_j = gather_vector<Real>(view.motion, j.motion);
+  const Vec<Real, 3> w_i = gather_vector<Real>(view.motion + 3, i.motion), w_j = gather_vector<Real>(view.motion + 3, j.motion);
+  const Real arm_i = share * distance, arm_j = distance - arm_i;
+  TouchingPair<Real> pair;
+  pair.normal = (Real(1.0) / distance) * r;
+  pair.overlap = reach - distance;
+  pair.velocity = v_j - v_i - cross(arm_i * w_i + arm_j * w_j, pair.normal);
+  pair.spin = w_j - w_i;
+  pair.mean_spin = Real(0.5) * (w_i + w_j);
+  ContactHistory<Real> history{{gather_lanes<Real>(view.spring[0], pairs), gather_lanes<Real>(view.spring[1], pairs),
+                                gather_lanes<Real>(view.spring[2], pairs)},
+                               gather_lanes<Real>(view.overlap, pairs),
+                               gather_lanes<Real>(view.opening, pairs)};
+  [[maybe_unused]] const ContactHistory<Real> before = history;
+  const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
+  if constexpr (P.booked) book(p, pair, before, history, action, Real(view.step), count, task.book);
+  double numbers[5][lanes];
+  for (int c = 0; c < 3; ++c) store_lanes(history.spring[c], numbers[c]);
+  store_lanes(history.overlap, numbers[3]);
+  store_lanes(history.opening, numbers[4]);
+  for (int k = 0; k < count; ++k) {
+    for (int c = 0; c < 3; ++c) view.spring[c][pairs[k]] = numbers[c][k];
+    view.overlap[pairs[k]] = numbers[3][k];
+    view.opening[pairs[k]] = numbers[4][k];
+  }
+  const Vec<Real, 3> turn = cross(pair.normal, action.force);
+  return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};
+}
+
+template <class Real>
+void store_vector(const Vec<Real, 3>& v, double (*target)[contact_lanes<Real>]) {
+  for (int c = 0; c < 3; ++c) store_lanes(v[c], target[c]);
+}
+
+/// Adds a pair's loads to its spheres in the order of the pairs.
+template <class Real>
+void add_loads(const ContactView& view, const PairLoads<Real>& loads, const SlotIndex<Real>& i, const SlotIndex<Real>& j,
+               int count, ContactTask& task) {
+  constexpr int lanes = contact_lanes<Real>;
+  double numbers[9][lanes];
+  store_vector(loads.force, numbers);
+  store_vector(loads.first_moment, numbers + 3);
+  store_vector(loads.second_moment, numbers + 6);
+  for (int k = 0; k < count; ++k) {
+    double* first = view.force + i.slot[k] * force_numbers;
+    for (int c = 0; c < 6; ++c) first[c] += numbers[c][k];
+    if (j.slot[k] < task.slots_end) {
+      double* second = view.force + j.slot[k] * force_numbers;
+      for (int c = 0; c < 3; ++c) second[c] -= numbers[c][k], second[3 + c] += numbers[6 + c][k];
+    } else {
+      DeferredForce& later = task.deferred[task.deferred_count++];
+      for (int c = 0; c < 3; ++c) later.load[c] = -numbers[c][k], later.load[3 + c] = numbers[6 + c][k];
+      later.slot = j.slot[k];
+    }
+  }
+}
+
+template <ContactPhysics P, class Real>
+void contact_pairs(const ContactView& view, ContactTask& task) {
+  constexpr int lanes = contact_lanes<Real>;
+  const int touching = find_touching<P, Real>(view, task);
+  task.contacts += touching;
+  for (int n = 0; n < touching; n += lanes) {
+    std::int32_t pairs[lanes];
+    const int count = touching - n < lanes ? touching - n : lanes;
+    for (int k = 0; k < lanes; ++k) pairs[k] = task.touching[n + (k < count ? k : 0)];
+    const SlotIndex<Real> i = slot_index<Real>(view.first, pairs), j = slot_index<Real>(view.second, pairs);
+    add_loads(view, pair_loads<P, Real>(view, pairs, i, j, count, task), i, j, count, task);
+  }
+}
+
+}  // namespace fiberchain::dem

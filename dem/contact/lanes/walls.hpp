@@ -1,0 +1,101 @@
+#pragma once
+
+#include "dem/contact/lanes/pairs.hpp"
+
+namespace fiberchain::dem {
+
+/// From a sphere to a wall: direction, and how far the wall is.
+template <class Real>
+struct WallSight {
+  Vec<Real, 3> normal;
+  Real distance;
+};
+
+template <class Real>
+Vec<Real, 3> broadcast_vector(const double* v) {
+  return {Real(v[0]), Real(v[1]), Real(v[2])};
+}
+
+template <class Real>
+WallSight<Real> sight(const WallView& wall, const Vec<Real, 3>& x) {
+  using std::max;
+  using std::sqrt;
+  const Vec<Real, 3> from = x - broadcast_vector<Real>(wall.point), direction = broadcast_vector<Real>(wall.direction);
+  const Real along = dot(from, direction);
+  if (!wall.cylinder) return {-direction, along};
+  const Vec<Real, 3> out = from - along * direction;
+  const Real radius = sqrt(max(dot(out, out), Real(1e-300)));
+  return {(Real(1.0) / radius) * out, Real(wall.radius) - radius};
+}
+
+/// Spheres of a stripe against one wall.
+template <ContactPhysics P, class Real>
+void contact_wall(const ContactView& view, const WallView& wall, ContactTask& task) {
+  constexpr int lanes = contact_lanes<Real>;
+  const Vec<Real, 3> wall_velocity = broadcast_vector<Real>(wall.velocity);
+  for (std::int32_t n = wall.begin; n < wall.end; n += lanes) {
+    std::int32_t entry[lanes];
+    for (int k = 0; k < lanes; ++k) entry[k] = n + k;
+    const SlotIndex<Real> i = slot_index<Real>(wall.slots, entry);
+    const WallSight<Real> seen = sight(wall, gather_vector<Real>(view.position, i.position));
+    const Real radius = gather_lanes<Real>(view.position + 3, i.position);
+    const unsigned touching = less_mask(seen.distance, radius);
+    const Real last = load_lanes<Real>(wall.overlap + n);
+    const unsigned ended = less_mask(Real(0.0), last) & ~touching;
+    if ((touching | ended) == 0) continue;
+    ContactParameters<Real> p;
+    if constexpr (P.uniform) {
+      p = broadcast<Real>(wall.parameters[0]);
+    } else {
+      std::int32_t kind[lanes];
+      for (int k = 0; k < lanes; ++k) kind[k] = view.kind[i.slot[k]];
+      p = gather_parameters<Real>(wall.parameters, kind);
+    }
+    if constexpr (!P.rolling) p.rolling = p.rolling_limit = Real(0.0);
+    const Vec<Real, 3> v = gather_vector<Real>(view.motion, i.motion), w = gather_vector<Real>(view.motion + 3, i.motion);
+    TouchingPair<Real> pair;
+    pair.normal = seen.normal;
+    pair.overlap = select(seen.distance < radius, radius - seen.distance, Real(1e-300));
+    pair.velocity = wall_velocity - v - cross(seen.distance * w, seen.normal);
+    pair.spin = -w;
+    pair.mean_spin = Real(0.5) * w;
+    ContactHistory<Real> history{{load_lanes<Real>(wall.spring[0] + n), load_lanes<Real>(wall.spring[1] + n),
+                                  load_lanes<Real>(wall.spring[2] + n)},
+                                 last, load_lanes<Real>(wall.opening + n)};
+    const ContactHistory<Real> before = history;
+    const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
+    const Vec<Real, 3> moment = seen.distance * cross(seen.normal, action.force) + action.moment;
+    double numbers[11][lanes];
+    store_vector(action.force, numbers);
+    store_vector(moment, numbers + 3);
+    store_vector(history.spring, numbers + 6);
+    store_lanes(history.overlap, numbers[9]);
+    store_lanes(history.opening, numbers[10]);
+    for (int k = 0; k < lanes; ++k) {
+      const std::int32_t at = n + k;
+      if (touching >> k & 1u) {
+        double* own = view.force + i.slot[k] * force_numbers;
+        for (int c = 0; c < 6; ++c) own[c] += numbers[c][k];
+        for (int c = 0; c < 3; ++c) wall.spring[c][at] = numbers[6 + c][k];
+        wall.overlap[at] = numbers[9][k];
+        wall.opening[at] = numbers[10][k];
+        ++task.contacts;
+      } else if (ended >> k & 1u) {
+        for (int c = 0; c < 3; ++c) wall.spring[c][at] = 0;
+        wall.overlap[at] = 0;
+      }
+    }
+    if constexpr (P.booked) {
+      const Real on = select(seen.distance < radius, Real(1.0), Real(0.0));
+      ContactAction<Real> counted{on * action.force, on * action.moment};
+      TouchingPair<Real> there = pair;
+      there.velocity = on * pair.velocity;
+      ContactHistory<Real> was = before, is = history;
+      was.spring = on * was.spring, is.spring = on * is.spring;
+      book(p, there, was, is, counted, Real(view.step), lanes, task.book);
+      task.wall_work += summed<Real>(Real(view.step) * dot(counted.force, wall_velocity), lanes);
+    }
+  }
+}
+
+}  // namespace fiberchain::dem

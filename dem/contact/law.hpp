@@ -1,0 +1,101 @@
+#pragma once
+
+#include "dem/math/near_one.hpp"
+#include "dem/math/vec.hpp"
+
+// Hertz-Mindlin contact of two spheres, or of a sphere and a wall, with dashpots and Coulomb friction. A
+// template on the number type: a double, or as many contacts side by side as a Real has lanes.
+namespace fiberchain::dem {
+
+/// What the law needs of a pair of bodies.
+template <class Real>
+struct ContactParameters {
+  Real normal;              ///< 4/3 E* sqrt(R*) [N/m^1.5]
+  Real tangential;          ///< 8 G* sqrt(R*) [N/m^1.5]
+  Real normal_damping;      ///< 2 zeta sqrt(5/4 m* normal) [N s/m^1.25]
+  Real tangential_damping;  ///< 2 zeta sqrt(5/6 m* tangential) [N s/m^1.25]
+  Real friction;            ///< Coulomb's mu [-]
+  Real rolling;             ///< mu_r R* [m]
+  Real rolling_limit;       ///< J* / dt: the moment over spin that stops rolling within a step [N m s]
+  /// 1/2: the normal dashpot acts at the velocity in the middle of its kick, extrapolated from the step
+  /// before, which needs ContactHistory::opening kept; 0: at the velocity half a step before.
+  Real ahead = Real(0.0);
+};
+
+/// What a contact remembers.
+template <class Real>
+struct ContactHistory {
+  Vec<Real, 3> spring;       ///< tangential spring force on the first body [N]
+  Real overlap;              ///< at the step before [m]; 0 before the first touch
+  Real opening = Real(0.0);  ///< normal velocity at the step before [m/s]
+};
+
+/// Two bodies that touch. The second one is pushed along `normal`.
+template <class Real>
+struct TouchingPair {
+  Vec<Real, 3> normal;    ///< from the first to the second
+  Real overlap;           ///< > 0 [m]
+  Vec<Real, 3> velocity;  ///< of the second's surface against the first's at the contact [m/s]
+  Vec<Real, 3> spin;      ///< of the second against the first [1/s]
+  Vec<Real, 3> mean_spin;
+};
+
+template <class Real>
+struct ContactAction {
+  Vec<Real, 3> force;   ///< on the first body, at the contact [N]
+  Vec<Real, 3> moment;  ///< of rolling friction on the first body; minus that on the second [N m]
+};
+
+/// Power [W] that each mechanism takes, and the energy [J] that the springs hold.
+template <class Real>
+struct ContactBook {
+  Real normal_dashpot, sliding, rolling, elastic;
+};
+
+template <class Real>
+Vec<Real, 3> tangential(const Vec<Real, 3>& u, const Vec<Real, 3>& normal) {
+  return u - dot(u, normal) * normal;
+}
+
+/// Force on the first body over one step `dt`; the history moves on. Velocities are those half a step before.
+/// Normal: max(0, k d^1.5 + c d^0.25 d'). Tangential: increments 8 G* sqrt(R* d) u dt of a spring that turns
+/// with the contact, less by sqrt(d / d_before) on unloading (Thornton, Cummins & Cleary, Powder Technol. 233
+/// (2013) 30), a dashpot beside it, both together at most mu F_n. Where they slide, the spring moves on as
+/// the dashpot lets it under mu F_n: spring and dashpot stretch alike, a slider in series, which never gives
+/// energy that it was not given. A resting contact carries what Hertz's spring does, whatever the step.
+template <class Real>
+ContactAction<Real> contact_action(const ContactParameters<Real>& p, const TouchingPair<Real>& pair,
+                                   const Real& dt, ContactHistory<Real>& history) {
+  using std::max;
+  using std::min;
+  using std::sqrt;
+  const Real root = sqrt(pair.overlap), root_before = sqrt(max(history.overlap, Real(1e-300)));
+  const Real quarter = sqrt(root);
+  const Real opening = dot(pair.velocity, pair.normal);
+  const Real change = select(history.overlap > Real(0.0), opening - history.opening, Real(0.0));
+  const Real push = max(
+      Real(0.0), p.normal * root * pair.overlap - p.normal_damping * quarter * (opening + p.ahead * change));
+  const Vec<Real, 3> slip = pair.velocity - opening * pair.normal;
+
+  Vec<Real, 3> before = tangential(history.spring, pair.normal);
+  before = before + (dt * dot(pair.mean_spin, pair.normal)) * cross(pair.normal, before);
+  before = min(Real(1.0), root / root_before) * before;
+  // the mean over the step on loading; on unloading spring / sqrt(d) grows by 8 G* sqrt(R*) u dt
+  const Real stiffness = dt * p.tangential * (Real(0.5) * (root + min(root, root_before)));
+  const Real dashpot = p.tangential_damping * quarter;
+  Vec<Real, 3> drag = before + (stiffness + dashpot) * slip;
+  const Real limit = p.friction * push;
+  const Real scale = min(Real(1.0), limit / sqrt(max(dot(drag, drag), Real(1e-300))));
+  drag = scale * drag;
+  // before + stiffness r + dashpot r = drag, r the rate at which the spring is stretched: stuck, the slip
+  // itself
+  const Real share = stiffness / max(stiffness + dashpot, Real(1e-300));
+  history = {before + share * (drag - before), pair.overlap, opening};
+
+  const Vec<Real, 3> rolling = tangential(pair.spin, pair.normal);
+  const Real rate = sqrt(max(dot(rolling, rolling), Real(1e-300)));
+  const Vec<Real, 3> moment = min(p.rolling_limit, p.rolling * push / rate) * rolling;
+  return {drag - push * pair.normal, moment};
+}
+
+}  // namespace fiberchain::dem

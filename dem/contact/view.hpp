@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+
+#include "dem/contact/law.hpp"
+
+// What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves all.
+namespace fiberchain::dem {
+
+/// What a contact loop has. A template argument: what a scene lacks is not compiled into it.
+struct ContactPhysics {
+  bool uniform;   ///< one radius and one set of parameters for all spheres
+  bool periodic;  ///< some side is periodic
+  bool rolling;   ///< rolling friction
+  bool booked;    ///< sums what each mechanism takes
+};
+
+/// Every combination that is built.
+inline constexpr int contact_combinations = 16;
+constexpr ContactPhysics contact_physics(int n) { return {(n & 1) != 0, (n & 2) != 0, (n & 4) != 0, (n & 8) != 0}; }
+constexpr int contact_index(const ContactPhysics& p) {
+  return (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) + (p.booked ? 8 : 0);
+}
+
+/// Numbers of a sphere in the arrays below.
+inline constexpr int position_numbers = 4;  ///< x, y, z, radius
+inline constexpr int motion_numbers = 8;    ///< velocity, spin, two unused
+inline constexpr int force_numbers = 8;     ///< force, moment, two unused
+
+/// All spheres, in the order of the cells that they are in ("slots"), and the pairs that are close.
+struct ContactView {
+  const double* position;
+  const double* motion;
+  double* force;
+  const std::int32_t* kind;  ///< of each slot
+  const std::int32_t* first;
+  const std::int32_t* second;
+  double* spring[3];
+  double* overlap;
+  double* opening;
+  const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
+  std::int32_t kinds;
+  double period[3], inverse_period[3];
+  double step;
+};
+
+/// What a pair does to a sphere of a later stripe, which that stripe adds up itself.
+struct DeferredForce {
+  double load[6];
+  std::int64_t slot;
+};
+
+/// A wall as it is now, and the spheres of a stripe near it.
+struct WallView {
+  bool cylinder;
+  double point[3], direction[3];  ///< normal of a plane, axis of a cylinder
+  double radius;
+  double velocity[3];
+  const std::int32_t* slots;
+  std::int32_t begin, end;  ///< padded to whole vectors
+  double* spring[3];
+  double* overlap;
+  double* opening;
+  const ContactParameters<double>* parameters;  ///< of each kind
+};
+
+/// One stripe of slots, its pairs, and what came of them. A stripe is worked on by one thread; its results do not depend
+/// on which.
+struct ContactTask {
+  std::int32_t begin, end;  ///< pairs, padded to whole vectors
+  std::int32_t slots_end;
+  std::int32_t* touching;   ///< room for all pairs
+  DeferredForce* deferred;  ///< room for all pairs that leave the stripe
+  std::int32_t deferred_count;
+  std::int64_t contacts;    ///< counted
+  ContactBook<double> book;
+  double wall_work;         ///< by moving walls on spheres [J]
+};
+
+struct ContactKernel {
+  int width;
+  void (*pairs)(const ContactView&, ContactTask&);
+  void (*wall)(const ContactView&, const WallView&, ContactTask&);
+};
+
+}  // namespace fiberchain::dem

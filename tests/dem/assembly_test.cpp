@@ -1,0 +1,252 @@
+// Fibers that touch each other and walls: nothing is missed, momenta are kept, and neither threads nor a pause matter.
+#define BOOST_TEST_MODULE assembly
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+#include "dem/assembly/assembly.hpp"
+#include "dem/contact/neighbors.hpp"
+#include "dem/errors.hpp"
+
+namespace dem = fiberchain::dem;
+
+namespace {
+
+using Vec3 = dem::Vec<double, 3>;
+
+dem::Fiber odd_fiber(int aspect_ratio) {
+  return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, aspect_ratio, dem::BondModel::paper, 0.3};
+}
+
+/// Fibers along random directions around a common center, toward which they fly and turn.
+dem::FiberGroup colliding_fibers(const dem::Fiber& fiber, int count, unsigned seed) {
+  dem::FiberGroup group{dem::straight_chain<3>(fiber), {}};
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const double spread = 3 * std::cbrt(count) * fiber.diameter * std::sqrt(fiber.aspect_ratio);
+  for (int f = 0; f < count; ++f) {
+    // on a cubic grid of cells too large to overlap
+    const int side = static_cast<int>(std::ceil(std::cbrt(count)));
+    const double cell = (fiber.aspect_ratio + 1.2) * fiber.diameter;
+    const Vec3 center{(f % side - 0.5 * side) * cell, (f / side % side - 0.5 * side) * cell,
+                      (f / side / side - 0.5 * side) * cell};
+    const dem::Quaternion<double> turn =
+        dem::normalized(dem::Quaternion<double>{normal(random), {normal(random), normal(random), normal(random)}});
+    const Vec3 spin{20 * normal(random), 20 * normal(random), 20 * normal(random)};
+    dem::ChainState<3> state = dem::at_rest<3>(group.chain.poses);
+    const Vec3 middle = 0.5 * state.poses.back().position;
+    for (std::size_t i = 0; i < state.poses.size(); ++i) {
+      const Vec3 arm = dem::rotate(turn, state.poses[i].position - middle);
+      state.poses[i] = {center + arm, turn};
+      state.velocity[i] = (-8.0 / (1 + spread)) * center + dem::cross(spin, arm);
+      state.spin[i] = spin;
+    }
+    group.fibers.push_back(state);
+  }
+  return group;
+}
+
+struct Momenta {
+  Vec3 linear{}, angular{};
+  double linear_size = 0, angular_size = 0;
+};
+
+/// Of every sphere of every fiber.
+Momenta momenta(const dem::Assembly& assembly) {
+  Momenta sum;
+  for (int g = 0; g < static_cast<int>(assembly.groups().size()); ++g) {
+    const dem::Fiber& fiber = assembly.groups()[g].chain.fiber;
+    const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
+    for (int f = 0; f < static_cast<int>(assembly.groups()[g].fibers.size()); ++f) {
+      const dem::ChainState<3> s = assembly.state(g, f);
+      for (std::size_t i = 0; i < s.poses.size(); ++i) {
+        const Vec3 p = m * s.velocity[i];
+        sum.linear = sum.linear + p;
+        sum.angular = sum.angular + dem::cross(s.poses[i].position, p) + J * s.spin[i];
+        sum.linear_size += dem::norm(p);
+        sum.angular_size += dem::norm(dem::cross(s.poses[i].position, p)) + J * dem::norm(s.spin[i]);
+      }
+    }
+  }
+  return sum;
+}
+
+dem::Surroundings open_space() {
+  dem::Surroundings around;
+  around.contacts = {0.6, 0.35, 0.1};
+  return around;
+}
+
+dem::Surroundings box_with_gravity(double size) {
+  dem::Surroundings around = open_space();
+  around.gravity = {0.3, -0.2, -9.81};
+  around.wall_youngs_modulus = 3.7e5;
+  for (int c = 0; c < 3; ++c) {
+    for (const double sign : {1.0, -1.0}) {
+      Vec3 point{}, normal{};
+      normal[c] = sign;
+      point[c] = -sign * size / 2;
+      around.walls.push_back({dem::Plane{point, normal}});
+    }
+  }
+  return around;
+}
+
+std::vector<double> numbers(const dem::Assembly& assembly) {
+  std::vector<double> all;
+  for (int g = 0; g < static_cast<int>(assembly.groups().size()); ++g) {
+    for (int f = 0; f < static_cast<int>(assembly.groups()[g].fibers.size()); ++f) {
+      const dem::ChainState<3> s = assembly.state(g, f);
+      for (std::size_t i = 0; i < s.poses.size(); ++i) {
+        for (int c = 0; c < 3; ++c) all.insert(all.end(), {s.poses[i].position[c], s.velocity[i][c], s.spin[i][c]});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (const bool periodic : {false, true}) {
+    const int n = 1200;
+    const double skin = 0.007;
+    dem::SphereSet set{{}, {}, {}, periodic ? Vec3{0.9, 0, 0.8} : Vec3{}};
+    for (int s = 0; s < n; ++s) {
+      set.position.push_back({3 * uniform(random) - 1, uniform(random), 1.7 * uniform(random)});
+      set.radius.push_back(0.03 + 0.03 * uniform(random));
+      set.fiber.push_back(s / 12);
+    }
+    const std::vector<std::int32_t> runs{0, 100, 600, 600, n};
+    const auto found = dem::close_pairs(set, skin, runs, 2);
+    std::size_t brute = 0, listed = 0;
+    for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
+      std::size_t next = 0;
+      for (int i = runs[k]; i < runs[k + 1]; ++i) {
+        for (int j = i + 1; j < n; ++j) {
+          Vec3 r = set.position[j] - set.position[i];
+          for (int c = 0; c < 3; ++c) {
+            if (set.period[c] > 0) r[c] -= set.period[c] * std::round(r[c] / set.period[c]);
+          }
+          if (dem::norm(r) >= set.radius[i] + set.radius[j] + skin || (j == i + 1 && set.fiber[i] == set.fiber[j])) continue;
+          ++brute;
+          BOOST_REQUIRE(next < found[k].size());
+          BOOST_TEST((found[k][next].first == i && found[k][next].second == j));
+          ++next;
+        }
+      }
+      listed += found[k].size();
+    }
+    BOOST_TEST(brute == listed);
+    BOOST_TEST(brute > 500u);
+  }
+}
+
+/// 50 fibers of two kinds that collide in open space, with friction, rolling friction and dashpots.
+BOOST_AUTO_TEST_CASE(momenta_of_colliding_fibers_are_kept) {
+  dem::FiberGroup all = colliding_fibers(odd_fiber(5), 50, 3);
+  dem::Fiber stiffer = odd_fiber(5);
+  stiffer.material = dem::isotropic_material(7.1e5, 0.31, 700.0);
+  dem::FiberGroup others{dem::straight_chain<3>(stiffer), {}};
+  others.fibers.assign(all.fibers.begin() + 20, all.fibers.end());
+  all.fibers.resize(20);
+  dem::Assembly assembly({all, others}, open_space(), {.threads = 2});
+  const Momenta before = momenta(assembly);
+  std::int64_t most = 0;
+  for (int n = 0; n < 40; ++n) {
+    assembly.march(100);
+    most = std::max(most, assembly.touching());
+  }
+  const Momenta after = momenta(assembly);
+  BOOST_TEST(most > 30);
+  BOOST_TEST(dem::norm(after.linear - before.linear) < 1e-13 * before.linear_size);
+  BOOST_TEST(dem::norm(after.angular - before.angular) < 1e-12 * before.angular_size);
+}
+
+BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
+  const dem::FiberGroup fibers = colliding_fibers(odd_fiber(6), 33, 5);
+  const dem::Surroundings around = box_with_gravity(1.1);
+  dem::Assembly one({fibers}, around, {.threads = 1}), two({fibers}, around, {.threads = 2});
+  one.march(1500);
+  two.march(700);
+  const std::vector<double> pause = two.saved();
+  two.march(800);
+  dem::Assembly third({fibers}, around, {.threads = 2});
+  third.march(10);
+  third.restore(pause);
+  BOOST_TEST(third.steps() == 700);
+  third.march(800);
+  BOOST_TEST(one.touching() > 20);
+  BOOST_TEST((numbers(one) == numbers(two)));
+  BOOST_TEST((numbers(two) == numbers(third)));
+  BOOST_CHECK_THROW(third.restore({1.0, 2.0}), dem::InvalidInput);
+}
+
+/// Instruction sets differ by round-off, which collisions let grow: compared while few have happened.
+BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
+  const dem::FiberGroup fibers = colliding_fibers(odd_fiber(6), 33, 5);
+  const dem::Surroundings around = box_with_gravity(1.1);
+  std::vector<double> first;
+  for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
+    dem::Assembly assembly({fibers}, around, {.instruction_set = set});
+    assembly.march(400);
+    const std::vector<double> now = numbers(assembly);
+    if (first.empty()) {
+      first = now;
+      continue;
+    }
+    BOOST_TEST(assembly.touching() > 0);
+    for (std::size_t i = 0; i < now.size(); ++i) BOOST_TEST(std::abs(now[i] - first[i]) < 1e-9 * (1 + std::abs(first[i])));
+  }
+}
+
+/// Every sphere rests on the floor: the walls carry the weight.
+BOOST_AUTO_TEST_CASE(floor_carries_the_weight) {
+  dem::Fiber fiber = odd_fiber(4);
+  fiber.bond_damping = 1;
+  dem::FiberGroup group{dem::straight_chain<3>(fiber), {}};
+  dem::ChainState<3> state = dem::at_rest<3>(group.chain.poses);
+  for (auto& pose : state.poses) pose.position[2] = 0.0131;
+  group.fibers = {state, state, state};
+  for (int f = 0; f < 3; ++f) {
+    for (auto& pose : group.fibers[f].poses) pose.position[1] = 0.1 * f;
+  }
+  dem::Surroundings around = open_space();
+  around.contacts = {0.05, 0.5, 0};
+  around.gravity = {0, 0, -9.81};
+  around.walls = {{dem::Plane{{0, 0, 0}, {0, 0, 1}}}};
+  dem::Assembly assembly({group}, around, {});
+  assembly.march(40000);
+  double carried = 0;
+  const auto contacts = assembly.contacts();
+  BOOST_TEST(contacts.size() == 15u);
+  for (const dem::ContactState& contact : contacts) {
+    BOOST_TEST(contact.second == -1);
+    carried += contact.force[2];
+  }
+  BOOST_TEST(carried == 15 * dem::sphere_mass(fiber) * 9.81, boost::test_tools::tolerance(1e-6));
+  // Hertz against a rigid wall: d = (3 F (1 - nu^2) / (4 E sqrt(R)))^(2/3)
+  const double F = dem::sphere_mass(fiber) * 9.81;
+  const double overlap = std::pow(0.75 * F * (1 - 0.17 * 0.17) / (3.7e5 * std::sqrt(0.0131)), 2.0 / 3);
+  BOOST_TEST(0.0131 - assembly.state(0, 1).poses[2].position[2] == overlap, boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
+  const dem::FiberGroup fibers = colliding_fibers(odd_fiber(3), 2, 5);
+  BOOST_CHECK_THROW(dem::Assembly({}, open_space(), {}), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::Assembly({fibers}, open_space(), {.step = 0.0}), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::Assembly({fibers}, open_space(), {.threads = 0}), dem::InvalidInput);
+  for (const double restitution : {0.0, 1.2}) {
+    dem::Surroundings around = open_space();
+    around.contacts.restitution = restitution;
+    BOOST_CHECK_THROW(dem::Assembly({fibers}, around, {}), dem::InvalidInput);
+  }
+  dem::Surroundings narrow = open_space();
+  narrow.period = {0.05, 0, 0};
+  BOOST_CHECK_THROW(dem::Assembly({fibers}, narrow, {}), dem::InvalidInput);
+  dem::Assembly wild({fibers}, open_space(), {.step = 1.0});
+  BOOST_CHECK_THROW(wild.march(2000), dem::Diverged);
+}
