@@ -44,12 +44,14 @@ std::optional<compare::PeriodSweep> sweep_of(const Arguments& arguments) {
   read_list(arguments, "--stresslets", {.low = 2, .high = 100}, sweep.stresslets);
   if (sweep.spheres.empty() && sweep.interacting.empty() && sweep.stresslets.empty()) return std::nullopt;
   if (arguments.has("--part")) {
-    throw compare::InputError("--part is not allowed with --spheres, --interacting or --stresslets: they are of the period");
+    throw compare::InputError(
+        "--part is not allowed with --spheres, --interacting or --stresslets: they are of the period");
   }
   return sweep;
 }
 
-std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& arguments, const OrbitOptions& options,
+std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& arguments,
+                                                          const OrbitOptions& options,
                                                           const Context& context) {
   if (const auto sweep = sweep_of(arguments)) return {{"period", compare::period_study(*sweep, options)}};
   const std::vector<Part> parts = parts_of(arguments);
@@ -66,10 +68,12 @@ int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const auto directory = open_output(output);
   auto studies = studies_of(arguments, {.jobs = output.jobs}, context);
-  Results results{.name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};
+  Results results{
+      .name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};
   int failed = 0;
   for (auto& [name, study] : studies) {
-    if (name != studies.front().first) results.more_tables.emplace_back("shear-" + name, std::move(study.table));
+    if (name != studies.front().first)
+      results.more_tables.emplace_back("shear-" + name, std::move(study.table));
     for (auto& more : study.more_tables) results.more_tables.push_back(std::move(more));
     for (auto& figure : study.figures) results.figures.push_back(std::move(figure));
     failed += study.failed;
@@ -88,11 +92,11 @@ Command tables_shear_command() {
           .footer = std::string("Without a choice all parts are made.\n"
                                 "Example:\n  fiberchain tables shear --spheres 5,11,31 --json\n") +
                     kListHelp,
-          .options = with_output(
-              {{"--part", "LIST", "period, orbits, stiffness, regimes, buckling, inertia [all]"},
-               {"--spheres", "LIST", "orbit period alone: N = r_f + 1 of free-draining chains"},
-               {"--interacting", "LIST", "N of chains with hydrodynamic interactions"},
-               {"--stresslets", "LIST", "N of chains with interactions and stresslets"}}),
+          .options =
+              with_output({{"--part", "LIST", "period, orbits, stiffness, regimes, buckling, inertia [all]"},
+                           {"--spheres", "LIST", "orbit period alone: N = r_f + 1 of free-draining chains"},
+                           {"--interacting", "LIST", "N of chains with hydrodynamic interactions"},
+                           {"--stresslets", "LIST", "N of chains with interactions and stresslets"}}),
           .run = &run};
 }
 

@@ -1,7 +1,7 @@
 #include "compare/flow/buckling.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include "compare/errors.hpp"
 #include "compare/flow/setup.hpp"
@@ -53,14 +53,18 @@ BucklingRun run_buckling(const BucklingCase& c, int shapes) {
     run.amplitude.push_back(even_part(shape) / first);
   }
   run.growth = fitted_growth(run.time, run.amplitude);
-  for (int k = 0; k < shapes; ++k) run.shapes.push_back(history.shapes[static_cast<std::size_t>(k * intervals / (shapes - 1))]);
+  for (int k = 0; k < shapes; ++k)
+    run.shapes.push_back(history.shapes[static_cast<std::size_t>(k * intervals / (shapes - 1))]);
   return run;
 }
 
 Threshold buckling_threshold_of(int spheres, double low, double high, double width) {
-  const auto grows = [&](double number) { return run_buckling({.spheres = spheres, .number = number}).growth > 0; };
+  const auto grows = [&](double number) {
+    return run_buckling({.spheres = spheres, .number = number}).growth > 0;
+  };
   if (grows(low) || !grows(high)) {
-    throw InputError(fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
+    throw InputError(
+        fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
   }
   while (high - low > width) {
     const double middle = (low + high) / 2;

@@ -1,5 +1,5 @@
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <limits>
 
 #include "compare/flow/buckling.hpp"
@@ -28,14 +28,16 @@ std::vector<Growth> growths(const OrbitOptions& options) {
   parallel_for(all.size(), options.jobs, [&](std::size_t i) {
     Growth& g = all[i];
     g.run = run_buckling(g.asked);
-    g.chain = reference::chain_growth_mode({g.asked.spheres, g.asked.poisson_ratio}, g.asked.number, 1).growth;
+    g.chain =
+        reference::chain_growth_mode({g.asked.spheres, g.asked.poisson_ratio}, g.asked.number, 1).growth;
     g.filament = reference::growth_rates(g.asked.number, 1)[0];
   });
   return all;
 }
 
 Table growth_table(const std::vector<Growth>& growths) {
-  Table table({"aspect_ratio", "spheres", "elasto_viscous", "growth", "growth_chain", "growth_filament", "growth_error"});
+  Table table({"aspect_ratio", "spheres", "elasto_viscous", "growth", "growth_chain", "growth_filament",
+               "growth_error"});
   for (const Growth& g : growths) {
     table.append({{"aspect_ratio", std::int64_t{g.asked.spheres - 1}},
                   {"spheres", std::int64_t{g.asked.spheres}},
@@ -61,8 +63,8 @@ Table threshold_table(const OrbitOptions& options) {
                   {"threshold_below", found[i].below},
                   {"threshold_above", found[i].above},
                   {"threshold_chain", reference::chain_buckling_threshold({N, 0.3}, 1)},
-                  {"threshold_inextensible", reference::chain_buckling_threshold(
-                                                 {N, 0.3, std::numeric_limits<double>::infinity()}, 1)},
+                  {"threshold_inextensible",
+                   reference::chain_buckling_threshold({N, 0.3, std::numeric_limits<double>::infinity()}, 1)},
                   {"threshold_filament", reference::buckling_threshold(1)}});
   }
   return table;
@@ -70,7 +72,9 @@ Table threshold_table(const OrbitOptions& options) {
 
 Figure amplitude_figure(const std::vector<Growth>& growths) {
   Figure figure{"A small bend of 20 spheres in compression: chain and its linearization",
-                {"rate times time"}, {"amplitude over that at the start", true}, {}};
+                {"rate times time"},
+                {"amplitude over that at the start", true},
+                {}};
   figure.legend_title = "3{/Symbol p m e}{/:Italic L}^4/{/:Italic EI}";
   figure.ordered = true;
   int color = 0;
@@ -94,8 +98,12 @@ Figure amplitude_figure(const std::vector<Growth>& growths) {
 Figure shapes_figure() {
   const BucklingCase c{.spheres = 40, .number = 400, .bend = 0.002, .duration = 3, .tolerance = 1e-8};
   const BucklingRun run = run_buckling(c, 7);
-  Figure figure{"40 spheres buckle under compression along {/:Italic x}, 3{/Symbol p m e}{/:Italic L}^4/{/:Italic EI} = 400",
-                {"{/:Italic x}/{/:Italic L}"}, {"{/:Italic y}/{/:Italic L}"}, {}};
+  Figure figure{
+      "40 spheres buckle under compression along {/:Italic x}, 3{/Symbol p m e}{/:Italic L}^4/{/:Italic EI} "
+      "= 400",
+      {"{/:Italic x}/{/:Italic L}"},
+      {"{/:Italic y}/{/:Italic L}"},
+      {}};
   figure.equal_axes = figure.ordered = true;
   figure.legend_title = "rate times time";
   for (const FlowShape& shape : run.shapes) {

@@ -64,17 +64,20 @@ FlowHistory follow_flow(const dem::FlowCase<Dim>& flow, const std::vector<double
                         const dem::FlowOptions& options, int shape_interval) {
   FlowHistory history{};
   const auto begin = std::chrono::steady_clock::now();
-  history.record = dem::follow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
-    if (shape_interval > 0 && history.moments.size() % static_cast<std::size_t>(shape_interval) == 0) {
-      history.shapes.push_back(shape_of(flow.chain, time, state.poses));
-    }
-    history.moments.push_back(moment_of(flow.chain, time, state));
-  });
+  history.record =
+      dem::follow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
+        if (shape_interval > 0 && history.moments.size() % static_cast<std::size_t>(shape_interval) == 0) {
+          history.shapes.push_back(shape_of(flow.chain, time, state.poses));
+        }
+        history.moments.push_back(moment_of(flow.chain, time, state));
+      });
   history.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return history;
 }
 
-template FlowHistory follow_flow<2>(const dem::FlowCase<2>&, const std::vector<double>&, const dem::FlowOptions&, int);
-template FlowHistory follow_flow<3>(const dem::FlowCase<3>&, const std::vector<double>&, const dem::FlowOptions&, int);
+template FlowHistory follow_flow<2>(const dem::FlowCase<2>&, const std::vector<double>&,
+                                    const dem::FlowOptions&, int);
+template FlowHistory follow_flow<3>(const dem::FlowCase<3>&, const std::vector<double>&,
+                                    const dem::FlowOptions&, int);
 
 }  // namespace fiberchain::compare

@@ -37,8 +37,8 @@ struct FlowHistory {
 /// From 0 to `duration`, that many intervals apart.
 std::vector<double> even_times(double duration, int intervals);
 
-/// Follows the fiber; the shape of every `shape_interval`-th moment is kept, none with 0. L is the length of the bonds.
-/// Throws as dem::follow.
+/// Follows the fiber; the shape of every `shape_interval`-th moment is kept, none with 0. L is the length of
+/// the bonds. Throws as dem::follow.
 template <int Dim>
 FlowHistory follow_flow(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
                         const dem::FlowOptions& options, int shape_interval = 0);

@@ -51,8 +51,10 @@ FlowHistory run_inertia(const InertiaCase& c, double strain, int intervals, bool
   if (c.stokes > 0) fiber.material.density = density_of(c.stokes, viscosity, dem::sphere_radius(fiber));
   dem::io::FlowStart start;
   start.direction = Dim == 2 ? Triple{0, 1, 0} : Triple{0, std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2};
-  FlowHistory history = follow_flow<Dim>({dem::straight_chain<Dim>(fiber), start_poses<Dim>(fiber, start),
-                                          {viscosity, {dem::simple_shear(1)}}, {}},
+  FlowHistory history = follow_flow<Dim>({dem::straight_chain<Dim>(fiber),
+                                          start_poses<Dim>(fiber, start),
+                                          {viscosity, {dem::simple_shear(1)}},
+                                          {}},
                                          even_times(strain, intervals),
                                          {.method = c.method, .tolerance = c.tolerance}, shapes ? 1 : 0);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
@@ -63,8 +65,9 @@ double inertia_distance(const InertiaCase& c) {
   const double strain = 10;
   const int intervals = 100;
   const FlowHistory with = run_inertia<2>(c, strain, intervals, true);
-  const FlowHistory without = run_inertia<2>(
-      {.spheres = c.spheres, .elasto_viscous = c.elasto_viscous, .tolerance = 1e-10}, strain, intervals, true);
+  const FlowHistory without =
+      run_inertia<2>({.spheres = c.spheres, .elasto_viscous = c.elasto_viscous, .tolerance = 1e-10}, strain,
+                     intervals, true);
   double largest = 0;
   for (std::size_t i = 0; i < with.shapes.size(); ++i) {
     for (std::size_t k = 0; k < with.shapes[i].spheres.size(); ++k) {
@@ -79,14 +82,16 @@ double orbit_drift(const InertiaCase& c, double orbits) {
   const double r_e = reference::free_draining_aspect_ratio(c.spheres);
   const FlowHistory history = run_inertia<3>(c, orbits * reference::jeffery_period(r_e, 1), 1);
   return reference::orbit_constant(r_e, history.moments.back().direction) /
-             reference::orbit_constant(r_e, history.moments.front().direction) - 1;
+             reference::orbit_constant(r_e, history.moments.front().direction) -
+         1;
 }
 
 FlowStudy inertia_study(const OrbitOptions& options) {
   using enum dem::FlowMethod;
   std::vector<InertiaCase> cases;
   for (const auto method : {cvode, leapfrog}) {
-    for (const double stokes : kStokes) cases.push_back({.stokes = stokes, .method = method, .tolerance = 1e-8});
+    for (const double stokes : kStokes)
+      cases.push_back({.stokes = stokes, .method = method, .tolerance = 1e-8});
   }
   std::vector<double> distance(cases.size()), drift(cases.size(), std::numeric_limits<double>::quiet_NaN());
   parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
@@ -94,17 +99,19 @@ FlowStudy inertia_study(const OrbitOptions& options) {
     if (cases[i].method == leapfrog) drift[i] = orbit_drift(cases[i], 1);
   });
   const double without = orbit_drift({.tolerance = 1e-11}, 1);
-  FlowStudy study{Table({"aspect_ratio", "spheres", "elasto_viscous", "flow_method", "stokes", "inertia_distance", "order",
-                         "orbit_drift", "orbit_drift_inertialess"})};
-  Figure figure{"What inertia does to a fiber of 21 spheres in shear", {"Stokes number {/:Italic m} rate/(6{/Symbol p m}{/:Italic R})", true},
-                {"distance/{/:Italic L}; change of C in an orbit", true}, {}};
+  FlowStudy study{Table({"aspect_ratio", "spheres", "elasto_viscous", "flow_method", "stokes",
+                         "inertia_distance", "order", "orbit_drift", "orbit_drift_inertialess"})};
+  Figure figure{"What inertia does to a fiber of 21 spheres in shear",
+                {"Stokes number {/:Italic m} rate/(6{/Symbol p m}{/:Italic R})", true},
+                {"distance/{/:Italic L}; change of C in an orbit", true},
+                {}};
   Series by_cvode{"places, cvode", {}, {}}, by_leapfrog{"places, leapfrog", {}, {}, Mark::points},
       drifts{"C, leapfrog", {}, {}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const bool first = i % std::size(kStokes) == 0;
-    const double order = first ? std::numeric_limits<double>::quiet_NaN()
-                               : std::log(distance[i] / distance[i - 1]) /
-                                     std::log(cases[i].stokes / cases[i - 1].stokes);
+    const double order =
+        first ? std::numeric_limits<double>::quiet_NaN()
+              : std::log(distance[i] / distance[i - 1]) / std::log(cases[i].stokes / cases[i - 1].stokes);
     study.table.append({{"aspect_ratio", std::int64_t{cases[i].spheres - 1}},
                         {"spheres", std::int64_t{cases[i].spheres}},
                         {"elasto_viscous", cases[i].elasto_viscous},

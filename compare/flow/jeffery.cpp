@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "compare/flow/study.hpp"
@@ -33,16 +33,20 @@ JefferyRun measured(OrbitPoint point, double bounded) {
   return run;
 }
 
-/// A point of the unit sphere as it is drawn: seen from above the x-z plane, x to the right, z (vorticity) up.
+/// A point of the unit sphere as it is drawn: seen from above the x-z plane, x to the right, z (vorticity)
+/// up.
 std::pair<double, double> drawn(const Triple& p) {
   const double a = 0.45, b = 0.35;  // azimuth and height of the view
-  const double right = p[0] * std::cos(a) - p[1] * std::sin(a), deep = p[0] * std::sin(a) + p[1] * std::cos(a);
+  const double right = p[0] * std::cos(a) - p[1] * std::sin(a),
+               deep = p[0] * std::sin(a) + p[1] * std::cos(a);
   return {right, p[2] * std::cos(b) + deep * std::sin(b)};
 }
 
 Figure sphere_figure(const std::vector<JefferyRun>& runs) {
   Figure figure{"Orbits of a chain of 11 spheres on the unit sphere, free draining",
-                {"flow, seen aslant"}, {"vorticity, seen aslant"}, {}};
+                {"flow, seen aslant"},
+                {"vorticity, seen aslant"},
+                {}};
   figure.equal_axes = true;
   figure.legend_title = "C/(1 + C)";
   int color = 0;
@@ -68,16 +72,17 @@ Figure sphere_figure(const std::vector<JefferyRun>& runs) {
   }
   Series rim{"", {}, {}, Mark::line, Dash::dotted, 6};
   for (int i = 0; i <= 200; ++i) {
-    rim.x.push_back(std::cos(std::numbers::pi * i / 100)), rim.y.push_back(std::sin(std::numbers::pi * i / 100));
+    rim.x.push_back(std::cos(std::numbers::pi * i / 100)),
+        rim.y.push_back(std::sin(std::numbers::pi * i / 100));
   }
   figure.series.push_back(std::move(rim));
   return figure;
 }
 
 Table table_of(const std::vector<JefferyRun>& runs) {
-  Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "orbit_constant", "orbits", "period",
-               "period_jeffery", "period_error", "direction_error", "orbit_constant_drift", "bending_angle", "steps",
-               "run_time", "status"});
+  Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "orbit_constant", "orbits",
+               "period", "period_jeffery", "period_error", "direction_error", "orbit_constant_drift",
+               "bending_angle", "steps", "run_time", "status"});
   for (const JefferyRun& run : runs) {
     const OrbitCase& c = run.point.asked;
     const double period = reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
@@ -106,18 +111,27 @@ std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const std::vect
                                      const OrbitOptions& options) {
   std::vector<OrbitCase> cases;
   for (const double bounded : constants) {
-    cases.push_back({.spheres = spheres, .direction = start_direction(bounded), .turns = orbits, .tolerance = 1e-10, .spatial = true});
+    cases.push_back({.spheres = spheres,
+                     .direction = start_direction(bounded),
+                     .turns = orbits,
+                     .interval = orbits > 10 ? 0.4 : 0.1,
+                     .tolerance = 1e-10,
+                     .spatial = true});
   }
   std::vector<OrbitPoint> points = orbit_points(cases, options);
   std::vector<JefferyRun> runs;
-  for (std::size_t i = 0; i < points.size(); ++i) runs.push_back(measured(std::move(points[i]), constants[i]));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    runs.push_back(measured(std::move(points[i]), constants[i]));
   return runs;
 }
 
 FlowStudy jeffery_study(const OrbitOptions& options) {
   const std::vector<JefferyRun> runs = jeffery_runs(11, 100, kOrbitConstants, options);
-  const auto failed = std::ranges::count_if(runs, [](const JefferyRun& r) { return std::isnan(r.point.period); });
-  return {.table = table_of(runs), .figures = {{"shear-sphere", sphere_figure(runs)}}, .failed = static_cast<int>(failed)};
+  const auto failed =
+      std::ranges::count_if(runs, [](const JefferyRun& r) { return std::isnan(r.point.period); });
+  return {.table = table_of(runs),
+          .figures = {{"shear-sphere", sphere_figure(runs)}},
+          .failed = static_cast<int>(failed)};
 }
 
 }  // namespace fiberchain::compare

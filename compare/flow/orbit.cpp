@@ -28,7 +28,9 @@ FlowHistory followed(const OrbitCase& c) {
 OrbitPoint point_of(OrbitCase c) {
   const double length = std::hypot(c.direction[0], c.direction[1], c.direction[2]);
   for (double& part : c.direction) part /= length;
-  OrbitPoint point{.asked = c, .history = c.direction[2] == 0 && !c.spatial ? followed<2>(c) : followed<3>(c), .status = "finished"};
+  OrbitPoint point{.asked = c,
+                   .history = c.direction[2] == 0 && !c.spatial ? followed<2>(c) : followed<3>(c),
+                   .status = "finished"};
   if (!point.history.record.failure.empty()) point.status = point.history.record.failure;
   point.period = orbit_period(point.history.moments);
   for (const FlowMoment& m : point.history.moments) {

@@ -9,17 +9,18 @@
 // Orbits of chains in simple shear u = rate (y, 0, 0), stiff enough to be held against Jeffery's.
 namespace fiberchain::compare {
 
-/// A straight chain let go in shear. Everything is dimensionless: the result does not depend on E, d and viscosity.
+/// A straight chain let go in shear. Everything is dimensionless: the result does not depend on E, d and
+/// viscosity.
 struct OrbitCase {
   int spheres = 11;
   dem::Hydrodynamics hydrodynamics = dem::Hydrodynamics::free_draining;
-  Triple direction = {0, 1, 0};   ///< of the fiber at the start; with z = 0 the chain is planar
-  double elasto_viscous = 0.01;   ///< 3 pi mu rate L^4/(E I)
-  double turns = 0.5;             ///< how long, in periods of the free-draining chain, and a quarter more
-  double interval = 0.1;          ///< strain between samples
+  Triple direction = {0, 1, 0};  ///< of the fiber at the start; with z = 0 the chain is planar
+  double elasto_viscous = 0.01;  ///< 3 pi mu rate L^4/(E I)
+  double turns = 0.5;            ///< how long, in periods of the free-draining chain, and a quarter more
+  double interval = 0.1;         ///< strain between samples
   double tolerance = 1e-9;
   double poisson_ratio = 0.3;
-  bool spatial = false;           ///< in space even in the plane z = 0
+  bool spatial = false;  ///< in space even in the plane z = 0
 };
 
 struct OrbitPoint {

@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 #include "compare/flow/study.hpp"
@@ -64,8 +64,9 @@ NamedRow row_of(const OrbitPoint& p) {
 
 Table table_of(const Points& points) {
   Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "period", "period_rigid",
-               "period_error", "period_jeffery", "period_cox", "period_goldsmith_mason", "period_harris_pittman", "period_zhang", "over_cox",
-               "over_goldsmith_mason", "bending_angle", "steps", "run_time", "status"});
+               "period_error", "period_jeffery", "period_cox", "period_goldsmith_mason",
+               "period_harris_pittman", "period_zhang", "over_cox", "over_goldsmith_mason", "bending_angle",
+               "steps", "run_time", "status"});
   for (const OrbitPoint& p : points) table.append(row_of(p));
   return table;
 }
@@ -76,10 +77,9 @@ using Transform = std::function<double(double period, double spheres)>;
 std::vector<Series> series_of(const Points& points, const Transform& y) {
   using dem::Hydrodynamics;
   std::vector<Series> all;
-  for (const auto& [hydrodynamics, label] :
-       {std::pair{Hydrodynamics::free_draining, "free draining"},
-        {Hydrodynamics::interactions, "interactions"},
-        {Hydrodynamics::stresslets, "stresslets"}}) {
+  for (const auto& [hydrodynamics, label] : {std::pair{Hydrodynamics::free_draining, "free draining"},
+                                             {Hydrodynamics::interactions, "interactions"},
+                                             {Hydrodynamics::stresslets, "stresslets"}}) {
     Series s{label, {}, {}, Mark::points};
     for (const OrbitPoint& p : points) {
       if (p.asked.hydrodynamics != hydrodynamics) continue;
@@ -93,7 +93,8 @@ std::vector<Series> series_of(const Points& points, const Transform& y) {
     for (double r = 2; r <= 101; r *= 1.03) s.x.push_back(r), s.y.push_back(y(value(r), r));
     all.push_back(std::move(s));
   };
-  add("Jeffery, exact", Dash::solid, 0, [](double r) { return reference::jeffery_period(std::sqrt((r * r + 1) / 2), 1); });
+  add("Jeffery, exact", Dash::solid, 0,
+      [](double r) { return reference::jeffery_period(std::sqrt((r * r + 1) / 2), 1); });
   int place = 1;
   for (const auto hydrodynamics : {Hydrodynamics::interactions, Hydrodynamics::stresslets}) {
     Series s{"", {}, {}, Mark::line, Dash::solid, place++};
@@ -133,7 +134,8 @@ std::vector<OrbitCase> period_cases(const PeriodSweep& sweep) {
     for (const int N : spheres) {
       // as stiff as not to bend: mu rate/E below 1e-6
       const double stiff = std::clamp(1e-3 * N * N * N, 0.01, 1.0);
-      cases.push_back({.spheres = N, .hydrodynamics = hydrodynamics, .elasto_viscous = stiff, .tolerance = tolerance});
+      cases.push_back(
+          {.spheres = N, .hydrodynamics = hydrodynamics, .elasto_viscous = stiff, .tolerance = tolerance});
     }
   };
   add(Hydrodynamics::free_draining, sweep.spheres, 1e-10);

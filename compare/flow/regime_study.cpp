@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "compare/flow/regimes.hpp"
@@ -18,8 +18,8 @@ constexpr int kFrames = 9;
 
 Table table_of(const std::vector<RegimePoint>& points) {
   Table table({"aspect_ratio", "spheres", "elasto_viscous", "regime", "end_to_end_least", "gradient_extent",
-               "direction_span", "stretch", "inflections", "half_turns", "axis_half_turns", "period", "run_time",
-               "status"});
+               "direction_span", "stretch", "inflections", "half_turns", "axis_half_turns", "period",
+               "run_time", "status"});
   for (const RegimePoint& p : points) {
     table.append({{"aspect_ratio", std::int64_t{p.asked.spheres - 1}},
                   {"spheres", std::int64_t{p.asked.spheres}},
@@ -42,7 +42,8 @@ Table table_of(const std::vector<RegimePoint>& points) {
 Figure extent_figure(const std::vector<RegimePoint>& points) {
   Figure figure{"Fibers that turn over in shear, free draining: how far they bend",
                 {"3{/Symbol p m} rate {/:Italic L}^4/{/:Italic EI}", true},
-                {"least end-to-end distance/{/:Italic L}"}, {}};
+                {"least end-to-end distance/{/:Italic L}"},
+                {}};
   for (const int N : kSpheres) {
     Series s{fmt::format("N = {}", N), {}, {}};
     for (const RegimePoint& p : points) {
@@ -55,12 +56,17 @@ Figure extent_figure(const std::vector<RegimePoint>& points) {
 
 /// A row of shapes in time for each regime, the stiffest above.
 Figure shapes_figure(const std::vector<RegimePoint>& points) {
-  Figure figure{fmt::format("How a fiber of {} spheres turns over in shear; time runs from left to right", kDrawn), {""}, {""}, {}};
+  Figure figure{
+      fmt::format("How a fiber of {} spheres turns over in shear; time runs from left to right", kDrawn),
+      {""},
+      {""},
+      {}};
   figure.equal_axes = true;
   figure.legend_title = "3{/Symbol p m} rate {/:Italic L}^4/{/:Italic EI}";
   double y = 0;
   int color = 0;
-  for (const Regime regime : {Regime::rigid, Regime::springy, Regime::c_shaped, Regime::snake_turn, Regime::coil}) {
+  for (const Regime regime :
+       {Regime::rigid, Regime::springy, Regime::c_shaped, Regime::snake_turn, Regime::coil}) {
     // one of the stiffer cases of the regime
     std::vector<const RegimePoint*> those;
     for (const RegimePoint& p : points) {
@@ -69,20 +75,23 @@ Figure shapes_figure(const std::vector<RegimePoint>& points) {
     if (those.empty()) continue;
     const RegimePoint& p = *those[those.size() / 3];
     for (int k = 0; k < kFrames; ++k) {
-      const FlowShape& shape = p.turning[static_cast<std::size_t>(k) * (p.turning.size() - 1) / (kFrames - 1)];
+      const FlowShape& shape =
+          p.turning[static_cast<std::size_t>(k) * (p.turning.size() - 1) / (kFrames - 1)];
       double mean_x = 0, mean_y = 0;
       for (const Triple& at : shape.spheres) {
         mean_x += at[0] / static_cast<double>(shape.spheres.size());
         mean_y += at[1] / static_cast<double>(shape.spheres.size());
       }
-      Series s{k == 0 ? fmt::format("{:g}", p.asked.elasto_viscous) : "", {}, {}, Mark::line, Dash::solid, color};
+      Series s{
+          k == 0 ? fmt::format("{:g}", p.asked.elasto_viscous) : "", {}, {}, Mark::line, Dash::solid, color};
       for (const Triple& at : shape.spheres) {
         s.x.push_back(at[0] - mean_x + 1.05 * k), s.y.push_back(at[1] - mean_y - y);
       }
       figure.series.push_back(std::move(s));
     }
-    figure.annotations.push_back({fmt::format("{}, strain {:.1f}", name(regime), p.turning.back().time - p.turning.front().time),
-                                  -0.5, -y + 0.55});
+    figure.annotations.push_back(
+        {fmt::format("{}, strain {:.1f}", name(regime), p.turning.back().time - p.turning.front().time), -0.5,
+         -y + 0.55});
     y += 1.15;
     ++color;
   }
@@ -101,7 +110,8 @@ FlowStudy regime_study(const OrbitOptions& options) {
     }
   }
   const std::vector<RegimePoint> points = regime_points(cases, options);
-  const auto failed = std::ranges::count_if(points, [](const RegimePoint& p) { return p.status != "finished"; });
+  const auto failed =
+      std::ranges::count_if(points, [](const RegimePoint& p) { return p.status != "finished"; });
   return {.table = table_of(points),
           .figures = {{"shear-regimes", extent_figure(points)}, {"shear-shapes", shapes_figure(points)}},
           .failed = static_cast<int>(failed)};

@@ -15,7 +15,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double unwrapped(double angle, double before, double turn) { return angle + turn * std::round((before - angle) / turn); }
+double unwrapped(double angle, double before, double turn) {
+  return angle + turn * std::round((before - angle) / turn);
+}
 
 /// Directions of the bonds in the x-y plane, without jumps.
 std::vector<double> directions(const FlowShape& shape) {
@@ -54,7 +56,8 @@ double long_axis(const FlowShape& shape) {
   return std::atan2(2 * xy, xx - yy) / 2;
 }
 
-/// Changes of sign of the bends that are more than a fifth of the largest; none in a fiber that is as good as straight.
+/// Changes of sign of the bends that are more than a fifth of the largest; none in a fiber that is as good as
+/// straight.
 int inflections(const std::vector<double>& directions) {
   double largest = 0;
   for (std::size_t i = 1; i < directions.size(); ++i) {
@@ -81,7 +84,8 @@ FlowHistory followed(const RegimeCase& c) {
   start.bend_direction = {-0.05 / length, -1 / length, 0};
   start.bend = c.bend;
   start.s_bend = c.bend / 3;
-  const double strain = c.turns * reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
+  const double strain =
+      c.turns * reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
   return follow_flow<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
                         even_times(strain, static_cast<int>(20 * strain)), {.tolerance = c.tolerance}, 1);
 }

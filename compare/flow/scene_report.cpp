@@ -1,8 +1,8 @@
 #include "compare/flow/scene_report.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 #include "compare/flow/setup.hpp"
@@ -63,45 +63,65 @@ double scene_aspect_ratio(const FlowScene& scene) {
 }
 
 Table flow_table(const FlowScene& scene, const FlowHistory& history) {
-  Table table({"aspect_ratio", "spheres", "poisson_ratio", "bond", "form", "dimension", "bond_damping", "hydrodynamics",
-               "flow_method", "elasto_viscous", "strain", "period", "orbit_constant", "orbit_constant_last",
-               "end_to_end_least", "bending_angle", "time_step", "steps", "bond_evaluations", "linear_solves",
-               "factorizations", "run_time", "status"});
+  Table table({"aspect_ratio",
+               "spheres",
+               "poisson_ratio",
+               "bond",
+               "form",
+               "dimension",
+               "bond_damping",
+               "hydrodynamics",
+               "flow_method",
+               "elasto_viscous",
+               "strain",
+               "period",
+               "orbit_constant",
+               "orbit_constant_last",
+               "end_to_end_least",
+               "bending_angle",
+               "time_step",
+               "steps",
+               "bond_evaluations",
+               "linear_solves",
+               "factorizations",
+               "run_time",
+               "status"});
   const double r_e = scene_aspect_ratio(scene);
   const auto& work = history.record.work;
   const auto constant = [&](const auto& moments, bool last) {
     return moments.empty() ? nan
                            : orbit_constant(scene, r_e, (last ? moments.back() : moments.front()).direction);
   };
-  table.append({{"aspect_ratio", scene.fiber.aspect_ratio},
-                {"spheres", scene.fiber.aspect_ratio + 1},
-                {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
-                {"bond", std::string(name(scene.fiber.bond_model))},
-                {"form", std::string(name(scene.motion.form))},
-                {"dimension", std::string(name(scene.dimension))},
-                {"bond_damping", scene.fiber.bond_damping},
-                {"hydrodynamics", std::string(name(scene.fluid.hydrodynamics))},
-                {"flow_method", std::string(name(scene.motion.method))},
-                {"elasto_viscous", elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate)},
-                {"strain", history.record.reached * scene.rate},
-                {"period", known(orbit_period(history.moments) * scene.rate)},
-                {"orbit_constant", known(constant(history.moments, false))},
-                {"orbit_constant_last", known(constant(history.moments, true))},
-                {"end_to_end_least", known(least(history, [](const FlowMoment& m) { return m.end_to_end; }))},
-                {"bending_angle", known(-least(history, [](const FlowMoment& m) { return -m.bending_angle; }))},
-                {"time_step", history.record.time_step},
-                {"steps", static_cast<std::int64_t>(work.steps)},
-                {"bond_evaluations", static_cast<std::int64_t>(work.bond_evaluations)},
-                {"linear_solves", static_cast<std::int64_t>(work.linear_solves)},
-                {"factorizations", static_cast<std::int64_t>(work.factorizations)},
-                {"run_time", history.run_time},
-                {"status", status_of(history)}});
+  table.append(
+      {{"aspect_ratio", scene.fiber.aspect_ratio},
+       {"spheres", scene.fiber.aspect_ratio + 1},
+       {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+       {"bond", std::string(name(scene.fiber.bond_model))},
+       {"form", std::string(name(scene.motion.form))},
+       {"dimension", std::string(name(scene.dimension))},
+       {"bond_damping", scene.fiber.bond_damping},
+       {"hydrodynamics", std::string(name(scene.fluid.hydrodynamics))},
+       {"flow_method", std::string(name(scene.motion.method))},
+       {"elasto_viscous", elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate)},
+       {"strain", history.record.reached * scene.rate},
+       {"period", known(orbit_period(history.moments) * scene.rate)},
+       {"orbit_constant", known(constant(history.moments, false))},
+       {"orbit_constant_last", known(constant(history.moments, true))},
+       {"end_to_end_least", known(least(history, [](const FlowMoment& m) { return m.end_to_end; }))},
+       {"bending_angle", known(-least(history, [](const FlowMoment& m) { return -m.bending_angle; }))},
+       {"time_step", history.record.time_step},
+       {"steps", static_cast<std::int64_t>(work.steps)},
+       {"bond_evaluations", static_cast<std::int64_t>(work.bond_evaluations)},
+       {"linear_solves", static_cast<std::int64_t>(work.linear_solves)},
+       {"factorizations", static_cast<std::int64_t>(work.factorizations)},
+       {"run_time", history.run_time},
+       {"status", status_of(history)}});
   return table;
 }
 
 Table flow_history_table(const FlowScene& scene, const FlowHistory& history) {
-  Table table({"strain", "direction_x", "direction_y", "direction_z", "orbit_constant", "end_to_end", "bending_energy",
-               "bending_angle", "center_x", "center_y", "center_z"});
+  Table table({"strain", "direction_x", "direction_y", "direction_z", "orbit_constant", "end_to_end",
+               "bending_energy", "bending_angle", "center_x", "center_y", "center_z"});
   const double r_e = scene_aspect_ratio(scene);
   for (const FlowMoment& m : history.moments) {
     table.append({{"strain", m.time * scene.rate},
@@ -133,11 +153,13 @@ Table flow_shapes_table(const FlowScene& scene, const FlowHistory& history) {
   return table;
 }
 
-std::vector<std::pair<std::string, Figure>> flow_scene_figures(const FlowScene& scene, const FlowHistory& history) {
-  const std::string what = fmt::format("r_f = {}, 3{{/Symbol p m}}|{{/:Italic A}}|{{/:Italic L}}^4/{{/:Italic EI}} = {:.4g}",
-                                       scene.fiber.aspect_ratio,
-                                       elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate));
-  Figure shapes{"Shapes of the fiber, " + what, {"{/:Italic x}/{/:Italic L}"}, {"{/:Italic y}/{/:Italic L}"}, {}};
+std::vector<std::pair<std::string, Figure>> flow_scene_figures(const FlowScene& scene,
+                                                               const FlowHistory& history) {
+  const std::string what = fmt::format(
+      "r_f = {}, 3{{/Symbol p m}}|{{/:Italic A}}|{{/:Italic L}}^4/{{/:Italic EI}} = {:.4g}",
+      scene.fiber.aspect_ratio, elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate));
+  Figure shapes{
+      "Shapes of the fiber, " + what, {"{/:Italic x}/{/:Italic L}"}, {"{/:Italic y}/{/:Italic L}"}, {}};
   shapes.legend_title = "strain";
   shapes.ordered = shapes.equal_axes = true;
   const std::size_t labeled = std::max<std::size_t>(1, (history.shapes.size() + 11) / 12);
@@ -155,7 +177,8 @@ std::vector<std::pair<std::string, Figure>> flow_scene_figures(const FlowScene& 
   };
   add("p_x", [](const FlowMoment& m) { return m.direction[0]; });
   add("p_y", [](const FlowMoment& m) { return m.direction[1]; });
-  if (scene.dimension == dem::io::Dimension::spatial) add("p_z", [](const FlowMoment& m) { return m.direction[2]; });
+  if (scene.dimension == dem::io::Dimension::spatial)
+    add("p_z", [](const FlowMoment& m) { return m.direction[2]; });
   add("end to end/{/:Italic L}", [](const FlowMoment& m) { return m.end_to_end; });
   return {{"-shapes", std::move(shapes)}, {"-history", std::move(turning)}};
 }

@@ -15,7 +15,8 @@ namespace fiberchain::compare {
 /// Throws dem::InvalidInput.
 FlowHistory run_flow(const dem::io::FlowScene& scene);
 
-/// Equivalent aspect ratio r_e of the rigid chain, by which orbit constants are taken; NaN beyond 500 spheres that interact.
+/// Equivalent aspect ratio r_e of the rigid chain, by which orbit constants are taken; NaN beyond 500 spheres
+/// that interact.
 double scene_aspect_ratio(const dem::io::FlowScene& scene);
 
 /// One row: what was asked, period, orbit constant, bending and what it took.

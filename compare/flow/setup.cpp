@@ -12,7 +12,8 @@ using Triple = std::array<double, 3>;
 
 double hydrodynamic_length(const dem::Fiber& fiber) { return fiber.diameter * (fiber.aspect_ratio + 1); }
 
-/// Slope of the start's curve at xi from -1 to 1 along the fiber: a (1 - xi^2) + b (5 xi^3 - 3 xi)/2 over the length 2.
+/// Slope of the start's curve at xi from -1 to 1 along the fiber: a (1 - xi^2) + b (5 xi^3 - 3 xi)/2 over the
+/// length 2.
 double slope(const dem::io::FlowStart& start, double xi) {
   return 2 * (-2 * start.bend * xi + start.s_bend * (7.5 * xi * xi - 1.5));
 }
@@ -33,11 +34,13 @@ double orientation(const dem::io::FlowStart& start, const dem::Vec<double, 2>&, 
 }
 
 /// The x axis turned into the fiber's line (by way of -x where that is nearer), then by the slope.
-dem::Quaternion<double> orientation(const dem::io::FlowStart& start, const dem::Vec<double, 3>&, double angle) {
+dem::Quaternion<double> orientation(const dem::io::FlowStart& start, const dem::Vec<double, 3>&,
+                                    double angle) {
   const dem::Vec<double, 3> p{start.direction[0], start.direction[1], start.direction[2]},
       n{start.bend_direction[0], start.bend_direction[1], start.bend_direction[2]},
       x{std::copysign(1.0, p[0]), 0, 0};
-  const dem::Quaternion<double> first = p[0] < 0 ? dem::Quaternion<double>{0, {0, 0, 1}} : dem::Quaternion<double>{1, {}};
+  const dem::Quaternion<double> first =
+      p[0] < 0 ? dem::Quaternion<double>{0, {0, 0, 1}} : dem::Quaternion<double>{1, {}};
   const auto line = dem::normalized(dem::Quaternion<double>{1 + std::abs(p[0]), dem::cross(x, p)}) * first;
   return dem::rotation(angle * dem::cross(p, n)) * line;
 }

@@ -3,7 +3,8 @@
 #include "dem/flow/follow.hpp"
 #include "dem/io/scene.hpp"
 
-// Fibers in a flow by their dimensionless numbers. L = 2RN here: the spheres' whole length, which is what the fluid acts on.
+// Fibers in a flow by their dimensionless numbers. L = 2RN here: the spheres' whole length, which is what the
+// fluid acts on.
 namespace fiberchain::compare {
 
 /// The nominal fiber of that many spheres, r_f = N - 1. Throws dem::InvalidInput unless spheres >= 2.
@@ -15,8 +16,8 @@ double elasto_viscous_number(const dem::Fiber& fiber, double viscosity, double r
 /// The viscosity [Pa s] that gives that number.
 double viscosity_of(const dem::Fiber& fiber, double elasto_viscous, double rate);
 
-/// The straight fiber's spheres on the start's curve, center of mass at the origin. Bonds keep their length: their angle to
-/// the line is the curve's slope, which is exact as the bend vanishes.
+/// The straight fiber's spheres on the start's curve, center of mass at the origin. Bonds keep their length:
+/// their angle to the line is the curve's slope, which is exact as the bend vanishes.
 template <int Dim>
 dem::Poses<Dim> start_poses(const dem::Fiber& fiber, const dem::io::FlowStart& start);
 

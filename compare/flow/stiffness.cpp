@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 #include "compare/flow/study.hpp"
@@ -9,11 +9,12 @@
 
 namespace fiberchain::compare {
 
-std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<double>& ratios, const OrbitOptions& options) {
+std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<double>& ratios,
+                                             const OrbitOptions& options) {
   std::vector<OrbitCase> cases;
   for (const double ratio : ratios) {
-    // 3 pi mu rate (2RN)^4/(E pi R^4/4) = 192 N^4 mu rate/E; the first half turn, of bonds that take up their load, is not
-    // measured
+    // 3 pi mu rate (2RN)^4/(E pi R^4/4) = 192 N^4 mu rate/E; the first half turn, of bonds that take up their
+    // load, is not measured
     cases.push_back({.spheres = spheres,
                      .elasto_viscous = 192 * std::pow(spheres, 4) * ratio,
                      .turns = 1,
@@ -23,11 +24,12 @@ std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<doub
   const double rigid = reference::jeffery_period(reference::free_draining_aspect_ratio(spheres), 1);
   std::vector<StiffnessPoint> points;
   for (const OrbitPoint& p : orbit_points(cases, options)) {
-    StiffnessPoint point{spheres, ratios[points.size()], p.period / rigid - 1, std::numeric_limits<double>::quiet_NaN()};
+    StiffnessPoint point{spheres, ratios[points.size()], p.period / rigid - 1,
+                         std::numeric_limits<double>::quiet_NaN()};
     if (!points.empty()) {
       const StiffnessPoint& before = points.back();
-      point.order =
-          std::log(point.correction / before.correction) / std::log(point.viscous_ratio / before.viscous_ratio);
+      point.order = std::log(point.correction / before.correction) /
+                    std::log(point.viscous_ratio / before.viscous_ratio);
     }
     points.push_back(point);
   }
@@ -36,13 +38,15 @@ std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<doub
 
 FlowStudy stiffness_study(const OrbitOptions& options) {
   Table table({"aspect_ratio", "spheres", "viscous_ratio", "elasto_viscous", "period_error", "order"});
-  Figure figure{"Period of a chain of finite stiffness over the rigid one's", {"{/Symbol m} rate/{/:Italic E}", true},
-                {"|period over the rigid chain's - 1|", true}, {}};
+  Figure figure{"Period of a chain of finite stiffness over the rigid one's",
+                {"{/Symbol m} rate/{/:Italic E}", true},
+                {"|period over the rigid chain's - 1|", true},
+                {}};
   FlowStudy study{std::move(table)};
   for (const int spheres : {2, 3, 5, 11}) {
     // up to where the chain of 11 buckles
-    const std::vector<double> ratios = spheres < 11 ? std::vector<double>{1e-4, 3e-4, 1e-3, 3e-3}
-                                                    : std::vector<double>{3e-5, 1e-4, 3e-4};
+    const std::vector<double> ratios =
+        spheres < 11 ? std::vector<double>{1e-4, 3e-4, 1e-3, 3e-3} : std::vector<double>{3e-5, 1e-4, 3e-4};
     Series s{fmt::format("N = {}", spheres), {}, {}};
     for (const StiffnessPoint& p : stiffness_points(spheres, ratios, options)) {
       study.table.append({{"aspect_ratio", std::int64_t{p.spheres - 1}},

@@ -35,13 +35,13 @@ FlowStudy period_study(const PeriodSweep& sweep, const OrbitOptions& options);
 /// Orbit constants in the plane and three out of it, as C/(1 + C).
 inline const std::vector<double> kOrbitConstants{0.2, 0.5, 0.8, 1};
 
-/// A stiff chain, in space, followed for that many orbits: distance from Jeffery's closed form and drift of the orbit
-/// constant.
+/// A stiff chain, in space, followed for that many orbits: distance from Jeffery's closed form and drift of
+/// the orbit constant.
 struct JefferyRun {
   OrbitPoint point;
-  double distance;    ///< largest |p - p_Jeffery| in the first orbit
-  double drift;       ///< largest relative change of C, or of |p_z| in the plane
-  double constant;    ///< C/(1 + C) at the start
+  double distance;  ///< largest |p - p_Jeffery| in the first orbit
+  double drift;     ///< largest relative change of C, or of |p_z| in the plane
+  double constant;  ///< C/(1 + C) at the start
 };
 std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const std::vector<double>& constants,
                                      const OrbitOptions& options);
@@ -54,7 +54,8 @@ struct StiffnessPoint {
   double correction;     ///< period over the rigid chain's - 1
   double order;          ///< from the row before; NaN in the first
 };
-std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<double>& ratios, const OrbitOptions& options);
+std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<double>& ratios,
+                                             const OrbitOptions& options);
 FlowStudy stiffness_study(const OrbitOptions& options);
 
 }  // namespace fiberchain::compare

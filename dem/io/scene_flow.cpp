@@ -25,14 +25,16 @@ void read_start(const Section& top, FlowScene& scene) {
   if (start.has("s_bend")) s.s_bend = start.number("s_bend", kBend);
   if (start.has("bend_direction")) {
     s.bend_direction = part_across(s.direction, read_direction(start, "bend_direction", scene.dimension));
-    if (s.bend_direction == std::array<double, 3>{}) start.fail("bend_direction", "must not lie along the fiber");
+    if (s.bend_direction == std::array<double, 3>{})
+      start.fail("bend_direction", "must not lie along the fiber");
   } else if (scene.dimension == Dimension::planar) {
     s.bend_direction = {-s.direction[1], s.direction[0], 0};
   } else if (s.bend != 0 || s.s_bend != 0) {
     start.fail("", "key 'bend_direction' is missing: in space a bend needs a direction across the fiber");
   } else {
-    s.bend_direction = part_across(s.direction, std::abs(s.direction[0]) < 0.7 ? std::array<double, 3>{1, 0, 0}
-                                                                                : std::array<double, 3>{0, 1, 0});
+    s.bend_direction =
+        part_across(s.direction, std::abs(s.direction[0]) < 0.7 ? std::array<double, 3>{1, 0, 0}
+                                                                : std::array<double, 3>{0, 1, 0});
   }
 }
 
@@ -71,23 +73,26 @@ double read_duration(const Section& top, double rate) {
 void check_together(const Section& top, const FlowScene& scene) {
   const FlowMethod method = scene.motion.method;
   if (scene.fluid.hydrodynamics != Hydrodynamics::free_draining && method != FlowMethod::inertialess) {
-    top.fail("fluid", "hydrodynamics: interactions and stresslets are built for method: inertialess; leapfrog and "
-                      "cvode have free_draining");
+    top.fail("fluid",
+             "hydrodynamics: interactions and stresslets are built for method: inertialess; leapfrog and "
+             "cvode have free_draining");
   }
   if (scene.motion.form == BondForm::incremental && method != FlowMethod::leapfrog) {
-    top.fail("bond", "form: incremental is built for method: leapfrog; inertialess and cvode have form: total");
+    top.fail("bond",
+             "form: incremental is built for method: leapfrog; inertialess and cvode have form: total");
   }
 }
 
 }  // namespace
 
 FlowScene read_flow(const Section& top) {
-  top.allow({"scene", "dimension", "fiber", "bond", "fluid", "start", "motion", "duration", "strain", "samples",
-             "shapes"});
+  top.allow({"scene", "dimension", "fiber", "bond", "fluid", "start", "motion", "duration", "strain",
+             "samples", "shapes"});
   FlowScene scene{};
   scene.dimension = read_dimension(top);
   scene.fiber = read_fiber(top);
-  if (top.has("bond")) read_bond(top.section("bond", {"model", "form", "damping"}), scene.fiber, scene.motion.form);
+  if (top.has("bond"))
+    read_bond(top.section("bond", {"model", "form", "damping"}), scene.fiber, scene.motion.form);
   check_fiber(top, scene.fiber);
   read_fluid(top, scene);
   read_start(top, scene);

@@ -37,7 +37,8 @@ void read_gradient(const Section& fluid, FlowScene& scene) {
     }
   }
   scene.rate = std::sqrt(sum);
-  if (!std::isnormal(scene.rate)) fluid.fail("gradient", "must not be zero, nor too large or small for a computer");
+  if (!std::isnormal(scene.rate))
+    fluid.fail("gradient", "must not be zero, nor too large or small for a computer");
 }
 
 void read_course(const Section& fluid, FlowScene& scene) {
@@ -64,14 +65,15 @@ Hydrodynamics read_hydrodynamics(const Section& fluid) {
 }  // namespace
 
 void read_fluid(const Section& top, FlowScene& scene) {
-  const Section fluid =
-      top.section("fluid", {"viscosity", "flow", "rate", "gradient", "course", "hydrodynamics", "compressible"});
+  const Section fluid = top.section(
+      "fluid", {"viscosity", "flow", "rate", "gradient", "course", "hydrodynamics", "compressible"});
   scene.fluid.viscosity = fluid.quantity("viscosity", "Pa s", kPositive);
   const bool named = fluid.one_of({"flow", "gradient"}) == "flow";
   named ? read_named(fluid, scene) : read_gradient(fluid, scene);
   if (fluid.has("course")) read_course(fluid, scene);
   if (fluid.has("hydrodynamics")) scene.fluid.hydrodynamics = read_hydrodynamics(fluid);
-  if (fluid.has("compressible")) scene.fluid.compressible = fluid.choice("compressible", {"false", "true"}) == 1;
+  if (fluid.has("compressible"))
+    scene.fluid.compressible = fluid.choice("compressible", {"false", "true"}) == 1;
   try {
     scene.dimension == Dimension::planar ? check<2>(scene.fluid) : check<3>(scene.fluid);
   } catch (const InvalidInput& error) {

@@ -8,6 +8,7 @@
 #include "compare/bench/count.hpp"
 #include "compare/bench/history_reference.hpp"
 #include "compare/bench/kernels.hpp"
+#include "compare/bench/problems.hpp"
 #include "compare/bench/skips.hpp"
 #include "compare/bench/static_reference.hpp"
 #include "compare/bench/tables.hpp"
@@ -230,4 +231,17 @@ BOOST_AUTO_TEST_CASE(the_runge_kutta_path_is_the_linear_mode_at_small_amplitude)
     BOOST_TEST(std::abs(path[i][1] - amplitude * std::exp(mode.eigenvalue * times[i]).real()) <
                1e-8 * amplitude);
   }
+}
+
+// Without inertia a fiber in shear is followed to its tolerance; with it the error is the Stokes number's.
+BOOST_AUTO_TEST_CASE(the_flow_problem_ranks_methods_by_the_orbit_constant) {
+  const compare::PrecisionProblem problem = compare::flow_problem({.quick = true});
+  BOOST_REQUIRE_EQUAL(problem.rows.size(), 4u);
+  for (const PrecisionRow& measured : problem.rows) BOOST_TEST(measured.status == compare::measured_status);
+  BOOST_TEST(problem.reference_error < 1e-5);
+  BOOST_TEST(problem.rows[1].error < problem.rows[0].error);
+  BOOST_TEST(problem.rows[1].error > 0);
+  const double order = std::log10(problem.rows[2].error / problem.rows[3].error);
+  BOOST_TEST(std::abs(order - 1) < 0.1);
+  BOOST_TEST(problem.rows[3].work.steps > 3 * problem.rows[2].work.steps);  // steps grow as 1/sqrt(Stokes number)
 }

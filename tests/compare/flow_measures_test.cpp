@@ -17,13 +17,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-dem::io::FlowStart bent(std::array<double, 3> along, std::array<double, 3> across, double bend, double s_bend) {
+dem::io::FlowStart bent(std::array<double, 3> along, std::array<double, 3> across, double bend,
+                        double s_bend) {
   return {along, bend, s_bend, across};
 }
 
 /// Jeffery's closed form as a history.
-std::vector<compare::FlowMoment> jeffery_history(double aspect_ratio, const reference::Direction& start, double strain,
-                                                 double interval) {
+std::vector<compare::FlowMoment> jeffery_history(double aspect_ratio, const reference::Direction& start,
+                                                 double strain, double interval) {
   const auto orbit = reference::jeffery_orbit(aspect_ratio, 1, start);
   const double Lambda = reference::bretherton_constant(aspect_ratio);
   std::vector<compare::FlowMoment> moments;
@@ -52,14 +53,17 @@ BOOST_AUTO_TEST_CASE(a_bent_start_keeps_bonds_and_center_and_has_the_height_aske
   // a parabola bends every bond alike and shears none
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const double bend = 8 * 0.01 / 40;
-  BOOST_TEST(std::abs(dem::elastic_energy<3>(chain, poses) / (40 * 0.5 * dem::bond_stiffness(fiber).bend * bend * bend) - 1) < 1e-6);
+  BOOST_TEST(std::abs(dem::elastic_energy<3>(chain, poses) /
+                          (40 * 0.5 * dem::bond_stiffness(fiber).bend * bend * bend) -
+                      1) < 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(planar_and_spatial_starts_agree_whichever_way_the_fiber_points) {
   const dem::Fiber fiber = compare::fiber_of_spheres(8);
   for (const double angle : {0.3, 1.9, -2.8, pi}) {
     for (const double side : {1.0, -1.0}) {
-      const auto start = bent({std::cos(angle), std::sin(angle), 0}, {-side * std::sin(angle), side * std::cos(angle), 0}, 0.03, -0.02);
+      const auto start = bent({std::cos(angle), std::sin(angle), 0},
+                              {-side * std::sin(angle), side * std::cos(angle), 0}, 0.03, -0.02);
       const auto flat = compare::start_poses<2>(fiber, start);
       const auto space = compare::start_poses<3>(fiber, start);
       const double energy = dem::elastic_energy<2>(dem::straight_chain<2>(fiber), flat);
@@ -68,7 +72,8 @@ BOOST_AUTO_TEST_CASE(planar_and_spatial_starts_agree_whichever_way_the_fiber_poi
         const auto a = dem::axis(flat[i]);
         const auto b = dem::axis(space[i]);
         BOOST_TEST(std::hypot(a[0] - b[0], a[1] - b[1], b[2]) < 1e-12);
-        BOOST_TEST(std::hypot(flat[i].position[0] - space[i].position[0], flat[i].position[1] - space[i].position[1]) < 1e-15);
+        BOOST_TEST(std::hypot(flat[i].position[0] - space[i].position[0],
+                              flat[i].position[1] - space[i].position[1]) < 1e-15);
       }
     }
   }
@@ -90,9 +95,11 @@ BOOST_AUTO_TEST_CASE(half_turns_of_jefferys_closed_form_are_found_to_the_order_o
     const auto times = compare::half_turns(moments);
     BOOST_REQUIRE_EQUAL(times.size(), 3u);
     double worst = 0;
-    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(times[k] - static_cast<double>(k + 1) * half));
+    for (std::size_t k = 0; k < 3; ++k)
+      worst = std::max(worst, std::abs(times[k] - static_cast<double>(k + 1) * half));
     BOOST_TEST(worst < (interval == 0.2 ? 2e-4 : 2e-5));
-    if (before > 0) BOOST_TEST(before / worst > 4);  // at least second order where crossings fall anywhere between
+    if (before > 0)
+      BOOST_TEST(before / worst > 4);  // at least second order where crossings fall anywhere between
     before = worst;
     BOOST_TEST(std::abs(compare::orbit_period(moments) / (2 * half) - 1) < 1e-5);
   }
@@ -102,7 +109,13 @@ BOOST_AUTO_TEST_CASE(phases_run_on_and_either_way) {
   std::vector<compare::FlowMoment> moments;
   for (int i = 0; i <= 100; ++i) {
     const double angle = 1 - 0.17 * i;
-    moments.push_back({0.5 * i, {std::sin(angle), std::cos(angle), 0}, {-0.34 * std::cos(angle), 0.34 * std::sin(angle), 0}, {}, 1, 0, 0});
+    moments.push_back({0.5 * i,
+                       {std::sin(angle), std::cos(angle), 0},
+                       {-0.34 * std::cos(angle), 0.34 * std::sin(angle), 0},
+                       {},
+                       1,
+                       0,
+                       0});
   }
   const auto phase = compare::phases(moments);
   BOOST_TEST(std::abs(phase.back() - (1 - 17.0)) < 1e-12);

@@ -21,7 +21,8 @@ BOOST_AUTO_TEST_CASE(periods_of_odd_chains_are_jefferys) {
   }
   for (const auto& p : compare::orbit_points(cases)) {
     const double exact = reference::jeffery_period(reference::free_draining_aspect_ratio(p.asked.spheres), 1);
-    BOOST_TEST(std::abs(p.period / exact - 1) < 1e-5, "N = " << p.asked.spheres << ": " << p.period << ", " << exact);
+    BOOST_TEST(std::abs(p.period / exact - 1) < 1e-5,
+               "N = " << p.asked.spheres << ": " << p.period << ", " << exact);
     BOOST_TEST(p.status == "finished");
   }
 }
@@ -33,12 +34,15 @@ BOOST_AUTO_TEST_CASE(the_table_of_periods_knows_its_references_and_their_ranges)
   BOOST_TEST(std::isnan(study.table.number(0, "period_cox")));  // r_e > r below 4.65
   BOOST_CHECK_CLOSE_FRACTION(study.table.number(1, "period_cox"),
                              reference::jeffery_period(1.24 * 20 / std::sqrt(std::log(20)), 1), 1e-12);
-  BOOST_CHECK_CLOSE_FRACTION(study.table.number(1, "over_goldsmith_mason"),
-                             study.table.number(1, "period") / reference::jeffery_period(0.742 * 20 - 0.0017 * 400, 1) - 1, 1e-9);
+  BOOST_CHECK_CLOSE_FRACTION(
+      study.table.number(1, "over_goldsmith_mason"),
+      study.table.number(1, "period") / reference::jeffery_period(0.742 * 20 - 0.0017 * 400, 1) - 1, 1e-9);
   BOOST_CHECK_CLOSE_FRACTION(study.table.number(2, "period"),
-                             reference::rigid_chain_period({7, reference::ChainCoupling::force_torque}, 1), 1e-5);
-  BOOST_CHECK_CLOSE_FRACTION(study.table.number(3, "period"),
-                             reference::rigid_chain_period({6, reference::ChainCoupling::force_torque_stresslet}, 1), 1e-5);
+                             reference::rigid_chain_period({7, reference::ChainCoupling::force_torque}, 1),
+                             1e-5);
+  BOOST_CHECK_CLOSE_FRACTION(
+      study.table.number(3, "period"),
+      reference::rigid_chain_period({6, reference::ChainCoupling::force_torque_stresslet}, 1), 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(orbits_out_of_the_plane_follow_the_closed_form) {
@@ -59,10 +63,12 @@ BOOST_AUTO_TEST_CASE(finite_stiffness_is_felt_in_the_second_order) {
 BOOST_AUTO_TEST_CASE(inertia_is_felt_in_the_first_order_and_takes_the_fiber_toward_the_flow_plane) {
   const compare::InertiaCase coarse{.spheres = 9, .stokes = 0.02, .method = dem::FlowMethod::leapfrog},
       fine{.spheres = 9, .stokes = 0.005, .method = dem::FlowMethod::leapfrog};
-  const double order = std::log(compare::inertia_distance(coarse) / compare::inertia_distance(fine)) / std::log(4.0);
+  const double order =
+      std::log(compare::inertia_distance(coarse) / compare::inertia_distance(fine)) / std::log(4.0);
   BOOST_TEST(std::abs(order - 1) < 0.05);
   const double bending = compare::orbit_drift({.spheres = 9, .tolerance = 1e-10}, 1);
-  const double with = compare::orbit_drift(coarse, 1) - bending, less = compare::orbit_drift(fine, 1) - bending;
+  const double with = compare::orbit_drift(coarse, 1) - bending,
+               less = compare::orbit_drift(fine, 1) - bending;
   BOOST_TEST(with > 0);
   BOOST_TEST(std::abs(with / less - 4) < 0.3);
 }

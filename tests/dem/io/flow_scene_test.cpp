@@ -54,41 +54,58 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << 
 const Fault kFaults[] = {
     {fluid("viscosity: 0 Pa s, flow: shear, rate: 1"),
      "test.yaml:5: fluid.viscosity: '0 Pa s' is out of range; allowed: a number above 0, in Pa s"},
-    {fluid("viscosity: 1 Pa, flow: shear, rate: 1"), "test.yaml:5: fluid.viscosity: '1 Pa' has a unit of another dimension"},
+    {fluid("viscosity: 1 Pa, flow: shear, rate: 1"),
+     "test.yaml:5: fluid.viscosity: '1 Pa' has a unit of another dimension"},
     {fluid("flow: shear, rate: 1"), "test.yaml:5: fluid: key 'viscosity' is missing"},
     {fluid("viscosity: 1, flow: vortex, rate: 1"),
-     "test.yaml:5: fluid.flow: 'vortex' is not allowed; allowed: shear, planar_extension, uniaxial_extension, rotation"},
+     "test.yaml:5: fluid.flow: 'vortex' is not allowed; allowed: shear, planar_extension, "
+     "uniaxial_extension, rotation"},
     {fluid("viscosity: 1, flow: shear"), "test.yaml:5: fluid: key 'rate' is missing"},
     {fluid("viscosity: 1, flow: shear, rate: 0"), "test.yaml:5: fluid.rate: must not be zero"},
-    {fluid("viscosity: 1, flow: shear, rate: 1 s"), "test.yaml:5: fluid.rate: '1 s' has a unit of another dimension"},
+    {fluid("viscosity: 1, flow: shear, rate: 1 s"),
+     "test.yaml:5: fluid.rate: '1 s' has a unit of another dimension"},
     {fluid("viscosity: 1"), "test.yaml:5: fluid: must have exactly one of flow, gradient"},
     {fluid("viscosity: 1, gradient: [[0, 1], [0, 0]]"), "test.yaml:5: fluid.gradient: must be three rows"},
-    {fluid("viscosity: 1, gradient: [[0, 1, 0], [0, 0, x], [0, 0, 0]]"), "test.yaml:5: fluid.gradient: must be three rows"},
-    {fluid("viscosity: 1, gradient: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]"), "test.yaml:5: fluid.gradient: must not be zero"},
-    {fluid("viscosity: 1, rate: 1, gradient: [[0, 1, 0], [0, 0, 0], [0, 0, 0]]"), "test.yaml:5: fluid.rate: is of use only"},
-    {fluid("viscosity: 1, gradient: [[1, 0, 0], [0, 0, 0], [0, 0, -0.5]]"), "test.yaml:5: fluid: gradient: a trace of 0.5"},
-    {fluid("viscosity: 1, flow: shear, rate: 1, course: {start_up: 0 s}"), "test.yaml:5: fluid.course.start_up: '0 s'"},
+    {fluid("viscosity: 1, gradient: [[0, 1, 0], [0, 0, x], [0, 0, 0]]"),
+     "test.yaml:5: fluid.gradient: must be three rows"},
+    {fluid("viscosity: 1, gradient: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]"),
+     "test.yaml:5: fluid.gradient: must not be zero"},
+    {fluid("viscosity: 1, rate: 1, gradient: [[0, 1, 0], [0, 0, 0], [0, 0, 0]]"),
+     "test.yaml:5: fluid.rate: is of use only"},
+    {fluid("viscosity: 1, gradient: [[1, 0, 0], [0, 0, 0], [0, 0, -0.5]]"),
+     "test.yaml:5: fluid: gradient: a trace of 0.5"},
+    {fluid("viscosity: 1, flow: shear, rate: 1, course: {start_up: 0 s}"),
+     "test.yaml:5: fluid.course.start_up: '0 s'"},
     {fluid("viscosity: 1, flow: shear, rate: 1, course: {start_up: 1 s, oscillation: 1 s}"),
      "test.yaml:5: fluid.course: must have exactly one of start_up, oscillation"},
     {fluid("viscosity: 1, flow: shear, rate: 1, course: {start_up: 1 s, phase: 1}"),
      "test.yaml:5: fluid.course.phase: is of use only with oscillation"},
     {fluid("viscosity: 1, flow: shear, rate: 1, hydrodynamics: slender"),
-     "test.yaml:5: fluid.hydrodynamics: 'slender' is not allowed; allowed: free_draining, interactions, stresslets"},
-    {fluid("viscosity: 1, flow: shear, rate: 1, viscocity: 2"), "test.yaml:5: unknown key 'fluid.viscocity'; did you mean"},
+     "test.yaml:5: fluid.hydrodynamics: 'slender' is not allowed; allowed: free_draining, interactions, "
+     "stresslets"},
+    {fluid("viscosity: 1, flow: shear, rate: 1, viscocity: 2"),
+     "test.yaml:5: unknown key 'fluid.viscocity'; did you mean"},
     {start("direction: [0, 0, 0]"), "test.yaml:6: start.direction: must not be zero"},
     {start("bend: 0.01"), "test.yaml:6: start: key 'direction' is missing"},
     {start("direction: [0, 0, 1], bend: 0.01"), "test.yaml:6: start: key 'bend_direction' is missing"},
     {start("direction: [0, 0, 2], bend: 0.01, bend_direction: [0, 0, -1]"),
      "test.yaml:6: start.bend_direction: must not lie along the fiber"},
-    {start("direction: [0, 0, 2], bend: 0.3, bend_direction: [0, 1, 0]"), "test.yaml:6: start.bend: '0.3' is out of range"},
-    {motion("method: euler"), "test.yaml:7: motion.method: 'euler' is not allowed; allowed: inertialess, cvode, leapfrog"},
+    {start("direction: [0, 0, 2], bend: 0.3, bend_direction: [0, 1, 0]"),
+     "test.yaml:6: start.bend: '0.3' is out of range"},
+    {motion("method: euler"),
+     "test.yaml:7: motion.method: 'euler' is not allowed; allowed: inertialess, cvode, leapfrog"},
     {motion("method: cvode"), "test.yaml:5: fluid: hydrodynamics: interactions and stresslets are built for"},
-    {motion("method: leapfrog"), "test.yaml:5: fluid: hydrodynamics: interactions and stresslets are built for"},
-    {motion("method: leapfrog, tolerance: 1e-3"), "test.yaml:7: motion.tolerance: is of use only with method: inertialess"},
-    {motion("method: cvode, step_ratio: 0.1"), "test.yaml:7: motion.step_ratio: is of use only with method: leapfrog"},
-    {motion("method: inertialess, allow_unstable: true"), "test.yaml:7: motion.allow_unstable: is of use only with"},
+    {motion("method: leapfrog"),
+     "test.yaml:5: fluid: hydrodynamics: interactions and stresslets are built for"},
+    {motion("method: leapfrog, tolerance: 1e-3"),
+     "test.yaml:7: motion.tolerance: is of use only with method: inertialess"},
+    {motion("method: cvode, step_ratio: 0.1"),
+     "test.yaml:7: motion.step_ratio: is of use only with method: leapfrog"},
+    {motion("method: inertialess, allow_unstable: true"),
+     "test.yaml:7: motion.allow_unstable: is of use only with"},
     {motion("tolerance: 0"), "test.yaml:7: motion.tolerance: '0' is out of range"},
-    {with("bond:", "bond: {form: incremental}"), "test.yaml:4: bond: form: incremental is built for method: leapfrog"},
+    {with("bond:", "bond: {form: incremental}"),
+     "test.yaml:4: bond: form: incremental is built for method: leapfrog"},
     {with("bond:", "bond: {rolling_friction: 1}"), "test.yaml:4: unknown key 'bond.rolling_friction'"},
     {with("strain:", "strain: 0"), "test.yaml:8: strain: '0' is out of range"},
     {with("strain:", "strain: 1\nduration: 2 s"), "test.yaml:1: must have exactly one of duration, strain"},
@@ -98,7 +115,8 @@ const Fault kFaults[] = {
      "test.yaml:5: fluid: gradient: a planar fiber needs 0 at xz"},
     {planar("viscosity: 1, flow: shear, rate: 1", "direction: [0, 1, 1]"),
      "test.yaml:6: start.direction: must lie in the x-y plane"},
-    {planar("viscosity: 1, flow: shear, rate: 1", "direction: [0, 1, 0], bend: 0.1, bend_direction: [1, 0, 1]"),
+    {planar("viscosity: 1, flow: shear, rate: 1",
+            "direction: [0, 1, 0], bend: 0.1, bend_direction: [1, 0, 1]"),
      "test.yaml:6: start.bend_direction: must lie in the x-y plane"},
 };
 
@@ -130,14 +148,16 @@ BOOST_AUTO_TEST_CASE(every_key_arrives) {
 }
 
 BOOST_AUTO_TEST_CASE(flows_their_course_and_other_methods_arrive) {
-  const io::FlowScene rotating = parse(planar("viscosity: 1 Pa s, flow: rotation, rate: 2 1/s, course: {start_up: 3 s}",
-                                              "direction: [0, -2, 0], bend: 0.01"));
+  const io::FlowScene rotating =
+      parse(planar("viscosity: 1 Pa s, flow: rotation, rate: 2 1/s, course: {start_up: 3 s}",
+                   "direction: [0, -2, 0], bend: 0.01"));
   BOOST_TEST(rotating.duration == 2);
   BOOST_TEST(!rotating.shear);
   BOOST_TEST(rotating.start.bend_direction[0] == 1);
-  BOOST_CHECK_CLOSE_FRACTION(dem::gradient_at(rotating.fluid.flow, 1.5)[1][0], 2 * (1 - std::exp(-0.5)), 1e-12);
-  const io::FlowScene swinging =
-      parse(fluid("viscosity: 1, flow: uniaxial_extension, rate: 2, course: {oscillation: 3 s, phase: 90 degree}"));
+  BOOST_CHECK_CLOSE_FRACTION(dem::gradient_at(rotating.fluid.flow, 1.5)[1][0], 2 * (1 - std::exp(-0.5)),
+                             1e-12);
+  const io::FlowScene swinging = parse(
+      fluid("viscosity: 1, flow: uniaxial_extension, rate: 2, course: {oscillation: 3 s, phase: 90 degree}"));
   BOOST_CHECK_CLOSE_FRACTION(dem::gradient_at(swinging.fluid.flow, 0.75)[2][2], 1, 1e-12);
   const io::FlowScene swelling =
       parse(fluid("viscosity: 1, gradient: [[1, 2, 0], [0, 2, 0], [0, 0, -1]], compressible: true"));
@@ -154,7 +174,8 @@ BOOST_AUTO_TEST_CASE(flows_their_course_and_other_methods_arrive) {
 BOOST_AUTO_TEST_CASE(what_is_left_out_is_the_documented_default) {
   const io::FlowScene scene = parse(
       "scene: flow\n"
-      "fiber: {diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, shear_modulus: 0.4 MPa, density: 900}\n"
+      "fiber: {diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, shear_modulus: 0.4 MPa, density: "
+      "900}\n"
       "fluid: {viscosity: 1 Pa s, flow: shear, rate: 1 1/s}\n"
       "start: {direction: [0, 1, 0]}\n"
       "strain: 10\n");
@@ -169,7 +190,8 @@ BOOST_AUTO_TEST_CASE(what_is_left_out_is_the_documented_default) {
   BOOST_TEST(scene.shapes == 8);
 }
 
-BOOST_DATA_TEST_CASE(each_fault_is_named_with_file_line_and_key, boost::unit_test::data::make(kFaults), fault) {
+BOOST_DATA_TEST_CASE(each_fault_is_named_with_file_line_and_key, boost::unit_test::data::make(kFaults),
+                     fault) {
   std::string error = "no error";
   try {
     parse(fault.scene);
