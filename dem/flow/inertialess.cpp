@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "dem/flow/draining_balance.hpp"
@@ -49,7 +50,7 @@ struct InertialessMotion<Dim>::Solver {
   int spheres, bonds;
   double displacement_error, rotation_error;
   std::optional<CvodeSession> session{};
-  Poses<Dim> factors_at{};
+  Poses<Dim> factors_at{}, at_last_rates{}, at_rates_before{};
   double factors_gamma = 0, last_size = 0;
   int uses = 0;
   Work work{};
@@ -67,6 +68,7 @@ struct InertialessMotion<Dim>::Solver {
 
   void rates(double time, const double* numbers, double* out) {
     const Poses<Dim> poses = unpack(numbers);
+    at_rates_before = std::exchange(at_last_rates, poses);
     const ChainVector<Dim> v = velocities(time, poses);
     for (int i = 0; i < spheres; ++i, out += pose_size<Dim>) {
       for (int c = 0; c < Dim; ++c) out[c] = v[i][c];
@@ -84,9 +86,11 @@ struct InertialessMotion<Dim>::Solver {
     return std::sqrt(sum / (spheres * sphere_motions<Dim>));
   }
 
-  void set_up(const CvodeProblem::Newton& newton, const Poses<Dim>& poses) {
-    std::visit([&](auto& b) { b.set_up(newton.time, poses, newton.gamma); }, balance);
-    factors_at = poses;
+  /// At the last poses that Newton's iterations led to: the tension of predicted ones, whose strains are extrapolated, would
+  /// stiffen or soften the bonds across them by far more than the fiber's own.
+  void set_up(const CvodeProblem::Newton& newton) {
+    factors_at = newton.again > 0 || at_rates_before.empty() ? at_last_rates : at_rates_before;
+    std::visit([&](auto& b) { b.set_up(newton.time, factors_at, newton.gamma); }, balance);
     factors_gamma = newton.gamma;
     uses = 0;
     ++work.factorizations;
@@ -119,10 +123,10 @@ struct InertialessMotion<Dim>::Solver {
       rhs[i] = motion_of<Dim>(moved, rotation_of(poses[i].orientation, own + Dim));
     }
     const bool fresh = factors_gamma == newton.gamma && uses <= newton.again;
-    if (uses == 0 || std::abs(newton.gamma / factors_gamma - 1) > 0.25 || uses > 40) set_up(newton, poses);
+    if (uses == 0 || std::abs(newton.gamma / factors_gamma - 1) > 0.25 || uses > 40) set_up(newton);
     ChainVector<Dim> x = correction(rhs, poses, newton.gamma);
     if (newton.again > 0 && !fresh && size(x) > 0.2 * last_size) {
-      set_up(newton, poses);
+      set_up(newton);
       x = correction(rhs, poses, newton.gamma);
     }
     last_size = size(x);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "dem/errors.hpp"
+#include "dem/motion/vector_operations.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -97,7 +98,8 @@ CvodeSession::CvodeSession(CvodeProblem problem) : memory_(std::make_unique<Memo
   m.context.reset(context);
   const auto size = static_cast<sunindextype>(m.problem.start.size());
   m.y.reset(N_VNew_Serial(size, context));
-  m.tolerances.reset(N_VNew_Serial(size, context));
+  use_own_operations(m.y.get());
+  m.tolerances.reset(N_VClone(m.y.get()));
   std::ranges::copy(m.problem.start, data(m.y.get()));
   std::ranges::copy(m.problem.tolerances, data(m.tolerances.get()));
   m.cvode.reset(CVodeCreate(CV_BDF, context));

@@ -22,7 +22,7 @@ struct CvodeProblem {
   std::function<void(const Newton& at, const double* b, double* x)> solve;
 };
 
-/// SUNDIALS' CVODE (BDF, variable order and step) with a matrix-embedded linear solver. The one place in dem/ that knows
+/// SUNDIALS' CVODE (BDF, variable order and step) with a matrix-embedded linear solver. With vector_operations.cpp the one place in dem/ that knows
 /// SUNDIALS.
 class CvodeSession {
  public:
