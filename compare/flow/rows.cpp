@@ -6,6 +6,7 @@
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/inertia.hpp"
 #include "compare/flow/setup.hpp"
+#include "compare/flow/shear_passage.hpp"
 #include "compare/validation.hpp"
 #include "reference/compressed_chain.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
@@ -126,6 +127,13 @@ Rows buckling_rows(const ValidationInput&) {
                     "filament {:.4f}",
                     N, reference::growth_rates(200, 1)[0])));
   }
+  const double in_shear = 2 * reference::chain_buckling_threshold({20, 0.3}, 1);
+  rows.push_back(method_row("buckling-shear-20", kBuckling, in_shear,
+                            passage_threshold(20, 0.97 * in_shear, 1.03 * in_shear, 0.2), 0.005 * in_shear, source,
+                            fmt::format("20 spheres that pass 45 degrees in simple shear: shear rate at which a small even "
+                                        "bend neither decays nor grows there, twice the rate in extension; thin "
+                                        "inextensible filament {:.3f}",
+                                        2 * reference::buckling_threshold(1))));
   return rows;
 }
 
