@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "compare/flow/study.hpp"
@@ -126,11 +127,15 @@ std::vector<JefferyRun> jeffery_runs(int spheres, double orbits, const std::vect
 }
 
 FlowStudy jeffery_study(const OrbitOptions& options) {
-  const std::vector<JefferyRun> runs = jeffery_runs(11, 100, kOrbitConstants, options);
+  std::vector<JefferyRun> runs = jeffery_runs(11, 100, kOrbitConstants, options);
+  const Figure figure = sphere_figure(runs);
+  for (const int spheres : {2, 5, 30, 101}) {
+    std::ranges::move(jeffery_runs(spheres, 1, kOrbitConstants, options), std::back_inserter(runs));
+  }
   const auto failed =
       std::ranges::count_if(runs, [](const JefferyRun& r) { return std::isnan(r.point.period); });
   return {.table = table_of(runs),
-          .figures = {{"shear-sphere", sphere_figure(runs)}},
+          .figures = {{"shear-sphere", figure}},
           .failed = static_cast<int>(failed)};
 }
 
