@@ -8,19 +8,31 @@
 #include "dem/errors.hpp"
 
 namespace fiberchain::compare {
-namespace {
 
-/// sum of P_2 - its mean, times the deflection.
-double even_part(const FlowShape& shape) {
+double even_part(const FlowShape& shape, double across_x, double across_y) {
   const auto n = static_cast<double>(shape.spheres.size());
   double square = 0, sum = 0;
   const auto xi = [&](std::size_t i) { return 2 * static_cast<double>(i) / (n - 1) - 1; };
   for (std::size_t i = 0; i < shape.spheres.size(); ++i) square += xi(i) * xi(i) / n;
   for (std::size_t i = 0; i < shape.spheres.size(); ++i) {
-    sum += (xi(i) * xi(i) - square) * shape.spheres[i][1];
+    sum += (xi(i) * xi(i) - square) * (across_x * shape.spheres[i][0] + across_y * shape.spheres[i][1]);
   }
   return sum;
 }
+
+Threshold threshold_between(int spheres, double low, double high, double width,
+                            const std::function<bool(double)>& grows) {
+  if (grows(low) || !grows(high)) {
+    throw InputError(fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
+  }
+  while (high - low > width) {
+    const double middle = (low + high) / 2;
+    (grows(middle) ? high : low) = middle;
+  }
+  return {low, high};
+}
+
+namespace {
 
 /// Slope of ln|amplitude| from a third of the time on.
 double fitted_growth(const std::vector<double>& time, const std::vector<double>& amplitude) {
@@ -47,10 +59,10 @@ BucklingRun run_buckling(const BucklingCase& c, int shapes) {
                      even_times(c.duration, intervals), {.tolerance = c.tolerance}, 1);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
   BucklingRun run{};
-  const double first = even_part(history.shapes.front());
+  const double first = even_part(history.shapes.front(), 0, 1);
   for (const FlowShape& shape : history.shapes) {
     run.time.push_back(shape.time);
-    run.amplitude.push_back(even_part(shape) / first);
+    run.amplitude.push_back(even_part(shape, 0, 1) / first);
   }
   run.growth = fitted_growth(run.time, run.amplitude);
   for (int k = 0; k < shapes; ++k)
@@ -59,18 +71,9 @@ BucklingRun run_buckling(const BucklingCase& c, int shapes) {
 }
 
 Threshold buckling_threshold_of(int spheres, double low, double high, double width) {
-  const auto grows = [&](double number) {
+  return threshold_between(spheres, low, high, width, [&](double number) {
     return run_buckling({.spheres = spheres, .number = number}).growth > 0;
-  };
-  if (grows(low) || !grows(high)) {
-    throw InputError(
-        fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
-  }
-  while (high - low > width) {
-    const double middle = (low + high) / 2;
-    (grows(middle) ? high : low) = middle;
-  }
-  return {low, high};
+  });
 }
 
 }  // namespace fiberchain::compare

@@ -1,10 +1,10 @@
 #include "compare/flow/shear_passage.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "compare/errors.hpp"
+#include "compare/flow/buckling.hpp"
 #include "compare/flow/history.hpp"
 #include "compare/flow/setup.hpp"
 #include "dem/errors.hpp"
@@ -12,18 +12,11 @@
 namespace fiberchain::compare {
 namespace {
 
-/// Amplitude across the line of the ends, weighed by P_2, which no translation or rotation has.
+/// Amplitude across the line of the ends.
 double bend_of(const FlowShape& shape) {
   const auto& x = shape.spheres;
-  const auto n = static_cast<double>(x.size());
   const double dx = x.back()[0] - x.front()[0], dy = x.back()[1] - x.front()[1], length = std::hypot(dx, dy);
-  const auto xi = [&](std::size_t i) { return 2 * static_cast<double>(i) / (n - 1) - 1; };
-  double square = 0, sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) square += xi(i) * xi(i) / n;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sum += (xi(i) * xi(i) - square) * (dx * x[i][1] - dy * x[i][0]) / length;
-  }
-  return sum;
+  return even_part(shape, -dy / length, dx / length);
 }
 
 double angle_of(const FlowShape& shape) {
@@ -58,15 +51,9 @@ double growth_at_passage(const ShearPassage& c) {
 }
 
 double passage_threshold(int spheres, double low, double high, double width) {
-  const auto grows = [&](double number) { return growth_at_passage({.spheres = spheres, .number = number}) > 0; };
-  if (grows(low) || !grows(high)) {
-    throw InputError(fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
-  }
-  while (high - low > width) {
-    const double middle = (low + high) / 2;
-    (grows(middle) ? high : low) = middle;
-  }
-  return (low + high) / 2;
+  return threshold_between(spheres, low, high, width, [&](double number) {
+           return growth_at_passage({.spheres = spheres, .number = number}) > 0;
+         }).middle();
 }
 
 }  // namespace fiberchain::compare

@@ -10,7 +10,7 @@
 #include "dem/motion/lanes/kernel.hpp"
 
 // Many fibers that touch each other and walls, marched by the leapfrog: bonds in SIMD lanes across fibers, contacts
-// streamed through memory in the order of a cell grid. Results do not depend on the number of threads, to the bit.
+// in lanes across pairs. Results do not depend on the number of threads, to the bit.
 namespace fiberchain::dem {
 
 /// Fibers of one kind and where they start.

@@ -20,27 +20,6 @@ std::int32_t whole_vectors(std::size_t count, int width) {
   return static_cast<std::int32_t>((count + width - 1) / width * width);
 }
 
-bool there(const Wall& wall, double time) { return time >= wall.from && time < wall.until; }
-
-/// Gap between a place and a wall.
-double distance(const Wall& wall, const Vec<double, 3>& x, double time) {
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
-    return dot(x - plane->point - time * wall.velocity, plane->normal);
-  }
-  const auto& cylinder = std::get<Cylinder>(wall.shape);
-  const Vec<double, 3> from = x - cylinder.point - time * wall.velocity;
-  return cylinder.radius - norm(from - dot(from, cylinder.axis) * cylinder.axis);
-}
-
-/// Direction from a place to a wall.
-Vec<double, 3> toward(const Wall& wall, const Vec<double, 3>& x, double time) {
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) return -plane->normal;
-  const auto& cylinder = std::get<Cylinder>(wall.shape);
-  const Vec<double, 3> from = x - cylinder.point - time * wall.velocity;
-  const Vec<double, 3> out = from - dot(from, cylinder.axis) * cylinder.axis;
-  return (1 / norm(out)) * out;
-}
-
 }  // namespace
 
 ContactSet::ContactSet(const std::vector<FiberGroup>& groups, const Surroundings& surroundings,
@@ -83,6 +62,20 @@ ContactSet::ContactSet(const std::vector<FiberGroup>& groups, const Surroundings
   kind_of_sphere_.resize(n + 3, 0);
 }
 
+void ContactMemory::reset(std::size_t size) {
+  for (auto* numbers : {&spring[0], &spring[1], &spring[2], &overlap, &opening}) numbers->assign(size, 0.0);
+}
+
+KeptContact ContactMemory::at(std::size_t i, std::int64_t first, std::int64_t second) const {
+  return {first, second, {spring[0][i], spring[1][i], spring[2][i]}, overlap[i], opening[i]};
+}
+
+void ContactMemory::put(std::size_t i, const KeptContact& contact) {
+  for (int c = 0; c < 3; ++c) spring[c][i] = contact.spring[c];
+  overlap[i] = contact.overlap;
+  opening[i] = contact.opening;
+}
+
 void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time) {
   const std::vector<KeptContact> contacts = listed_at_.empty() ? std::vector<KeptContact>{} : kept();
   listed_at_ = positions;
@@ -108,7 +101,7 @@ void ContactSet::fill_stripe(int k) {
   }
   stripe.deferred.resize(leaving);
   stripe.for_stripe.resize(kStripes);
-  for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap, &stripe.opening}) numbers->assign(padded, 0);
+  stripe.memory.reset(padded);
 }
 
 void ContactSet::list_walls(int k) {
@@ -117,14 +110,12 @@ void ContactSet::list_walls(int k) {
     NearWall& near = stripes_[k].walls[w];
     near.slots.clear();
     for (std::int32_t i = stripe_begin_[k]; i < stripe_begin_[k + 1]; ++i) {
-      if (distance(wall, listed_at_[i], listed_time_) < radius_[i] + skin_) {
+      if (gap_to(wall, listed_at_[i], listed_time_) < radius_[i] + skin_) {
         near.slots.push_back(i);
       }
     }
     near.slots.resize(whole_vectors(near.slots.size(), kernel_->width), static_cast<std::int32_t>(spheres() + 2));
-    for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
-      numbers->assign(near.slots.size(), 0);
-    }
+    near.memory.reset(near.slots.size());
   }
 }
 
@@ -143,12 +134,12 @@ ContactView ContactSet::view(Stripe& stripe) {
   view.first = stripe.first.data();
   view.second = stripe.second.data();
   for (int c = 0; c < 3; ++c) {
-    view.spring[c] = stripe.spring[c].data();
+    view.spring[c] = stripe.memory.spring[c].data();
     view.period[c] = surroundings_.period[c];
     view.inverse_period[c] = view.period[c] > 0 ? 1 / view.period[c] : 0;
   }
-  view.overlap = stripe.overlap.data();
-  view.opening = stripe.opening.data();
+  view.overlap = stripe.memory.overlap.data();
+  view.opening = stripe.memory.opening.data();
   view.parameters = pair_parameters_.data();
   view.kinds = kinds_;
   view.step = step_;
@@ -171,13 +162,13 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
     view.point[c] = point[c] + time * wall.velocity[c];
     view.direction[c] = direction[c];
     view.velocity[c] = wall.velocity[c];
-    view.spring[c] = near.spring[c].data();
+    view.spring[c] = near.memory.spring[c].data();
   }
   view.slots = near.slots.data();
   view.begin = 0;
   view.end = static_cast<std::int32_t>(near.slots.size());
-  view.overlap = near.overlap.data();
-  view.opening = near.opening.data();
+  view.overlap = near.memory.overlap.data();
+  view.opening = near.memory.opening.data();
   view.parameters = wall_parameters_.data();
   return view;
 }
@@ -193,12 +184,10 @@ void ContactSet::work_out(int k, double time) {
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     NearWall& near = stripe.walls[w];
     if (near.slots.empty()) continue;
-    if (there(surroundings_.walls[w], time)) {
+    if (is_there(surroundings_.walls[w], time)) {
       kernel_->wall(contacts, wall_view(static_cast<int>(w), near, time), task);
     } else {
-      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
-        std::ranges::fill(*numbers, 0.0);
-      }
+      near.memory.reset(near.slots.size());
     }
   }
   for (auto& entries : stripe.for_stripe) entries.clear();
@@ -274,8 +263,8 @@ std::vector<ContactState> ContactSet::states(double time) const {
     const ContactParameters<double>* p = &wall_parameters_[kind];
     if (c.second < 0) {
       const Wall& wall = surroundings_.walls[-1 - c.second];
-      pair.normal = toward(wall, x, time);
-      arm = distance(wall, x, time);
+      pair.normal = direction_to(wall, x, time);
+      arm = gap_to(wall, x, time);
       other_velocity = wall.velocity;
     } else {
       Vec<double, 3> r = at(positions_, c.second * position_numbers) - x;
@@ -305,17 +294,14 @@ std::vector<KeptContact> ContactSet::kept() const {
   for (int k = 0; k < kStripes; ++k) {
     const Stripe& stripe = stripes_[k];
     for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
-      if (!(stripe.overlap[p] > 0)) continue;
-      const std::int64_t a = stripe.first[p], b = stripe.second[p];
-      all.push_back({a, b, {stripe.spring[0][p], stripe.spring[1][p], stripe.spring[2][p]}, stripe.overlap[p],
-                     stripe.opening[p]});
+      if (stripe.memory.overlap[p] > 0) all.push_back(stripe.memory.at(p, stripe.first[p], stripe.second[p]));
     }
     for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
       const NearWall& near = stripe.walls[w];
       for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
-        if (!(near.overlap[n] > 0)) continue;
-        all.push_back({near.slots[n], -1 - static_cast<std::int64_t>(w),
-                       {near.spring[0][n], near.spring[1][n], near.spring[2][n]}, near.overlap[n], near.opening[n]});
+        if (near.memory.overlap[n] > 0) {
+          all.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
+        }
       }
     }
   }
@@ -327,14 +313,8 @@ std::vector<KeptContact> ContactSet::kept() const {
 
 void ContactSet::forget() {
   for (Stripe& stripe : stripes_) {
-    for (auto* numbers : {&stripe.spring[0], &stripe.spring[1], &stripe.spring[2], &stripe.overlap, &stripe.opening}) {
-      std::ranges::fill(*numbers, 0.0);
-    }
-    for (NearWall& near : stripe.walls) {
-      for (auto* numbers : {&near.spring[0], &near.spring[1], &near.spring[2], &near.overlap, &near.opening}) {
-        std::ranges::fill(*numbers, 0.0);
-      }
-    }
+    stripe.memory.reset(stripe.first.size());
+    for (NearWall& near : stripe.walls) near.memory.reset(near.slots.size());
   }
 }
 
@@ -347,21 +327,14 @@ void ContactSet::remember(const std::vector<KeptContact>& contacts) {
   for (int k = 0; k < kStripes; ++k) {
     Stripe& stripe = stripes_[k];
     for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
-      const std::int64_t a = stripe.first[p], b = stripe.second[p];
-      const KeptContact* contact = find(a, b);
-      if (contact == nullptr) continue;
-      for (int c = 0; c < 3; ++c) stripe.spring[c][p] = contact->spring[c];
-      stripe.overlap[p] = contact->overlap;
-      stripe.opening[p] = contact->opening;
+      const KeptContact* contact = find(stripe.first[p], stripe.second[p]);
+      if (contact != nullptr) stripe.memory.put(p, *contact);
     }
     for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
       NearWall& near = stripe.walls[w];
       for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
         const KeptContact* contact = find(near.slots[n], -1 - static_cast<std::int64_t>(w));
-        if (contact == nullptr) continue;
-        for (int c = 0; c < 3; ++c) near.spring[c][n] = contact->spring[c];
-        near.overlap[n] = contact->overlap;
-        near.opening[n] = contact->opening;
+        if (contact != nullptr) near.memory.put(n, *contact);
       }
     }
   }

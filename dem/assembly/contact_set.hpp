@@ -17,8 +17,15 @@ struct KeptContact {
   double overlap, opening;
 };
 
-/// Doubles aligned for every instruction set, with room for a whole vector behind the last.
-using PaddedDoubles = std::vector<double>;
+/// The same of many contacts, number by number.
+struct ContactMemory {
+  std::vector<double> spring[3], overlap, opening;
+
+  /// That many contacts that do not touch.
+  void reset(std::size_t size);
+  KeptContact at(std::size_t i, std::int64_t first, std::int64_t second) const;
+  void put(std::size_t i, const KeptContact& contact);
+};
 
 class ContactSet {
  public:
@@ -60,11 +67,11 @@ class ContactSet {
   /// Spheres of a stripe near a wall and what those contacts remember.
   struct NearWall {
     std::vector<std::int32_t> slots;
-    PaddedDoubles spring[3], overlap, opening;
+    ContactMemory memory;
   };
   struct Stripe {
     std::vector<std::int32_t> first, second, touching;
-    PaddedDoubles spring[3], overlap, opening;
+    ContactMemory memory;
     std::vector<DeferredForce> deferred;
     std::vector<NearWall> walls;
     std::vector<std::vector<std::int32_t>> for_stripe;  ///< places in deferred
@@ -89,7 +96,7 @@ class ContactSet {
   std::vector<std::vector<ClosePair>> pairs_;
   std::vector<Vec<double, 3>> listed_at_;
   double listed_time_ = 0;
-  PaddedDoubles positions_, motions_, loads_;
+  std::vector<double> positions_, motions_, loads_;
   std::vector<Stripe> stripes_;
 };
 

@@ -164,13 +164,7 @@ class Filler {
 }  // namespace
 
 double distance_to(const Wall& wall, const V& point, double time) {
-  if (time < wall.from || time >= wall.until) return std::numeric_limits<double>::infinity();
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
-    return dot(point - plane->point - time * wall.velocity, plane->normal);
-  }
-  const auto& cylinder = std::get<Cylinder>(wall.shape);
-  const V r = point - cylinder.point - time * wall.velocity;
-  return cylinder.radius - norm(r - dot(r, cylinder.axis) * cylinder.axis);
+  return is_there(wall, time) ? gap_to(wall, point, time) : std::numeric_limits<double>::infinity();
 }
 
 PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups) {

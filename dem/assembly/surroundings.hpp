@@ -31,6 +31,14 @@ struct Wall {
   double until = std::numeric_limits<double>::infinity();  ///< and gone from this one: a wall that opens
 };
 
+bool is_there(const Wall& wall, double time);
+
+/// Gap [m] between a place and the wall where it stands at that time, there or not; negative behind it.
+double gap_to(const Wall& wall, const Vec<double, 3>& place, double time);
+
+/// Unit vector from a place to the wall.
+Vec<double, 3> direction_to(const Wall& wall, const Vec<double, 3>& place, double time);
+
 /// How surfaces touch, the same for every pair: Hertz-Mindlin with these.
 struct ContactRules {
   double restitution = 1;       ///< normal coefficient of restitution, 0 < e <= 1

@@ -46,10 +46,10 @@ struct ContactAction {
   Vec<Real, 3> moment;  ///< of rolling friction on the first body; minus that on the second [N m]
 };
 
-/// Power [W] that each mechanism takes, and the energy [J] that the springs hold.
+/// Energy [J] that each mechanism has taken.
 template <class Real>
 struct ContactBook {
-  Real normal_dashpot, sliding, rolling, elastic;
+  Real normal_dashpot, sliding, rolling;
 };
 
 template <class Real>

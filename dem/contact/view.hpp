@@ -27,7 +27,7 @@ inline constexpr int position_numbers = 4;  ///< x, y, z, radius
 inline constexpr int motion_numbers = 8;    ///< velocity, spin, two unused
 inline constexpr int force_numbers = 8;     ///< force, moment, two unused
 
-/// All spheres, in the order of the cells that they are in ("slots"), and the pairs that are close.
+/// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
 struct ContactView {
   const double* position;
   const double* motion;

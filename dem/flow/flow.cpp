@@ -1,5 +1,6 @@
 #include "dem/flow/flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -26,6 +27,14 @@ Gradient scaled(double factor, const Gradient& gradient) {
 }  // namespace
 
 Gradient gradient_at(const Flow& flow, double time) { return flow.at_time ? flow.at_time(time) : flow.gradient; }
+
+double largest_rate(const Gradient& A) {
+  double size = 0;
+  for (const auto& row : A.c) {
+    for (const double value : row) size = std::isfinite(value) ? std::max(size, std::abs(value)) : INFINITY;
+  }
+  return size;
+}
 
 Gradient simple_shear(double rate) { return {{{0, rate, 0}, {0, 0, 0}, {0, 0, 0}}}; }
 

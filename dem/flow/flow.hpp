@@ -18,6 +18,9 @@ struct Flow {
 
 Gradient gradient_at(const Flow& flow, double time);
 
+/// Largest size of an entry [1/s]; infinite if one is not finite.
+double largest_rate(const Gradient& A);
+
 Gradient simple_shear(double rate);        ///< u = rate (y, 0, 0)
 Gradient planar_extension(double rate);    ///< u = rate (x, -y, 0)
 Gradient uniaxial_extension(double rate);  ///< u = rate (x, -y/2, -z/2)

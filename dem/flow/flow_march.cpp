@@ -12,19 +12,6 @@ namespace {
 /// Steps between two looks at the whole chain: long enough that looking costs little.
 constexpr int steps_between_looks = 256;
 
-/// With the velocities of the undisturbed flow.
-template <int Dim>
-ChainState<Dim> state_at_start(const FlowCase<Dim>& flow) {
-  ChainState<Dim> state = at_rest<Dim>(flow.start);
-  const Gradient A = gradient_at(flow.fluid.flow, 0);
-  for (std::size_t i = 0; i < state.poses.size(); ++i) {
-    state.velocity[i] = velocity_at<Dim>(A, state.poses[i].position);
-    state.spin[i] = spin_of<Dim>(A);
-  }
-  for (const int sphere : flow.boundary.clamped) state.velocity[sphere] = {}, state.spin[sphere] = {};
-  return state;
-}
-
 /// The step that leads to the first time after the start; any serves where there is none.
 double first_step(const FlowPlan& plan) {
   const auto first = std::ranges::find_if(plan.counts, [](double count) { return count > 0; });
@@ -62,7 +49,7 @@ FlowMarch<Dim>::FlowMarch(std::vector<Member> members, const FlowOptions& option
     const int number = static_cast<int>(lane);
     block_.set_fluid(number, flow.fluid);
     block_.set_loads(number, flow.boundary);
-    put_state(block_, number, flow.chain, state_at_start(flow));
+    put_state(block_, number, flow.chain, carried_state(flow));
     lanes_.push_back({first_step(members_[lane].plan)});
   }
   block_.synchronize();
@@ -83,7 +70,7 @@ std::vector<FlowRecord> FlowMarch<Dim>::run(const FlowJobSample<Dim>& sample) {
       if (!whole(lane)) continue;
       const double time = (*members_[lane].times)[n];
       lanes_[lane].time = lanes_[lane].record.reached = time;
-      sample(lane, time, time > 0 ? state_now(block_, static_cast<int>(lane), spheres) : state_at_start(*members_[lane].flow));
+      sample(lane, time, time > 0 ? state_now(block_, static_cast<int>(lane), spheres) : carried_state(*members_[lane].flow));
     }
   }
   std::vector<FlowRecord> records;

@@ -9,17 +9,9 @@
 namespace fiberchain::dem {
 namespace {
 
-double largest(const Gradient& A) {
-  double size = 0;
-  for (const auto& row : A.c) {
-    for (const double value : row) size = std::isfinite(value) ? std::max(size, std::abs(value)) : INFINITY;
-  }
-  return size;
-}
-
 void check_trace(const Gradient& A) {
   const double trace = A[0][0] + A[1][1] + A[2][2];
-  if (std::abs(trace) > 1e-12 * largest(A)) {
+  if (std::abs(trace) > 1e-12 * largest_rate(A)) {
     throw InvalidInput(fmt::format("gradient: a trace of {:g} 1/s is not allowed: an incompressible fluid has 0", trace));
   }
 }
@@ -38,7 +30,7 @@ void check(const Fluid& fluid) {
         fmt::format("viscosity = {} is not allowed: it must be finite and greater than 0", fluid.viscosity));
   }
   const Gradient A = gradient_at(fluid.flow, 0);
-  if (!std::isfinite(largest(A))) throw InvalidInput("gradient: every value must be finite");
+  if (!std::isfinite(largest_rate(A))) throw InvalidInput("gradient: every value must be finite");
   if (!fluid.compressible) check_trace(fluid.flow.gradient), check_trace(A);
   if (Dim == 2) check_plane(fluid.flow.gradient), check_plane(A);
 }

@@ -9,18 +9,38 @@
 #include "dem/motion/cvode.hpp"
 
 namespace fiberchain::dem {
+
+template <int Dim>
+void check(const FlowCase<Dim>& flow) {
+  check(flow.chain.fiber);
+  check<Dim>(flow.fluid);
+  if (flow.start.size() != flow.chain.poses.size()) {
+    throw InvalidInput(fmt::format("start = {} poses is not allowed: the chain has {} spheres", flow.start.size(),
+                                   flow.chain.poses.size()));
+  }
+  if (flow.chain.fiber.rolling_friction > 0) {
+    throw InvalidInput(fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",
+                                   flow.chain.fiber.rolling_friction));
+  }
+}
+
+template <int Dim>
+ChainState<Dim> carried_state(const FlowCase<Dim>& flow) {
+  ChainState<Dim> state = at_rest<Dim>(flow.start);
+  const Gradient A = gradient_at(flow.fluid.flow, 0);
+  for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    state.velocity[i] = velocity_at<Dim>(A, state.poses[i].position);
+    state.spin[i] = spin_of<Dim>(A);
+  }
+  for (const int sphere : flow.boundary.clamped) state.velocity[sphere] = {}, state.spin[sphere] = {};
+  return state;
+}
+
 namespace {
 
 template <int Dim>
 void check_case(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options) {
-  check(flow.chain.fiber);
-  check<Dim>(flow.fluid);
-  if (flow.start.size() != flow.chain.poses.size()) {
-    throw InvalidInput("a fiber in a flow needs a start for every sphere of its chain");
-  }
-  if (flow.chain.fiber.rolling_friction > 0) {
-    throw InvalidInput("rolling_friction is not built for fibers in a flow: it must be 0");
-  }
+  check(flow);
   if (options.method != FlowMethod::inertialess && flow.fluid.hydrodynamics != Hydrodynamics::free_draining) {
     throw InvalidInput(fmt::format("hydrodynamics: {} is built for method: inertialess only", name(flow.fluid.hydrodynamics)));
   }
@@ -34,35 +54,14 @@ void check_case(const FlowCase<Dim>& flow, const std::vector<double>& times, con
   }
 }
 
-/// With the velocities of the undisturbed flow.
-template <int Dim>
-ChainState<Dim> carried(const FlowCase<Dim>& flow) {
-  ChainState<Dim> state = at_rest<Dim>(flow.start);
-  const ChainVector<Dim> v = undisturbed<Dim>(gradient_at(flow.fluid.flow, 0), flow.start);
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    state.velocity[i] = displacement_part<Dim>(v[i]);
-    state.spin[i] = rotation_part<Dim>(v[i]);
-  }
-  for (const int sphere : flow.boundary.clamped) state.velocity[sphere] = {}, state.spin[sphere] = {};
-  return state;
-}
-
-double rate_of(const Fluid& fluid) {
-  double rate = 0;
-  for (const auto& row : fluid.flow.gradient.c) {
-    for (const double value : row) rate = std::max(rate, std::abs(value));
-  }
-  return rate;
-}
-
 template <int Dim>
 CvodeMotion<Dim> motion_with_inertia(const FlowCase<Dim>& flow, double tolerance, double duration) {
-  const double rate = rate_of(flow.fluid);
+  const double rate = largest_rate(flow.fluid.flow.gradient);
   const CvodeTolerance errors{tolerance, fiber_length(flow.chain.fiber), 1, rate > 0 ? 1 / rate : duration, 1000000};
   const auto velocity = [fluid = flow.fluid](double time, const Poses<Dim>& poses) {
     return undisturbed<Dim>(gradient_at(fluid.flow, time), poses);
   };
-  return {flow.chain, flow.boundary, carried(flow), errors,
+  return {flow.chain, flow.boundary, carried_state(flow), errors,
           Medium<Dim>{drag_of<Dim>(flow.fluid, flow.chain.fiber), velocity}};
 }
 
@@ -98,6 +97,10 @@ FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, c
   }
 }
 
+template void check<2>(const FlowCase<2>&);
+template void check<3>(const FlowCase<3>&);
+template ChainState<2> carried_state<2>(const FlowCase<2>&);
+template ChainState<3> carried_state<3>(const FlowCase<3>&);
 template FlowRecord follow<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&, const FlowSample<2>&);
 template FlowRecord follow<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&, const FlowSample<3>&);
 

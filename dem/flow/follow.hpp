@@ -37,6 +37,14 @@ struct FlowCase {
   Boundary<Dim> boundary{};  ///< dead loads; clamped spheres with free draining only
 };
 
+/// Throws InvalidInput for a fiber, fluid or start that makes no sense, or rolling friction, which is not built in a fluid.
+template <int Dim>
+void check(const FlowCase<Dim>& flow);
+
+/// The start with the velocities of the undisturbed flow; clamped spheres rest.
+template <int Dim>
+ChainState<Dim> carried_state(const FlowCase<Dim>& flow);
+
 struct FlowOptions {
   FlowMethod method = FlowMethod::inertialess;
   double tolerance = 1e-8;  ///< inertialess, cvode: local error relative to L and to 1 rad

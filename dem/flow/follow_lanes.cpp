@@ -15,19 +15,9 @@ namespace {
 
 template <int Dim>
 void check_built(const FlowCase<Dim>& flow, const FlowOptions& options) {
-  const Fiber& fiber = flow.chain.fiber;
-  check(fiber);
-  check<Dim>(flow.fluid);
-  if (fiber.rolling_friction > 0) {
-    throw InvalidInput(fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",
-                                   fiber.rolling_friction));
-  }
+  check(flow);
   if (options.form == BondForm::incremental && !flow.chain.natural.empty()) {
     throw InvalidInput("form = incremental is not allowed: bonds curved at rest in a fluid have the total form only");
-  }
-  if (flow.start.size() != flow.chain.poses.size()) {
-    throw InvalidInput(fmt::format("start = {} poses is not allowed: the chain has {} spheres", flow.start.size(),
-                                   flow.chain.poses.size()));
   }
 }
 

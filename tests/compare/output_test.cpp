@@ -11,42 +11,18 @@
 #include <iterator>
 
 #include "compare/errors.hpp"
+#include "tests/dem/io/files.hpp"
 
 using namespace fiberchain::compare;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty directory that goes when the test ends.
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / ("fiberchain-output-" + std::to_string(::getpid()))) {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  fs::path path;
-};
+using fiberchain::test::content;
+using fiberchain::test::Scratch;
+using fiberchain::test::SizeLimit;
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::size_t entries(const fs::path& path) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
-}
-
-/// No file may grow beyond this while it lives, as on a full disk.
-struct SizeLimit {
-  explicit SizeLimit(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &before);
-    const rlimit limit{bytes, before.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before); }
-  rlimit before{};
-};
+std::size_t entries(const fs::path& path) { return fiberchain::test::files_in(path); }
 
 }  // namespace
 

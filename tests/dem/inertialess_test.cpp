@@ -64,17 +64,12 @@ dem::FlowCase<Dim> strained_case(const dem::Fiber& fiber, const dem::Fluid& flui
   return flow;
 }
 
-template <int Dim>
-dem::ChainVector<Dim> dashpot_push(const dem::FlowCase<Dim>& flow, const dem::ChainVector<Dim>& v) {
-  return dem::dashpot_forces(flow.chain, flow.start, v);
-}
-
 /// Largest force or moment left on any sphere, over the largest of its parts.
 template <int Dim>
 double left_over(const dem::FlowCase<Dim>& flow, const dem::ChainVector<Dim>& v) {
   const auto drag = dem::drag_of<Dim>(flow.fluid, flow.chain.fiber);
   const auto stream = dem::undisturbed<Dim>(flow.fluid.flow.gradient, flow.start);
-  const auto bonds = dem::bond_forces(flow.chain, flow.start), dashpots = dashpot_push(flow, v);
+  const auto bonds = dem::bond_forces(flow.chain, flow.start), dashpots = dem::dashpot_forces(flow.chain, flow.start, v);
   const auto loads = dem::applied_loads(flow.boundary, static_cast<int>(v.size()));
   double force = 0, force_size = 0, moment = 0, moment_size = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
