@@ -273,7 +273,26 @@ double Assembly::step() const { return state_->step; }
 std::int64_t Assembly::steps() const { return state_->steps; }
 double Assembly::time() const { return state_->time(); }
 std::int64_t Assembly::spheres() const { return state_->contacts.spheres(); }
-const std::vector<FiberGroup>& Assembly::groups() const { return state_->groups; }
+int Assembly::groups() const { return static_cast<int>(state_->groups.size()); }
+const Chain<3>& Assembly::chain(int group) const { return state_->groups[group].chain; }
+int Assembly::fibers(int group) const { return static_cast<int>(state_->groups[group].fibers.size()); }
+
+PlacedSpheres Assembly::placed() const {
+  PlacedSpheres all;
+  all.position = state_->positions();
+  for (const FiberGroup& group : state_->groups) {
+    const std::size_t n = group.fibers.size() * group.chain.poses.size();
+    all.radius.insert(all.radius.end(), n, group.chain.fiber.diameter / 2);
+  }
+  return all;
+}
+
+void Assembly::insert(FiberGroup) { throw InvalidInput("insert: comes with the next commit"); }
+
+double total(const EnergyBalance& e) {
+  return e.kinetic + e.bonds + e.contacts + e.gravity + e.bond_damping + e.bond_friction + e.contact_normal +
+         e.contact_tangential + e.contact_rolling + e.fluid - e.wall_work - e.inserted;
+}
 
 std::int64_t Assembly::first_sphere(int group, int fiber) const {
   return state_->first_sphere_of_group[group] +
@@ -285,6 +304,27 @@ ChainState<3> Assembly::state(int group, int fiber) const {
   for (int g = 0; g < group; ++g) before += static_cast<int>(state_->groups[g].fibers.size());
   const auto [block, lane] = state_->place_of_fiber[before + fiber];
   return state_now(state_->blocks[block].block, lane, state_->blocks[block].spheres);
+}
+
+std::vector<BondState> Assembly::bonds(int group, int fiber) const {
+  const State& s = *state_;
+  int before = 0;
+  for (int g = 0; g < group; ++g) before += static_cast<int>(s.groups[g].fibers.size());
+  const auto [block, lane] = s.place_of_fiber[before + fiber];
+  const ChainState<3> now = state(group, fiber);
+  const Chain<3>& chain = s.groups[group].chain;
+  const BondParameters<double> law = bond_parameters(chain.fiber);
+  std::vector<BondState> bonds;
+  for (std::size_t i = 0; i + 1 < now.poses.size(); ++i) {
+    const BondHistory<double, 3> history = s.blocks[block].block.history(lane, static_cast<int>(i));
+    const auto line = bond_vector<double, 3>(now.poses[i + 1].position - now.poses[i].position, 1 / chain.fiber.diameter);
+    const RelativeMotion<double, 3> motion{now.velocity[i + 1] - now.velocity[i], 0.5 * (now.spin[i] + now.spin[i + 1]),
+                                           now.spin[i + 1] - now.spin[i]};
+    const Vec<double, 3> e = line.inverse_length * line.vector;
+    bonds.push_back({incremental_action<true>(law, history, line, motion).force,
+                     norm(history.rotation - dot(history.rotation, e) * e)});
+  }
+  return bonds;
 }
 
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }

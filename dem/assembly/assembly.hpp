@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "dem/assembly/sphere_grid.hpp"
 #include "dem/assembly/surroundings.hpp"
 #include "dem/motion/chain_state.hpp"
 #include "dem/motion/lanes/kernel.hpp"
@@ -25,14 +26,27 @@ struct AssemblyOptions {
   Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
   int threads = 1;
   bool book_energy = false;               ///< sum what each mechanism dissipates
+  bool orientations = true;               ///< follow the orientations of spheres where the bonds do not need them (incremental form)
   InstructionSet instruction_set = best_instruction_set();
 };
 
-/// Where energy is, and what contacts have taken and walls given so far where it is booked [J].
+/// Where energy is, and what each mechanism has taken or given since the start where it is booked [J].
 struct EnergyBalance {
-  double kinetic, bonds, contacts, gravity;
-  double contact_normal, contact_tangential, contact_rolling;
-  double wall_work;
+  double kinetic, bonds, contacts, gravity;  ///< stored now
+  double bond_damping, bond_friction;        ///< taken by the dashpots and by the rolling friction of bonds
+  double contact_normal, contact_tangential, contact_rolling;  ///< taken by contacts
+  double fluid;                              ///< taken by the fluid (negative where it drives)
+  double wall_work;                          ///< given by walls that move
+  double inserted;                           ///< that fibers brought with them
+};
+
+/// Stored, and taken less what was given [J]: constant but for errors of the step.
+double total(const EnergyBalance& energy);
+
+/// A bond now.
+struct BondState {
+  Vec<double, 3> force;  ///< on its first sphere, spring and dashpot [N]
+  double bending_angle;  ///< |theta_b| of the bond law, 0 at rest [rad]
 };
 
 /// A pair that touches.
@@ -51,6 +65,9 @@ class Assembly {
   ~Assembly();
   Assembly(Assembly&&) noexcept;
 
+  /// Adds fibers now, as the last group. The step stays: throws InvalidInput if it is beyond what they allow.
+  void insert(FiberGroup group);
+
   /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up.
   void march(std::int64_t steps);
 
@@ -58,10 +75,15 @@ class Assembly {
   std::int64_t steps() const;    ///< done
   double time() const;           ///< [s]
   std::int64_t spheres() const;
-  const std::vector<FiberGroup>& groups() const;  ///< as given at the start
+  int groups() const;
+  const Chain<3>& chain(int group) const;
+  int fibers(int group) const;  ///< how many
+  PlacedSpheres placed() const;  ///< all spheres now, to fill in more beside them
 
   /// State now of a fiber, velocities of this moment.
   ChainState<3> state(int group, int fiber) const;
+  /// Of a fiber, from its first bond on.
+  std::vector<BondState> bonds(int group, int fiber) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
   std::int64_t touching() const;  ///< contacts now

@@ -55,10 +55,10 @@ struct Momenta {
 /// Of every sphere of every fiber.
 Momenta momenta(const dem::Assembly& assembly) {
   Momenta sum;
-  for (int g = 0; g < static_cast<int>(assembly.groups().size()); ++g) {
-    const dem::Fiber& fiber = assembly.groups()[g].chain.fiber;
+  for (int g = 0; g < assembly.groups(); ++g) {
+    const dem::Fiber& fiber = assembly.chain(g).fiber;
     const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
-    for (int f = 0; f < static_cast<int>(assembly.groups()[g].fibers.size()); ++f) {
+    for (int f = 0; f < assembly.fibers(g); ++f) {
       const dem::ChainState<3> s = assembly.state(g, f);
       for (std::size_t i = 0; i < s.poses.size(); ++i) {
         const Vec3 p = m * s.velocity[i];
@@ -95,8 +95,8 @@ dem::Surroundings box_with_gravity(double size) {
 
 std::vector<double> numbers(const dem::Assembly& assembly) {
   std::vector<double> all;
-  for (int g = 0; g < static_cast<int>(assembly.groups().size()); ++g) {
-    for (int f = 0; f < static_cast<int>(assembly.groups()[g].fibers.size()); ++f) {
+  for (int g = 0; g < assembly.groups(); ++g) {
+    for (int f = 0; f < assembly.fibers(g); ++f) {
       const dem::ChainState<3> s = assembly.state(g, f);
       for (std::size_t i = 0; i < s.poses.size(); ++i) {
         for (int c = 0; c < 3; ++c) all.insert(all.end(), {s.poses[i].position[c], s.velocity[i][c], s.spin[i][c]});
