@@ -53,8 +53,8 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   for (const FiberGroup& group : groups) {
     const Physics physics = physics_of(group.chain, surroundings, options);
     const int number = static_cast<int>(kinds.size());
-    kinds.push_back(fiber_kind(group.chain, physics, surroundings, step, options.instruction_set));
-    const FiberKind& kind = kinds.back();
+    kinds.push_back(fiber_kind(group.chain, group.fibers.size(), physics, surroundings, step, options.instruction_set));
+    FiberKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
     contacts.add(group.chain.fiber, fibers.back());
@@ -62,7 +62,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
       const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
-      blocks.emplace_back(kind, number, row, lanes, options.book_energy, rows);
+      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes, options.book_energy, rows);
       row = blocks.back().end(kind);
     }
     if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
