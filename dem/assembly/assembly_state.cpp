@@ -141,6 +141,7 @@ double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
 
 void Assembly::State::march_some(int count) {
   const int n_blocks = static_cast<int>(blocks.size()), n_stripes = contacts.stripes();
+  watch.lap(nullptr);
   bool list = false, touch = false;  // touch: contacts of the last step are still to be worked out
   for (int n = 0; n < count || touch;) {
     double fastest = 0;
@@ -152,6 +153,8 @@ void Assembly::State::march_some(int count) {
         for (int k = 0; k < n_stripes; ++k) contacts.work_out(k, rows, now);
 #pragma omp for schedule(static)
         for (int k = 0; k < n_stripes; ++k) contacts.gather_loads(k, rows);
+#pragma omp single nowait
+        watch.lap(&StepTimes::contacts);
       }
       if (n >= count) break;
 #pragma omp for schedule(static) reduction(max : fastest)
@@ -163,6 +166,7 @@ void Assembly::State::march_some(int count) {
         list = must_list(std::sqrt(fastest));
         fastest = 0;
         touch = true;
+        watch.lap(&StepTimes::bonds_and_motion);
       }
       if (list) break;
     }
@@ -173,6 +177,7 @@ void Assembly::State::march_some(int count) {
       } catch (const InvalidInput&) {  // not finite: looked for by the caller
         return;
       }
+      watch.lap(&StepTimes::search);
       list = false;
       touch = true;
     }
