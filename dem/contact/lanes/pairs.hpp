@@ -191,10 +191,10 @@ void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slot
   store_vector(loads.first_moment, numbers + 3);
   store_vector(loads.second_moment, numbers + 6);
   for (int k = 0; k < count; ++k) {
-    double* first = view.force + i.slot[k] * force_numbers;
+    double* first = view.force + i.slot[k] * load_numbers;
     for (int c = 0; c < 6; ++c) first[c] += numbers[c][k];
     if (j.slot[k] < task.slots_end) {
-      double* second = view.force + j.slot[k] * force_numbers;
+      double* second = view.force + j.slot[k] * load_numbers;
       for (int c = 0; c < 3; ++c) second[c] -= numbers[c][k], second[3 + c] += numbers[6 + c][k];
     } else {
       DeferredForce& later = task.deferred[task.deferred_count++];

@@ -74,7 +74,7 @@ void contact_wall(const ContactView& view, const WallView& wall, ContactTask& ta
     for (int k = 0; k < lanes; ++k) {
       const std::int32_t at = n + k;
       if (touching >> k & 1u) {
-        double* own = view.force + i.slot[k] * force_numbers;
+        double* own = view.force + i.slot[k] * load_numbers;
         for (int c = 0; c < 6; ++c) own[c] += numbers[c][k];
         for (int c = 0; c < 3; ++c) wall.spring[c][at] = numbers[6 + c][k];
         wall.overlap[at] = numbers[9][k];
