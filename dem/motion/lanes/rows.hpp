@@ -20,59 +20,73 @@ ChainBlock<P, Real> chain_of(const RowBlock& block) {
           nullptr};
 }
 
-template <class Real>
-struct RowPlace {
-  double* at[row_lanes<Real>];
-};
-
-/// Rows of sphere `i` of all lanes.
 template <int N, class Real>
-RowPlace<Real> place_of(double* rows, const RowBlock& block, int i) {
-  RowPlace<Real> place;
-  for (int k = 0; k < row_lanes<Real>; ++k) place.at[k] = rows + (block.first[k] + i) * N;
-  return place;
+RowStarts<Real> starts_of(double* rows, const RowBlock& block) {
+  RowStarts<Real> starts;
+  for (int k = 0; k < row_lanes<Real>; ++k) starts.at[k] = rows + block.first[k] * N;
+  return starts;
 }
 
-/// Sphere `i` with the loads from outside as its forces.
+/// The rows of a block's spheres.
 template <class Real>
-MovingSphere<Real, 3> read_sphere(const RowBlock& block, int i) {
-  MovingSphere<Real, 3> s;
-  Real numbers[6];
-  load_rows<position_numbers>(place_of<position_numbers, Real>(block.position, block, i).at, numbers);
-  s.pose.position = {numbers[0], numbers[1], numbers[2]};
-  load_rows<motion_numbers>(place_of<motion_numbers, Real>(block.motion, block, i).at, numbers);
-  s.velocity = {numbers[0], numbers[1], numbers[2]};
-  s.spin = {numbers[3], numbers[4], numbers[5]};
-  load_rows<load_numbers>(place_of<load_numbers, Real>(block.load, block, i).at, numbers);
-  s.force = {numbers[0] + Real(block.weight[0]), numbers[1] + Real(block.weight[1]), numbers[2] + Real(block.weight[2])};
-  s.moment = {numbers[3], numbers[4], numbers[5]};
-  if (block.orientation != nullptr) {
-    load_rows<orientation_numbers>(place_of<orientation_numbers, Real>(block.orientation, block, i).at, numbers);
-    s.pose.orientation = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
-  } else {
+class BlockRows {
+ public:
+  explicit BlockRows(const RowBlock& block)
+      : position_(starts_of<position_numbers, Real>(block.position, block)),
+        motion_(starts_of<motion_numbers, Real>(block.motion, block)),
+        load_(starts_of<load_numbers, Real>(block.load, block)),
+        weight_{Real(block.weight[0]), Real(block.weight[1]), Real(block.weight[2])},
+        radius_(position_.at[0][3]),
+        oriented_(block.orientation != nullptr) {
+    if (oriented_) orientation_ = starts_of<orientation_numbers, Real>(block.orientation, block);
+  }
+
+  bool oriented() const { return oriented_; }
+
+  /// Sphere `i`, the loads from outside as its forces.
+  MovingSphere<Real, 3> read(std::ptrdiff_t i) const {
+    MovingSphere<Real, 3> s;
+    Real numbers[6];
+    load_rows<position_numbers>(position_, i * position_numbers, numbers);
+    s.pose.position = {numbers[0], numbers[1], numbers[2]};
+    load_rows<motion_numbers>(motion_, i * motion_numbers, numbers);
+    s.velocity = {numbers[0], numbers[1], numbers[2]};
+    s.spin = {numbers[3], numbers[4], numbers[5]};
+    load_rows<load_numbers>(load_, i * load_numbers, numbers);
+    s.force = {numbers[0] + weight_[0], numbers[1] + weight_[1], numbers[2] + weight_[2]};
+    s.moment = {numbers[3], numbers[4], numbers[5]};
     s.pose.orientation = {Real(1.0), {Real(0.0), Real(0.0), Real(0.0)}};
+    if (oriented_) {
+      load_rows<orientation_numbers>(orientation_, i * orientation_numbers, numbers);
+      s.pose.orientation = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
+    }
+    return s;
   }
-  return s;
-}
 
-template <class Real>
-void write_sphere(const RowBlock& block, int i, const MovingSphere<Real, 3>& s, const Real& radius) {
-  const Vec<Real, 3>&x = s.pose.position, &v = s.velocity, &w = s.spin;
-  const Real position[] = {x[0], x[1], x[2], radius}, motion[] = {v[0], v[1], v[2], w[0], w[1], w[2]};
-  store_rows<position_numbers>(position, place_of<position_numbers, Real>(block.position, block, i).at);
-  store_rows<motion_numbers>(motion, place_of<motion_numbers, Real>(block.motion, block, i).at);
-  if (block.orientation != nullptr) {
-    const auto& q = s.pose.orientation;
-    const Real orientation[] = {q.w, q.v[0], q.v[1], q.v[2]};
-    store_rows<orientation_numbers>(orientation, place_of<orientation_numbers, Real>(block.orientation, block, i).at);
+  void write(std::ptrdiff_t i, const MovingSphere<Real, 3>& s) const {
+    const Vec<Real, 3>&x = s.pose.position, &v = s.velocity, &w = s.spin;
+    const Real position[] = {x[0], x[1], x[2], radius_}, motion[] = {v[0], v[1], v[2], w[0], w[1], w[2]};
+    store_rows<position_numbers>(position, position_, i * position_numbers);
+    store_rows<motion_numbers>(motion, motion_, i * motion_numbers);
+    if (oriented_) {
+      const auto& q = s.pose.orientation;
+      const Real orientation[] = {q.w, q.v[0], q.v[1], q.v[2]};
+      store_rows<orientation_numbers>(orientation, orientation_, i * orientation_numbers);
+    }
   }
-}
+
+ private:
+  RowStarts<Real> position_, motion_, load_, orientation_{};
+  Vec<Real, 3> weight_;
+  Real radius_;
+  bool oriented_;
+};
 
 /// Position, and orientation where it is followed.
 template <class Real>
-void drift_row(const RowBlock& block, MovingSphere<Real, 3>& s, const Real& dt) {
+void drift_row(const BlockRows<Real>& rows, MovingSphere<Real, 3>& s, const Real& dt) {
   s.pose.position = s.pose.position + dt * s.velocity;
-  if (block.orientation != nullptr) turn(s.pose, dt * s.spin);
+  if (rows.oriented()) turn(s.pose, dt * s.spin);
 }
 
 template <class Real>
@@ -94,17 +108,18 @@ Real sweep_rows(const RowBlock& block) {
   using std::max;
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
   const auto flow = local_flow<P, Real>(reinterpret_cast<const Real*>(block.gradient));
-  const Real radius(block.position[block.first[0] * position_numbers + 3]), led(block.led), dt = chain.parameters.step;
+  const BlockRows<Real> rows(block);
+  const Real led(block.led), dt = chain.parameters.step;
   Real fastest(0.0);
   const auto move = [&](int i, MovingSphere<Real, 3>& s) {
     kick<P>(s, chain.parameters, flow);
-    drift_row(block, s, dt);
+    drift_row(rows, s, dt);
     fastest = max(fastest, dot(s.velocity, s.velocity));
-    write_sphere<Real>(block, i, s, radius);
+    rows.write(i, s);
   };
-  MovingSphere<Real, 3> before = read_sphere<Real>(block, 0);
+  MovingSphere<Real, 3> before = rows.read(0);
   for (int i = 1; i <= block.bonds; ++i) {
-    MovingSphere<Real, 3> sphere = read_sphere<Real>(block, i);
+    MovingSphere<Real, 3> sphere = rows.read(i);
     add_bond<P, Real>(chain, i - 1, before, sphere, led);
     move(i - 1, before);
     before = sphere;
@@ -118,16 +133,17 @@ template <Physics P, class Real>
 Real step_rows_together(const RowBlock& block) {
   using std::max;
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
-  const Real radius(block.position[block.first[0] * position_numbers + 3]), led(block.led);
-  for (int i = 0; i <= block.bonds; ++i) chain.spheres[i] = read_sphere<Real>(block, i);
+  const BlockRows<Real> rows(block);
+  const Real led(block.led);
+  for (int i = 0; i <= block.bonds; ++i) chain.spheres[i] = rows.read(i);
   for (int i = 0; i < block.bonds; ++i) add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], led);
   kick_together<P, Real>(chain);
   Real fastest(0.0);
   for (int i = 0; i <= block.bonds; ++i) {
     MovingSphere<Real, 3>& s = chain.spheres[i];
-    drift_row(block, s, chain.parameters.step);
+    drift_row(rows, s, chain.parameters.step);
     fastest = max(fastest, dot(s.velocity, s.velocity));
-    write_sphere<Real>(block, i, s, radius);
+    rows.write(i, s);
   }
   return fastest;
 }
@@ -144,7 +160,8 @@ FIBERCHAIN_FLATTEN double step_rows(const RowBlock& block) {
 template <Physics P, class Real>
 void look_at_rows(const RowBlock& block) {
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
-  for (int i = 0; i <= block.bonds; ++i) chain.spheres[i] = read_sphere<Real>(block, i);
+  const BlockRows<Real> rows(block);
+  for (int i = 0; i <= block.bonds; ++i) chain.spheres[i] = rows.read(i);
   for (int i = 0; i < block.bonds; ++i) {
     add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], Real(block.led));
   }
@@ -199,9 +216,10 @@ template <Physics P, class Real>
 void book_rows(const RowBlock& block, const BondBook& book) {
   static_assert(sizeof(KeptWork<Real>) == book_numbers * sizeof(Real));
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
-  MovingSphere<Real, 3> before = read_sphere<Real>(block, 0);
+  const BlockRows<Real> rows(block);
+  MovingSphere<Real, 3> before = rows.read(0);
   for (int i = 0; i < block.bonds; ++i) {
-    const MovingSphere<Real, 3> sphere = read_sphere<Real>(block, i + 1);
+    const MovingSphere<Real, 3> sphere = rows.read(i + 1);
     book_bond<P, Real>(block, chain, i, before, sphere, book);
     before = sphere;
   }

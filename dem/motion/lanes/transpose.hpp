@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <xsimd/xsimd.hpp>
 
 #include "dem/sphere_rows.hpp"
@@ -54,15 +55,21 @@ inline __attribute__((always_inline)) void transpose_4(__m256d (&r)[4]) {
 }
 #endif
 
-/// Number c of the row at rows[lane] becomes lane `lane` of out[c].
-template <int N, class Real>
-inline __attribute__((always_inline)) void load_rows(const double* const* rows, Real* out) {
+/// Where rows begin, lane by lane.
+template <class Real, class Number = double>
+struct RowStarts {
+  Number* at[row_lanes<Real>];
+};
+
+/// Number c of the row `offset` numbers behind a lane's start becomes that lane of out[c].
+template <int N, class Real, class Number>
+inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows, std::ptrdiff_t offset, Real* out) {
   constexpr int lanes = row_lanes<Real>;
 #ifdef __AVX512F__
   if constexpr (lanes == 8 && N == 4) {
     __m512d r[4];
     for (int k = 0; k < 4; ++k) {
-      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows[k])), _mm256_loadu_pd(rows[k + 4]), 1);
+      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows.at[k] + offset)), _mm256_loadu_pd(rows.at[k + 4] + offset), 1);
     }
     transpose_4(r);
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
@@ -70,7 +77,7 @@ inline __attribute__((always_inline)) void load_rows(const double* const* rows, 
   } else if constexpr (lanes == 8 && N <= 8) {
     static_assert(N + row_overhang >= 8);
     __m512d r[8];
-    for (int k = 0; k < 8; ++k) r[k] = _mm512_loadu_pd(rows[k]);
+    for (int k = 0; k < 8; ++k) r[k] = _mm512_loadu_pd(rows.at[k] + offset);
     transpose_8(r);
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
     return;
@@ -80,7 +87,7 @@ inline __attribute__((always_inline)) void load_rows(const double* const* rows, 
     static_assert(N == 4 || N == 6);
     for (int part = 0; part < N; part += 4) {
       __m256d r[4];
-      for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows[k] + part);
+      for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows.at[k] + offset + part);
       transpose_4(r);
       for (int c = part; c < N && c < part + 4; ++c) out[c] = Real(r[c - part]);
     }
@@ -89,10 +96,10 @@ inline __attribute__((always_inline)) void load_rows(const double* const* rows, 
 #endif
   for (int c = 0; c < N; ++c) {
     if constexpr (lanes == 1) {
-      out[c] = rows[0][c];
+      out[c] = rows.at[0][offset + c];
     } else {
       alignas(64) double numbers[lanes];
-      for (int k = 0; k < lanes; ++k) numbers[k] = rows[k][c];
+      for (int k = 0; k < lanes; ++k) numbers[k] = rows.at[k][offset + c];
       out[c] = Real::load_aligned(numbers);
     }
   }
@@ -100,7 +107,7 @@ inline __attribute__((always_inline)) void load_rows(const double* const* rows, 
 
 /// The way back.
 template <int N, class Real>
-inline __attribute__((always_inline)) void store_rows(const Real* in, double* const* rows) {
+inline __attribute__((always_inline)) void store_rows(const Real* in, const RowStarts<Real>& rows, std::ptrdiff_t offset) {
   constexpr int lanes = row_lanes<Real>;
 #ifdef __AVX512F__
   if constexpr (lanes == 8 && N == 4) {
@@ -108,15 +115,15 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, double* co
     for (int c = 0; c < N; ++c) r[c] = in[c];
     transpose_4(r);
     for (int k = 0; k < 4; ++k) {
-      _mm256_storeu_pd(rows[k], _mm512_castpd512_pd256(r[k]));
-      _mm256_storeu_pd(rows[k + 4], _mm512_extractf64x4_pd(r[k], 1));
+      _mm256_storeu_pd(rows.at[k] + offset, _mm512_castpd512_pd256(r[k]));
+      _mm256_storeu_pd(rows.at[k + 4] + offset, _mm512_extractf64x4_pd(r[k], 1));
     }
     return;
   } else if constexpr (lanes == 8 && N < 8) {
     __m512d r[8];
     for (int c = 0; c < 8; ++c) r[c] = c < N ? static_cast<__m512d>(in[c]) : _mm512_setzero_pd();
     transpose_8(r);
-    for (int k = 0; k < 8; ++k) _mm512_mask_storeu_pd(rows[k], (1u << N) - 1u, r[k]);
+    for (int k = 0; k < 8; ++k) _mm512_mask_storeu_pd(rows.at[k] + offset, (1u << N) - 1u, r[k]);
     return;
   }
 #elif defined(__AVX2__)
@@ -124,24 +131,24 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, double* co
     __m256d r[4];
     for (int c = 0; c < 4; ++c) r[c] = in[c];
     transpose_4(r);
-    for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows[k], r[k]);
+    for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset, r[k]);
     if constexpr (N == 6) {
       const __m256d low = _mm256_unpacklo_pd(in[4], in[5]), high = _mm256_unpackhi_pd(in[4], in[5]);
-      _mm_storeu_pd(rows[0] + 4, _mm256_castpd256_pd128(low));
-      _mm_storeu_pd(rows[1] + 4, _mm256_castpd256_pd128(high));
-      _mm_storeu_pd(rows[2] + 4, _mm256_extractf128_pd(low, 1));
-      _mm_storeu_pd(rows[3] + 4, _mm256_extractf128_pd(high, 1));
+      _mm_storeu_pd(rows.at[0] + offset + 4, _mm256_castpd256_pd128(low));
+      _mm_storeu_pd(rows.at[1] + offset + 4, _mm256_castpd256_pd128(high));
+      _mm_storeu_pd(rows.at[2] + offset + 4, _mm256_extractf128_pd(low, 1));
+      _mm_storeu_pd(rows.at[3] + offset + 4, _mm256_extractf128_pd(high, 1));
     }
     return;
   }
 #endif
   for (int c = 0; c < N; ++c) {
     if constexpr (lanes == 1) {
-      rows[0][c] = in[c];
+      rows.at[0][offset + c] = in[c];
     } else {
       alignas(64) double numbers[lanes];
       in[c].store_aligned(numbers);
-      for (int k = 0; k < lanes; ++k) rows[k][c] = numbers[k];
+      for (int k = 0; k < lanes; ++k) rows.at[k][offset + c] = numbers[k];
     }
   }
 }
