@@ -1,5 +1,6 @@
 #include "dem/assembly/contact_parameters.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -67,13 +68,16 @@ ContactParameters<double> contact_parameters(const ContactBody& a, const Contact
   return p;
 }
 
-double contact_step_limit(const ContactBody& a, const ContactBody& b, const ContactRules& rules, double overlap,
-                          int neighbors) {
+ContactRates contact_rates(const ContactBody& a, const ContactBody& b, const ContactRules& rules, double overlap,
+                           int neighbors) {
   const Effective e = effective(a, b);
-  const double stiffness = 2 * e.youngs_modulus * std::sqrt(e.radius * overlap) * neighbors;
-  const double zeta = damping_ratio_for(rules.restitution) * std::sqrt(5.0 / 6 * neighbors);
-  // m a = -k x - c v, c at the lagged velocity: w dt < 2 (sqrt(1 + zeta^2) - zeta)
-  return 2 * (std::sqrt(1 + zeta * zeta) - zeta) * std::sqrt(e.mass / stiffness);
+  const double root = std::sqrt(e.radius * overlap), zeta = damping_ratio_for(rules.restitution);
+  const double normal = 2 * e.youngs_modulus * root, along = rules.friction > 0 ? 8 * e.shear_modulus * root : 0;
+  const auto dashpot = [&](double stiffness) { return 2 * zeta * std::sqrt(5.0 / 6 * e.mass * stiffness); };
+  const auto about_sphere = [&](double across, double tangential) {
+    return std::max({neighbors * (across + 2 * tangential) / 3, neighbors * 5.0 / 3 * tangential, 2 * across}) / e.mass;
+  };
+  return {about_sphere(normal, along), about_sphere(dashpot(normal), 0.5 * dashpot(along))};
 }
 
 }  // namespace fiberchain::dem
