@@ -8,8 +8,8 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Part of what stability allows that the bonds use up at a step: dt^2 K / 4 + dt C / 2 of their worst wave, whose limits
-/// without and with dashpots are known.
+/// Part of what stability allows that the bonds use up at a step: dt^2 K / 4 + dt C / 2 of their worst wave,
+/// whose limits without and with dashpots are known.
 double used_by_bonds(double undamped, double damped, double dt) {
   const double stiff = dt / undamped;
   return stiff * stiff + dt * (1 / damped - damped / (undamped * undamped));
@@ -45,18 +45,21 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
 
 }  // namespace
 
-// Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact (contact_parameters.hpp). K and C are
-// sums over bonds and contacts: what each uses up alone, in its own worst mode, adds up to no less than what both do.
+// Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
+// (contact_parameters.hpp). K and C are sums over bonds and contacts: what each uses up alone, in its own
+// worst mode, adds up to no less than what both do.
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings) {
   constexpr double part = 0.9;  // of the largest stable step
   StepChoice choice{1e300, "", 1e300, 1e300, 1e300};
   for (const FiberGroup& group : groups) {
-    const double undamped = undamped_time_step(group.chain.fiber), damped = stable_time_step(group.chain.fiber);
+    const double undamped = undamped_time_step(group.chain.fiber),
+                 damped = stable_time_step(group.chain.fiber);
     const ContactRates contacts = worst_contacts(group, groups, surroundings);
     choice.bonds = std::min(choice.bonds, undamped);
     choice.damped_bonds = std::min(choice.damped_bonds, damped);
     choice.contacts = std::min(
-        choice.contacts, step_that_uses_all([&](double dt) { return contacts.used(dt); }, 4 / std::sqrt(contacts.stiffness)));
+        choice.contacts,
+        step_that_uses_all([&](double dt) { return contacts.used(dt); }, 4 / std::sqrt(contacts.stiffness)));
     const auto used = [&](double dt) { return used_by_bonds(undamped, damped, dt) + contacts.used(dt); };
     choice.step = std::min(choice.step, part * step_that_uses_all(used, damped));
   }

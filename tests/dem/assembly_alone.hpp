@@ -19,8 +19,8 @@ struct Case {
   const char* name;
   dem::BondForm form;
   bool curved;
-  double damping;     ///< xi_b
-  double friction;    ///< xi_r
+  double damping;   ///< xi_b
+  double friction;  ///< xi_r
   dem::Rolling rolling = dem::Rolling::set_valued;
   enum { vacuum, steady, unsteady } fluid = vacuum;
   bool gravity = false;
@@ -45,7 +45,8 @@ inline dem::Surroundings around(const Case& c, const dem::Fiber& fiber) {
   dem::Surroundings s;
   s.contacts = {0.5, 0.3, 0.05};
   // so strong that it tells within the few steps
-  if (c.gravity) s.gravity = 0.002 * fiber.diameter / std::pow(dem::bond_time_step(fiber), 2) * V{0.3, -0.5, 0.8};
+  if (c.gravity)
+    s.gravity = 0.002 * fiber.diameter / std::pow(dem::bond_time_step(fiber), 2) * V{0.3, -0.5, 0.8};
   if (c.fluid != Case::vacuum) s.fluid = marching::odd_fluid<3>(fiber);
   if (c.fluid == Case::steady) s.fluid->flow = {dem::gradient_at(s.fluid->flow, 0)};
   return s;
@@ -57,8 +58,8 @@ struct Alone {
   std::vector<dem::BondHistory<double, 3>> history;
 };
 
-inline Alone alone(const Case& c, const dem::Chain<3>& chain, const dem::Surroundings& s, const dem::ChainState<3>& start,
-            double dt, int steps) {
+inline Alone alone(const Case& c, const dem::Chain<3>& chain, const dem::Surroundings& s,
+                   const dem::ChainState<3>& start, double dt, int steps) {
   dem::Physics physics{3, c.form, dem::damped(chain.fiber), false,
                        c.form == dem::BondForm::total && !chain.natural.empty()};
   physics.fluid = s.fluid.has_value();
@@ -110,7 +111,8 @@ struct Off {
   double position = 0, velocity = 0, spin = 0, turn = 0, angle = 0;
 };
 
-inline void compare(const dem::ChainState<3>& a, const dem::ChainState<3>& b, double length, double rate, Off& off) {
+inline void compare(const dem::ChainState<3>& a, const dem::ChainState<3>& b, double length, double rate,
+                    Off& off) {
   for (std::size_t i = 0; i < a.poses.size(); ++i) {
     off.position = std::max(off.position, norm(a.poses[i].position - b.poses[i].position) / length);
     off.velocity = std::max(off.velocity, norm(a.velocity[i] - b.velocity[i]) / (length * rate));
@@ -123,7 +125,8 @@ constexpr int kSteps = 150;
 
 inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
   const double speed = c.fluid != Case::vacuum ? 0.15 : c.damping > 0 || c.friction > 0 ? 0.07 : 0.02;
-  std::vector<dem::FiberGroup> groups{scattered(chain_of(c, 7, 1), 11, speed, 3), scattered(chain_of(c, 4, 1.3), 5, speed, 4),
+  std::vector<dem::FiberGroup> groups{scattered(chain_of(c, 7, 1), 11, speed, 3),
+                                      scattered(chain_of(c, 4, 1.3), 5, speed, 4),
                                       scattered(chain_of(c, 17, 0.9), 1, speed, 5)};
   for (int g : {1, 2}) {
     for (auto& fiber : groups[g].fibers) move(fiber, {0, 0, 2.0 * g});  // beside the first ones
@@ -132,8 +135,9 @@ inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
   const dem::Surroundings s = around(c, fiber);
   double dt = 1;
   for (const auto& group : groups) dt = std::min(dt, 0.4 * dem::stable_time_step(group.chain.fiber));
-  dem::Assembly assembly(groups, s, {.step = dt, .form = c.form, .rolling = c.rolling, .threads = threads,
-                                     .instruction_set = set});
+  dem::Assembly assembly(
+      groups, s,
+      {.step = dt, .form = c.form, .rolling = c.rolling, .threads = threads, .instruction_set = set});
   assembly.march(kSteps);
   BOOST_TEST(assembly.touching() == 0);
   Off off;
@@ -149,7 +153,8 @@ inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
       for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
         const V e = dem::unit(one.state.poses[i + 1].position - one.state.poses[i].position);
         const V summed = one.history[i].rotation - dot(one.history[i].rotation, e) * e;
-        const double bent = c.form == dem::BondForm::total ? dem::bending_angle(chain, one.state.poses, i) : norm(summed);
+        const double bent =
+            c.form == dem::BondForm::total ? dem::bending_angle(chain, one.state.poses, i) : norm(summed);
         off.angle = std::max(off.angle, std::abs(bonds[i].bending_angle - bent));
         most_bent = std::max(most_bent, bent);
       }

@@ -21,7 +21,8 @@ double farthest(const dem::Assembly& a, int group, const dem::Assembly& b, int o
   for (int f = 0; f < a.fibers(group); ++f) {
     const auto x = a.state(group, f), y = b.state(other, f);
     for (std::size_t i = 0; i < x.poses.size(); ++i) {
-      off = std::max({off, norm(x.poses[i].position - y.poses[i].position), 1e-3 * norm(x.velocity[i] - y.velocity[i])});
+      off = std::max(
+          {off, norm(x.poses[i].position - y.poses[i].position), 1e-3 * norm(x.velocity[i] - y.velocity[i])});
     }
   }
   return off;
@@ -35,7 +36,8 @@ dem::Surroundings weightless() {
 
 }  // namespace
 
-/// Far from what is there, they move as they would have from a start of their own, and the others as if nothing were.
+/// Far from what is there, they move as they would have from a start of their own, and the others as if
+/// nothing were.
 BOOST_AUTO_TEST_CASE(what_is_inserted_goes_its_own_way_and_the_others_theirs) {
   dem::Fiber fiber = odd_fiber(6);
   fiber.bond_damping = 0.2;
@@ -47,10 +49,13 @@ BOOST_AUTO_TEST_CASE(what_is_inserted_goes_its_own_way_and_the_others_theirs) {
   for (const bool fluid : {false, true}) {
     dem::Surroundings around = weightless();
     around.gravity = {0, 3, -9.81};
-    if (fluid) around.fluid = dem::Fluid{0.4 * dem::sphere_mass(fiber) / dem::stokes_drag({1, {}}, fiber).translation, {}};
+    if (fluid)
+      around.fluid =
+          dem::Fluid{0.4 * dem::sphere_mass(fiber) / dem::stokes_drag({1, {}}, fiber).translation, {}};
     dem::FiberGroup late = fluid ? scattered(dem::straight_chain<3>(odd_fiber(9, 1.2)), 5, 0.05, 4) : second;
     const double step = 0.5 * std::min(dem::stable_time_step(fiber), dem::stable_time_step(other));
-    dem::Assembly alone({first}, around, {.step = step}), late_alone({moved(late, {0, 0, 40})}, around, {.step = step});
+    dem::Assembly alone({first}, around, {.step = step}),
+        late_alone({moved(late, {0, 0, 40})}, around, {.step = step});
     dem::Assembly both({first}, around, {.step = step, .book_energy = true});
     alone.march(423);
     both.march(223);
@@ -65,11 +70,13 @@ BOOST_AUTO_TEST_CASE(what_is_inserted_goes_its_own_way_and_the_others_theirs) {
     late_alone.march(200);
     BOOST_TEST(farthest(both, 0, alone, 0) < 1e-13);
     BOOST_TEST(farthest(both, 1, late_alone, 0) < 1e-12);
-    BOOST_TEST(norm(both.state(1, 0).poses[0].position - late.fibers[0].poses[0].position - V{0, 0, 40}) > 1e-3);
+    BOOST_TEST(norm(both.state(1, 0).poses[0].position - late.fibers[0].poses[0].position - V{0, 0, 40}) >
+               1e-3);
   }
 }
 
-/// A packing that is being filled: old contacts keep what they remember, new ones are found, a pause changes no bit.
+/// A packing that is being filled: old contacts keep what they remember, new ones are found, a pause changes
+/// no bit.
 BOOST_AUTO_TEST_CASE(a_packing_goes_on_while_it_is_filled) {
   const SmallPacking packing = packing_in_a_box(16, 9);
   dem::Assembly assembly({packing.groups[0]}, packing.around, {.step = 6e-6, .book_energy = true});

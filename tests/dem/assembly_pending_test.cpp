@@ -31,18 +31,20 @@ BOOST_AUTO_TEST_CASE(the_balance_of_a_packing_closes_to_a_thousandth) {
         assembly.march(static_cast<int>(2.4e-3 / assembly.step()));
         const dem::EnergyBalance now = assembly.energy();
         const double turned = start.kinetic + start.gravity - now.gravity + now.wall_work;
-        BOOST_TEST(std::abs(total(now) - total(start)) < 1e-3 * turned,
-                   (total(now) - total(start)) / turned << " at " << assembly.time() << " s, xi_b = " << damping);
+        BOOST_TEST(std::abs(total(now) - total(start)) < 1e-3 * turned, (total(now) - total(start)) / turned
+                                                                            << " at " << assembly.time()
+                                                                            << " s, xi_b = " << damping);
       }
     }
   }
 }
 
-/// Moves to energy_balance_test: what is booked is booked up to this moment, as the kinetic energy is of this moment, also
-/// where dashpots take much within a step.
+/// Moves to energy_balance_test: what is booked is booked up to this moment, as the kinetic energy is of this
+/// moment, also where dashpots take much within a step.
 BOOST_AUTO_TEST_CASE(what_is_taken_is_booked_up_to_the_moment_of_the_velocities) {
   const dem::FiberGroup group = stirred(0.2, 0.02);
-  dem::Assembly assembly({group}, {}, {.step = 0.02 * dem::stable_time_step(group.chain.fiber), .book_energy = true});
+  dem::Assembly assembly({group}, {},
+                         {.step = 0.02 * dem::stable_time_step(group.chain.fiber), .book_energy = true});
   const dem::EnergyBalance start = assembly.energy();
   for (int n = 0; n < 20; ++n) {
     assembly.march(10);
@@ -84,5 +86,6 @@ BOOST_AUTO_TEST_CASE(spheres_beyond_a_wall_and_unstable_steps_are_refused) {
   dem::Surroundings around;
   around.walls = {side({0, 0, 3}, {0, 0, 1})};
   BOOST_CHECK_THROW(dem::Assembly({group}, around, {}), dem::InvalidInput);
-  BOOST_CHECK_THROW(dem::Assembly({group}, {}, {.step = 1.5 * dem::stable_time_step(group.chain.fiber)}), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::Assembly({group}, {}, {.step = 1.5 * dem::stable_time_step(group.chain.fiber)}),
+                    dem::InvalidInput);
 }

@@ -13,15 +13,47 @@ const Case cases[]{
     {"incremental, curved", BondForm::incremental, true, 0, 0},
     {"incremental, damped", BondForm::incremental, false, 0.37, 0},
     {"incremental, damped, curved, gravity", BondForm::incremental, true, 0.23, 0, {}, Case::vacuum, true},
-    {"incremental, retardation time", BondForm::incremental, false, 0.11, 0, {}, Case::vacuum, false, BondModel::paper,
+    {"incremental, retardation time",
+     BondForm::incremental,
+     false,
+     0.11,
+     0,
+     {},
+     Case::vacuum,
+     false,
+     BondModel::paper,
      DashpotLaw::retardation_time},
-    {"incremental, bending only", BondForm::incremental, false, 0.9, 0, {}, Case::vacuum, false, BondModel::paper,
+    {"incremental, bending only",
+     BondForm::incremental,
+     false,
+     0.9,
+     0,
+     {},
+     Case::vacuum,
+     false,
+     BondModel::paper,
      DashpotLaw::bending_only},
-    {"incremental, corrected bond", BondForm::incremental, false, 0, 0, {}, Case::vacuum, true, BondModel::corrected},
-    {"incremental, corrected, damped", BondForm::incremental, true, 0.19, 0, {}, Case::vacuum, false,
+    {"incremental, corrected bond",
+     BondForm::incremental,
+     false,
+     0,
+     0,
+     {},
+     Case::vacuum,
+     true,
+     BondModel::corrected},
+    {"incremental, corrected, damped",
+     BondForm::incremental,
+     true,
+     0.19,
+     0,
+     {},
+     Case::vacuum,
+     false,
      BondModel::corrected},
     {"rolling", BondForm::incremental, false, 0, 1.3, Rolling::set_valued},
-    {"rolling, damped, gravity", BondForm::incremental, false, 0.31, 2.7, Rolling::set_valued, Case::vacuum, true},
+    {"rolling, damped, gravity", BondForm::incremental, false, 0.31, 2.7, Rolling::set_valued, Case::vacuum,
+     true},
     {"rolling, curved", BondForm::incremental, true, 0.31, 0.7, Rolling::set_valued},
     {"rolling by sign", BondForm::incremental, false, 0, 1.3, Rolling::explicit_sign},
     {"rolling by sign, damped, curved", BondForm::incremental, true, 0.17, 0.6, Rolling::explicit_sign},
@@ -29,7 +61,15 @@ const Case cases[]{
     {"total, curved, gravity", BondForm::total, true, 0, 0, {}, Case::vacuum, true},
     {"total, damped", BondForm::total, false, 0.37, 0},
     {"total, damped, curved", BondForm::total, true, 0.23, 0},
-    {"total, corrected, damped", BondForm::total, false, 0.23, 0, {}, Case::vacuum, true, BondModel::corrected},
+    {"total, corrected, damped",
+     BondForm::total,
+     false,
+     0.23,
+     0,
+     {},
+     Case::vacuum,
+     true,
+     BondModel::corrected},
     {"fluid, incremental", BondForm::incremental, false, 0, 0, {}, Case::steady},
     {"fluid, incremental, damped, unsteady", BondForm::incremental, true, 0.2, 0, {}, Case::unsteady},
     {"fluid, total", BondForm::total, false, 0, 0, {}, Case::unsteady},
@@ -44,8 +84,9 @@ BOOST_AUTO_TEST_CASE(fibers_of_an_assembly_move_as_each_alone) {
   for (const Case& c : cases) {
     for (const auto set : {dem::best_instruction_set(), dem::InstructionSet::scalar}) {
       const Off off = off_of(c, set, 1);
-      BOOST_TEST_MESSAGE(c.name << " (" << dem::name(set) << "): off by " << off.position << " d, velocity " << off.velocity
-                                << ", spin " << off.spin << ", turn " << off.turn << ", bending angle " << off.angle);
+      BOOST_TEST_MESSAGE(c.name << " (" << dem::name(set) << "): off by " << off.position << " d, velocity "
+                                << off.velocity << ", spin " << off.spin << ", turn " << off.turn
+                                << ", bending angle " << off.angle);
       // a sign that chatters makes more of round-off
       const double much = c.friction > 0 && c.rolling == Rolling::explicit_sign ? 1e4 : 1;
       BOOST_TEST(off.position < much * 1e-12, c.name);
@@ -62,7 +103,8 @@ BOOST_AUTO_TEST_CASE(physics_that_is_not_built_is_refused) {
   const Case in_fluid{"rolling in a fluid", BondForm::incremental, false, 0, 1.3, {}, Case::steady};
   for (const Case& c : {rolling, in_fluid}) {
     const dem::FiberGroup group = scattered(chain_of(c, 3, 1), 2, 0.01, 1);
-    BOOST_CHECK_THROW(dem::Assembly({group}, around(c, group.chain.fiber), {.form = c.form}), dem::InvalidInput);
+    BOOST_CHECK_THROW(dem::Assembly({group}, around(c, group.chain.fiber), {.form = c.form}),
+                      dem::InvalidInput);
   }
   const Case fluid{"fluid", BondForm::incremental, false, 0, 0, {}, Case::steady};
   const dem::FiberGroup group = scattered(chain_of(fluid, 3, 1), 2, 0.01, 1);

@@ -18,7 +18,8 @@ inline dem::Fiber odd_fiber(int bonds, double size = 1) {
   return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262 * size, bonds};
 }
 
-/// A chain whose rest shape turns by the rotation vector `turn` (in the sphere's frame) from sphere to sphere.
+/// A chain whose rest shape turns by the rotation vector `turn` (in the sphere's frame) from sphere to
+/// sphere.
 inline dem::Chain<3> curled(const dem::Fiber& fiber, const V& turn) {
   dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const dem::Quaternion<double> half = dem::rotation(0.5 * turn);
@@ -35,8 +36,8 @@ inline void move(dem::ChainState<3>& state, const V& by) {
   for (auto& pose : state.poses) pose.position = pose.position + by;
 }
 
-/// Fibers along random directions on a plane grid of cells too large for them to meet; every sphere with a velocity and
-/// a spin of its own, `speed` diameters in t_b.
+/// Fibers along random directions on a plane grid of cells too large for them to meet; every sphere with a
+/// velocity and a spin of its own, `speed` diameters in t_b.
 inline dem::FiberGroup scattered(const dem::Chain<3>& chain, int count, double speed, unsigned seed) {
   dem::FiberGroup group{chain, {}};
   std::mt19937 random(seed);

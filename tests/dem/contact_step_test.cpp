@@ -22,7 +22,8 @@ struct Squeezed {
     s.contacts = rules;
     const double at = 1e-3 * (1 - overlap);
     s.walls = {side({0, 0, at}, {0, 0, 1}), side({0, 0, -at}, {0, 0, -1})};
-    for (dem::Wall& wall : s.walls) std::get<dem::Plane>(wall.shape).point = -std::get<dem::Plane>(wall.shape).point;
+    for (dem::Wall& wall : s.walls)
+      std::get<dem::Plane>(wall.shape).point = -std::get<dem::Plane>(wall.shape).point;
     return s;
   }
   /// Whether what moves it does not grow. Both spheres move alike: the bond has no part in it.
@@ -52,7 +53,8 @@ struct Squeezed {
   }
   /// Where the two contacts use up what stability allows.
   double expected() const {
-    const auto rates = dem::contact_rates(dem::sphere_body(fiber()), dem::wall_body(around()), rules, overlap * 1e-3, 2);
+    const auto rates =
+        dem::contact_rates(dem::sphere_body(fiber()), dem::wall_body(around()), rules, overlap * 1e-3, 2);
     double low = 0, high = 1e-3;
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
@@ -70,8 +72,8 @@ BOOST_AUTO_TEST_CASE(a_squeezed_sphere_is_stable_up_to_the_step_that_is_said) {
       for (const double friction : {0.0, 5.0}) {
         const Squeezed scene{overlap, {e, friction, 0}};
         const double ratio = scene.largest_stable() / scene.expected();
-        BOOST_TEST_MESSAGE("overlap " << overlap << " R, restitution " << e << ", friction " << friction << ": stable up to "
-                                      << ratio << " of " << scene.expected() << " s");
+        BOOST_TEST_MESSAGE("overlap " << overlap << " R, restitution " << e << ", friction " << friction
+                                      << ": stable up to " << ratio << " of " << scene.expected() << " s");
         BOOST_TEST(ratio > (friction > 0 ? 0.8 : 0.98));
         BOOST_TEST(ratio < (friction > 0 ? 1.3 : 1.02));
       }
@@ -106,7 +108,9 @@ struct Dense {
     stored = now.bonds + now.contacts;
     deepest = mean = 0;
     const auto all = assembly.contacts();
-    for (const auto& c : all) deepest = std::max(deepest, c.overlap / 1e-3), mean += c.overlap / 1e-3 / static_cast<double>(all.size());
+    for (const auto& c : all)
+      deepest = std::max(deepest, c.overlap / 1e-3),
+      mean += c.overlap / 1e-3 / static_cast<double>(all.size());
     contacts = all.size();
     packing.around.walls.erase(packing.around.walls.begin() + 1);
     packing.around.walls[1].from = 0;
@@ -134,10 +138,11 @@ BOOST_AUTO_TEST_CASE(a_dense_packing_is_quiet_at_the_chosen_step_and_not_at_twic
       const Dense dense(e, damping);
       const double step = dense.chosen(), fine = dense.unrest(0.3 * step), chosen = dense.unrest(step),
                    twice = dense.unrest(2 * step);
-      BOOST_TEST_MESSAGE("restitution " << e << ", xi_b = " << damping << ": " << dense.contacts << " contacts of 144 spheres, "
-                                        << dense.mean << " R deep, at most " << dense.deepest << " R; step " << step
-                                        << " s: kinetic energy left over that stored " << chosen << ", at 0.3 of the step "
-                                        << fine << ", at twice the step " << twice);
+      BOOST_TEST_MESSAGE("restitution "
+                         << e << ", xi_b = " << damping << ": " << dense.contacts
+                         << " contacts of 144 spheres, " << dense.mean << " R deep, at most " << dense.deepest
+                         << " R; step " << step << " s: kinetic energy left over that stored " << chosen
+                         << ", at 0.3 of the step " << fine << ", at twice the step " << twice);
       BOOST_TEST(dense.mean > 0.05);
       BOOST_TEST(chosen < 3 * fine + 1e-6);
       BOOST_TEST(twice > 30 * chosen);

@@ -1,4 +1,5 @@
-// A whole small packing: no contact is missed, and neither threads, a pause, nor a wider vector change what happens.
+// A whole small packing: no contact is missed, and neither threads, a pause, nor a wider vector change what
+// happens.
 #define BOOST_TEST_MODULE packing_contact
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -11,11 +12,13 @@ using namespace scenes;
 namespace {
 
 /// Pairs that touch, by the positions alone: every sphere with every other, and with every wall.
-std::set<std::pair<std::int64_t, std::int64_t>> brute_force(const dem::Assembly& assembly, const dem::Surroundings& around) {
+std::set<std::pair<std::int64_t, std::int64_t>> brute_force(const dem::Assembly& assembly,
+                                                            const dem::Surroundings& around) {
   const dem::PlacedSpheres spheres = assembly.placed();
   std::vector<std::int64_t> fiber;
   for (int g = 0, number = 0; g < assembly.groups(); ++g) {
-    for (int f = 0; f < assembly.fibers(g); ++f, ++number) fiber.insert(fiber.end(), assembly.chain(g).poses.size(), number);
+    for (int f = 0; f < assembly.fibers(g); ++f, ++number)
+      fiber.insert(fiber.end(), assembly.chain(g).poses.size(), number);
   }
   std::set<std::pair<std::int64_t, std::int64_t>> pairs;
   for (std::size_t i = 0; i < spheres.radius.size(); ++i) {
@@ -53,12 +56,14 @@ void no_contact_is_missed(const SmallPacking& packing, int moments, int steps) {
     }
     BOOST_TEST(found.size() == assembly.contacts().size());
     BOOST_TEST(static_cast<std::size_t>(assembly.touching()) == exact.size());
-    BOOST_TEST((found == exact), "moment " << n << ": " << found.size() << " found, " << exact.size() << " by brute force");
+    BOOST_TEST((found == exact),
+               "moment " << n << ": " << found.size() << " found, " << exact.size() << " by brute force");
     most = std::max(most, exact.size());
     all += exact.size();
   }
-  BOOST_TEST_MESSAGE(assembly.spheres() << " spheres: up to " << most << " contacts at once, " << all << " compared, "
-                                        << with_walls << " with walls, " << between << " between the kinds");
+  BOOST_TEST_MESSAGE(assembly.spheres()
+                     << " spheres: up to " << most << " contacts at once, " << all << " compared, "
+                     << with_walls << " with walls, " << between << " between the kinds");
   BOOST_TEST(most > 150u);
   BOOST_TEST(between > 100u);
   BOOST_TEST(with_walls > 100u);
@@ -66,7 +71,9 @@ void no_contact_is_missed(const SmallPacking& packing, int moments, int steps) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(no_contact_is_missed_in_a_box) { no_contact_is_missed(packing_in_a_box(60, 40), 40, 140); }
+BOOST_AUTO_TEST_CASE(no_contact_is_missed_in_a_box) {
+  no_contact_is_missed(packing_in_a_box(60, 40), 40, 140);
+}
 
 BOOST_AUTO_TEST_CASE(no_contact_is_missed_across_periodic_sides) {
   no_contact_is_missed(packing_in_a_periodic_box(60, 40), 30, 150);
@@ -91,8 +98,9 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
     dem::Rolling rolling;
     int threads;
   };
-  for (auto& [packing, rolling, threads] : {Way{packing_in_a_box(20, 15), dem::Rolling::set_valued, 3},
-                                            Way{packing_in_a_periodic_box(20, 15), dem::Rolling::explicit_sign, 2}}) {
+  for (auto& [packing, rolling, threads] :
+       {Way{packing_in_a_box(20, 15), dem::Rolling::set_valued, 3},
+        Way{packing_in_a_periodic_box(20, 15), dem::Rolling::explicit_sign, 2}}) {
     SmallPacking rubbing = packing;
     for (auto& group : rubbing.groups) group.chain.fiber.rolling_friction = 0.7;
     const auto fresh = [&, how = rolling](int with) {
@@ -122,7 +130,8 @@ BOOST_AUTO_TEST_CASE(a_pause_in_a_fluid_changes_no_bit) {
   SmallPacking packing = packing_in_a_box(12, 9);
   packing.stir_with_fluid();
   for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
-    dem::Assembly one = packing.assembly({.form = form}), two = packing.assembly({.form = form, .threads = 2});
+    dem::Assembly one = packing.assembly({.form = form}),
+                  two = packing.assembly({.form = form, .threads = 2});
     one.march(700);
     two.march(333);
     const auto pause = two.saved();
@@ -141,7 +150,8 @@ BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
       if (fluid) packing.stir_with_fluid();
       std::vector<double> first;
       std::int64_t touching = 0;
-      for (const auto set : {dem::InstructionSet::scalar, dem::InstructionSet::sse2, dem::best_instruction_set()}) {
+      for (const auto set :
+           {dem::InstructionSet::scalar, dem::InstructionSet::sse2, dem::best_instruction_set()}) {
         dem::Assembly assembly = packing.assembly({.instruction_set = set});
         for (int n = 0; n < 6; ++n) {
           assembly.march(50);
@@ -150,7 +160,8 @@ BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
         const std::vector<double> now = numbers(assembly);
         if (first.empty()) first = now;
         double off = 0;
-        for (std::size_t i = 0; i < now.size(); ++i) off = std::max(off, std::abs(now[i] - first[i]) / (1 + std::abs(first[i])));
+        for (std::size_t i = 0; i < now.size(); ++i)
+          off = std::max(off, std::abs(now[i] - first[i]) / (1 + std::abs(first[i])));
         BOOST_TEST(off < 1e-9);
       }
       BOOST_TEST(touching > 0);

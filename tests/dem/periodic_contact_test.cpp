@@ -19,11 +19,14 @@ dem::Fiber fiber_of(int bonds, double size = 1) {
 
 /// Two kinds of fibers that fly at each other around a place.
 std::vector<dem::FiberGroup> colliding(const V& at, const V& image = {}) {
-  const dem::Chain<3> one = dem::straight_chain<3>(fiber_of(4)), two = curled(fiber_of(6, 0.7), {0.1, 0.2, -0.1});
-  return {{one,
-           {dem::placed(one, {at + V{-2.1 * d, 0, 0}, {0.3, 1, 0.2}, {0.9, -0.2, 0.1}}),
-            dem::placed(one, {at + d * V{-1, 2, 2.6}, {1, 0.2, 0.4}, {0.3, -0.3, -0.9}})}},
-          {two, {dem::placed(two, {at + image + V{1.4 * d, 0.4 * d, -1.1 * d}, {-0.1, 0.3, 1}, {-1.1, 0.3, 0.2}})}}};
+  const dem::Chain<3> one = dem::straight_chain<3>(fiber_of(4)),
+                      two = curled(fiber_of(6, 0.7), {0.1, 0.2, -0.1});
+  return {
+      {one,
+       {dem::placed(one, {at + V{-2.1 * d, 0, 0}, {0.3, 1, 0.2}, {0.9, -0.2, 0.1}}),
+        dem::placed(one, {at + d * V{-1, 2, 2.6}, {1, 0.2, 0.4}, {0.3, -0.3, -0.9}})}},
+      {two,
+       {dem::placed(two, {at + image + V{1.4 * d, 0.4 * d, -1.1 * d}, {-0.1, 0.3, 1}, {-1.1, 0.3, 0.2}})}}};
 }
 
 dem::Surroundings rough(const V& period) {
@@ -34,7 +37,8 @@ dem::Surroundings rough(const V& period) {
 }
 
 /// Places about `at` after some steps, spheres of the second group moved back by `image`.
-std::vector<V> after(const V& at, const V& image, const dem::Surroundings& around, int steps, std::int64_t* most) {
+std::vector<V> after(const V& at, const V& image, const dem::Surroundings& around, int steps,
+                     std::int64_t* most) {
   dem::Assembly assembly(colliding(at, image), around, {.step = 4e-6});
   for (int n = 0; n < steps; n += 20) {
     assembly.march(20);
@@ -43,7 +47,8 @@ std::vector<V> after(const V& at, const V& image, const dem::Surroundings& aroun
   std::vector<V> places;
   for (int g = 0; g < 2; ++g) {
     for (int f = 0; f < assembly.fibers(g); ++f) {
-      for (const auto& pose : assembly.state(g, f).poses) places.push_back(pose.position - at - (g == 1 ? image : V{}));
+      for (const auto& pose : assembly.state(g, f).poses)
+        places.push_back(pose.position - at - (g == 1 ? image : V{}));
     }
   }
   return places;
@@ -56,8 +61,10 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
   std::int64_t most = 0;
   const auto free = after({}, {}, rough({}), 1200, &most);
   BOOST_TEST(most > 1);
-  for (const V& at : {0.5 * period, V{}, V{period[0], 0, 0}, V{1e-4, period[1] - 1e-4, -3e-4}, V{0.01, 0.0269, 0.01}}) {
-    for (const V& image : {V{}, V{period[0], 0, 0}, V{-period[0], 2 * period[1], 0}, V{0, 0, -3 * period[2]}}) {
+  for (const V& at :
+       {0.5 * period, V{}, V{period[0], 0, 0}, V{1e-4, period[1] - 1e-4, -3e-4}, V{0.01, 0.0269, 0.01}}) {
+    for (const V& image :
+         {V{}, V{period[0], 0, 0}, V{-period[0], 2 * period[1], 0}, V{0, 0, -3 * period[2]}}) {
       const auto places = after(at, image, rough(period), 1200, &most);
       double off = 0;
       for (std::size_t i = 0; i < places.size(); ++i) off = std::max(off, norm(places[i] - free[i]) / d);
@@ -76,12 +83,14 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
 BOOST_AUTO_TEST_CASE(a_fiber_flies_through_the_sides_unhindered) {
   const dem::Chain<3> chain = curled(fiber_of(7), {0.1, 0.2, 0.3});
   const V velocity{7, -5, 3}, period{0.02, 0.021, 0.022};
-  dem::Assembly assembly({{chain, {dem::placed(chain, {{0.01, 0.01, 0.01}, {1, 2, 3}, velocity})}}}, rough(period), {.step = 5e-6});
+  dem::Assembly assembly({{chain, {dem::placed(chain, {{0.01, 0.01, 0.01}, {1, 2, 3}, velocity})}}},
+                         rough(period), {.step = 5e-6});
   const auto start = assembly.state(0, 0);
   assembly.march(3000);
   BOOST_TEST(assembly.touching() == 0);
   for (std::size_t i = 0; i < start.poses.size(); ++i) {
-    BOOST_TEST(norm(assembly.state(0, 0).poses[i].position - start.poses[i].position - assembly.time() * velocity) < 1e-11 * d);
+    BOOST_TEST(norm(assembly.state(0, 0).poses[i].position - start.poses[i].position -
+                    assembly.time() * velocity) < 1e-11 * d);
   }
 }
 
@@ -120,7 +129,8 @@ BOOST_AUTO_TEST_CASE(momentum_of_a_periodic_packing_is_kept) {
   packing.around.gravity = {};
   packing.around.period = {0.0213, 0.0257, 0.029};
   for (std::size_t f = 0; f < 14; ++f) {
-    for (V& v : packing.groups[0].fibers[f].velocity) v = V{2.0 * std::cos(double(f)), 2.0 * std::sin(double(f)), 1.5};
+    for (V& v : packing.groups[0].fibers[f].velocity)
+      v = V{2.0 * std::cos(double(f)), 2.0 * std::sin(double(f)), 1.5};
   }
   dem::Assembly assembly = packing.assembly({});
   const auto momentum = [&](double* size) {
@@ -152,14 +162,17 @@ BOOST_AUTO_TEST_CASE(a_flow_presses_fibers_together_by_its_drag) {
   dem::Surroundings around = rough({});
   const double viscosity = m / 1.9e-3 / dem::stokes_drag({1, {}}, fiber).translation;
   around.fluid = dem::Fluid{viscosity, {dem::planar_extension(-rate)}};
-  dem::FiberGroup group{chain, {dem::placed(chain, {{-0.6 * d, 0, 0}, {0, 0, 1}}), dem::placed(chain, {{0.6 * d, 0, 0}, {0, 0, 1}})}};
+  dem::FiberGroup group{
+      chain,
+      {dem::placed(chain, {{-0.6 * d, 0, 0}, {0, 0, 1}}), dem::placed(chain, {{0.6 * d, 0, 0}, {0, 0, 1}})}};
   for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
     dem::Assembly assembly({group}, around, {.step = 6e-6, .form = form});
     assembly.march(12000);
     const auto contacts = assembly.contacts();
     BOOST_TEST(contacts.size() == 2u);
     for (const auto& c : contacts) {
-      const double x = (d - c.overlap) / 2, drag = dem::stokes_drag(*around.fluid, fiber).translation * rate * x;
+      const double x = (d - c.overlap) / 2,
+                   drag = dem::stokes_drag(*around.fluid, fiber).translation * rate * x;
       BOOST_TEST(norm(c.force) == drag, boost::test_tools::tolerance(1e-6));
       const double k = 4.0 / 3 * 2.6e6 / (2 * (1 - 0.31 * 0.31)) * std::sqrt(d / 4);
       BOOST_TEST(c.overlap == std::pow(drag / k, 2.0 / 3), boost::test_tools::tolerance(1e-6));

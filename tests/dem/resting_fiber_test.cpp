@@ -1,4 +1,5 @@
-// Fibers at rest on walls and on themselves, through the whole engine: beam theory, troughs, settling in a fluid, curls.
+// Fibers at rest on walls and on themselves, through the whole engine: beam theory, troughs, settling in a
+// fluid, curls.
 #define BOOST_TEST_MODULE resting_fiber
 #include <boost/test/unit_test.hpp>
 
@@ -23,8 +24,9 @@ dem::Fluid still(const dem::Fiber& fiber, double time) {
 
 }  // namespace
 
-/// Across a trough of two planes a fiber rests on its ends and sags under its weight. The chain's bond bends in its
-/// middle only: as Timoshenko's beam whose shear flexibility is 1 / K_t - l^3 / (12 E I) a bond, exactly.
+/// Across a trough of two planes a fiber rests on its ends and sags under its weight. The chain's bond bends
+/// in its middle only: as Timoshenko's beam whose shear flexibility is 1 / K_t - l^3 / (12 E I) a bond,
+/// exactly.
 BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
   double worst = 0;
   for (const auto model : {dem::BondModel::paper, dem::BondModel::corrected}) {
@@ -34,7 +36,8 @@ BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
         fiber.aspect_ratio = bonds;
         fiber.bond_model = model;
         const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-        const double R = dem::sphere_radius(fiber), m = dem::sphere_mass(fiber), l = dem::bond_length(fiber), L = bonds * l;
+        const double R = dem::sphere_radius(fiber), m = dem::sphere_mass(fiber), l = dem::bond_length(fiber),
+                     L = bonds * l;
         const double slope = 0.35, weak = 0.1 / bonds;  // weak gravity keeps the sag small
         dem::Surroundings around;
         around.gravity = tilted(-g * weak, 0, 0);
@@ -44,8 +47,8 @@ BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
           around.walls.push_back({dem::Plane{tilted(0, side * L / 2, 0) - R * normal, normal}});
         }
         around.fluid = still(fiber, 0.4 * bonds * bonds * dem::bond_time_step(fiber));
-        dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(0, -L / 2, 0), tilted(0, 1, 0)})}}}, around,
-                               {.form = form});
+        dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(0, -L / 2, 0), tilted(0, 1, 0)})}}},
+                               around, {.form = form});
         assembly.march(4000 + 120 * bonds * bonds);
         const auto contacts = assembly.contacts();
         BOOST_REQUIRE(contacts.size() == 2u);
@@ -53,8 +56,10 @@ BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
           BOOST_TEST((c.first == 0 || c.first == bonds));
           within(untilted(c.force)[0] / (0.5 * (bonds + 1) * m * g * weak), 1, 1e-6, "half the weight");
         }
-        const double EI = dem::bending_stiffness(fiber), flexibility = l / dem::shear_stiffness(fiber) - l * l * l / (12 * EI);
-        const double shear = flexibility > 1e-9 * l / dem::shear_stiffness(fiber) ? l / flexibility : infinite;
+        const double EI = dem::bending_stiffness(fiber),
+                     flexibility = l / dem::shear_stiffness(fiber) - l * l * l / (12 * EI);
+        const double shear =
+            flexibility > 1e-9 * l / dem::shear_stiffness(fiber) ? l / flexibility : infinite;
         const auto beam = ref::beam_on_supports({bonds + 1, l, m * g * weak, EI, shear, 0, bonds});
         const auto state = assembly.state(0, 0);
         const double low = untilted(state.poses[0].position)[0];
@@ -113,8 +118,10 @@ BOOST_AUTO_TEST_CASE(a_fiber_settles_through_a_still_fluid_onto_the_floor) {
   around.fluid = still(fiber, 2.3e-3);
   around.contacts = {0.4, 0.5};
   around.walls = {{dem::Plane{{}, tilted(1, 0, 0)}}};
-  dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(3e-3, 0, 0), tilted(0, 1, 0.4)})}}}, around, {});
-  const double m = dem::sphere_mass(fiber), terminal = m * g / dem::stokes_drag(*around.fluid, fiber).translation;
+  dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(3e-3, 0, 0), tilted(0, 1, 0.4)})}}}, around,
+                         {});
+  const double m = dem::sphere_mass(fiber),
+               terminal = m * g / dem::stokes_drag(*around.fluid, fiber).translation;
   assembly.march(static_cast<int>(0.03 / assembly.step()));
   BOOST_TEST(assembly.touching() == 0);
   within(motion_of(assembly, 0, 2).velocity[0] / -terminal, 1, 1e-5, "terminal speed");
@@ -180,12 +187,12 @@ BOOST_AUTO_TEST_CASE(a_curled_fiber_touches_itself_where_its_turns_meet_and_nowh
       double fastest = 0;
       for (const V& v : now.velocity) momentum = momentum + v, fastest = std::max(fastest, norm(v));
       BOOST_TEST(norm(momentum) < 1e-10);
-      BOOST_TEST_MESSAGE("curl of pitch " << pitch << " d: " << close << " contacts, then " << assembly.touching()
-                                          << ", still moves at " << fastest << " m/s");
+      BOOST_TEST_MESSAGE("curl of pitch " << pitch << " d: " << close << " contacts, then "
+                                          << assembly.touching() << ", still moves at " << fastest << " m/s");
       for (const auto& c : assembly.contacts()) {
         BOOST_TEST(c.second - c.first > 1);
-        const double overlap = chain.fiber.diameter -
-                               norm(now.poses[c.first].position - now.poses[c.second].position);
+        const double overlap =
+            chain.fiber.diameter - norm(now.poses[c.first].position - now.poses[c.second].position);
         BOOST_TEST(c.overlap == overlap, boost::test_tools::tolerance(1e-6));
       }
     }

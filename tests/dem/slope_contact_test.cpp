@@ -1,4 +1,5 @@
-// Spheres and fibers on planes, through the whole engine: rolling, sliding, rolling friction, rest; against closed forms.
+// Spheres and fibers on planes, through the whole engine: rolling, sliding, rolling friction, rest; against
+// closed forms.
 #define BOOST_TEST_MODULE slope_contact
 #include <boost/test/unit_test.hpp>
 
@@ -40,7 +41,8 @@ Run on_slope(double angle, const dem::ContactRules& rules, double time, double s
   const dem::Surroundings around = slope(angle, rules);
   const double R = dem::sphere_radius(ball), m = dem::sphere_mass(ball);
   const double rest = resting_overlap(ball, around, m * g * std::cos(angle));
-  const double k = 1.5 * ref::hertz_stiffness(ref::hertz_pair(body_of(ball), wall_of(around))) * std::sqrt(rest);
+  const double k =
+      1.5 * ref::hertz_stiffness(ref::hertz_pair(body_of(ball), wall_of(around))) * std::sqrt(rest);
   const double dt = 0.08 * std::sqrt(m / k);
   // it turns about -z as it goes along y with x up
   dem::Assembly assembly({group_of(ball, R - rest, 0, {{0, speed}, speed / R})}, around, {.step = dt});
@@ -51,7 +53,8 @@ Run on_slope(double angle, const dem::ContactRules& rules, double time, double s
   assembly.march(half);
   const ref::PlanarMotion end = motion_of(assembly, 0);
   return {(end.velocity[1] - middle.velocity[1]) / (half * dt), R * (end.spin - middle.spin) / (half * dt),
-          place_of(assembly, 0)[1], (place_of(assembly, 0)[1] - at) / (half * dt) / (g * dt), out_of_plane(assembly, 0)};
+          place_of(assembly, 0)[1], (place_of(assembly, 0)[1] - at) / (half * dt) / (g * dt),
+          out_of_plane(assembly, 0)};
 }
 
 }  // namespace
@@ -72,7 +75,8 @@ BOOST_AUTO_TEST_CASE(rolling_friction_slows_a_rolling_sphere_and_holds_it_on_a_s
   const double mu_r = 0.013;
   for (const double speed : {0.3, -0.3}) {
     const Run slowing = on_slope(0, {0.4, 0.4, mu_r}, 0.06, speed);
-    within(-slowing.acceleration / std::copysign(ref::rolling_deceleration(mu_r, g), speed), 1, 2e-3, "deceleration");
+    within(-slowing.acceleration / std::copysign(ref::rolling_deceleration(mu_r, g), speed), 1, 2e-3,
+           "deceleration");
     BOOST_TEST(std::abs(slowing.moved) > 0.01);
   }
   // down a slope: 5/7 g (sin - mu_r cos); held where tan < mu_r
@@ -81,14 +85,17 @@ BOOST_AUTO_TEST_CASE(rolling_friction_slows_a_rolling_sphere_and_holds_it_on_a_s
   within(down.acceleration / (5.0 / 7 * g * (std::sin(angle) - mu_r * std::cos(angle))), 1, 2e-3, "down");
   const Run held = on_slope(0.6 * mu_r, {0.4, 0.4, mu_r}, 0.3);
   within(held.acceleration / g, 0, 1e-9, "held");
-  // the moment m g R sin that holds it takes the spin that J / dt makes such a moment of: it creeps by 5/2 g sin dt
-  BOOST_TEST_MESSAGE("held by rolling friction it creeps at " << held.creep << " g dt, " << held.moved / ball.diameter << " d");
+  // the moment m g R sin that holds it takes the spin that J / dt makes such a moment of: it creeps by 5/2 g
+  // sin dt
+  BOOST_TEST_MESSAGE("held by rolling friction it creeps at " << held.creep << " g dt, "
+                                                              << held.moved / ball.diameter << " d");
   within(held.creep / std::sin(0.6 * mu_r), 2.5, 0.01, "creep");
   const Run not_held = on_slope(1.2 * mu_r, {0.4, 0.4, mu_r}, 0.3);
   BOOST_TEST(not_held.moved > 20 * std::abs(held.moved));
 }
 
-/// A fiber down the slope cannot roll: below Coulomb's limit it stays, its foot springs bent; above it slides.
+/// A fiber down the slope cannot roll: below Coulomb's limit it stays, its foot springs bent; above it
+/// slides.
 BOOST_AUTO_TEST_CASE(a_fiber_down_a_slope_rests_without_creep_or_slides) {
   dem::Fiber fiber = ball;
   fiber.aspect_ratio = 5;
@@ -99,7 +106,8 @@ BOOST_AUTO_TEST_CASE(a_fiber_down_a_slope_rests_without_creep_or_slides) {
     const double angle = std::atan(part * mu);
     const dem::Surroundings around = slope(angle, {0.3, mu});
     const double rest = resting_overlap(fiber, around, m * g * std::cos(angle));
-    dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(R - rest, 0, 0), tilted(0, 1, 0)})}}}, around, {});
+    dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(R - rest, 0, 0), tilted(0, 1, 0)})}}}, around,
+                           {});
     const auto steps = [&](double t) { return static_cast<int>(t / assembly.step()); };
     const auto foot = [&] { return untilted(assembly.state(0, 0).poses[0].position); };
     assembly.march(steps(0.15));

@@ -31,7 +31,8 @@ inline SmallPacking small_packing(int first, int second, const dem::Box& room, d
   dem::FillRules rules{room};
   rules.velocity = {0.1, 0.05, -1.5};
   rules.seed = 5;
-  return {dem::fill({{dem::straight_chain<3>(one), first}, {curled(two, {0.02, 0.06, 0.09}), second}}, rules, around),
+  return {dem::fill({{dem::straight_chain<3>(one), first}, {curled(two, {0.02, 0.06, 0.09}), second}}, rules,
+                    around),
           around};
 }
 
@@ -67,7 +68,8 @@ inline std::vector<double> numbers(const dem::Assembly& assembly) {
       const dem::ChainState<3> s = assembly.state(g, f);
       for (std::size_t i = 0; i < s.poses.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
-          all.insert(all.end(), {s.poses[i].position[c], s.velocity[i][c], s.spin[i][c], s.poses[i].orientation.v[c]});
+          all.insert(all.end(),
+                     {s.poses[i].position[c], s.velocity[i][c], s.spin[i][c], s.poses[i].orientation.v[c]});
         }
       }
     }

@@ -8,8 +8,8 @@
 #include "dem/assembly/place.hpp"
 #include "reference/two_spheres.hpp"
 
-/// Fibers of two spheres across the plane of motion: both spheres move alike, the bond carries nothing, and each sphere
-/// does what it would do alone. The plane is tilted against all axes.
+/// Fibers of two spheres across the plane of motion: both spheres move alike, the bond carries nothing, and
+/// each sphere does what it would do alone. The plane is tilted against all axes.
 namespace transverse {
 
 namespace dem = fiberchain::dem;
@@ -37,7 +37,8 @@ inline ref::ElasticBody wall_of(const dem::Surroundings& around) {
 }
 
 /// At x, y in the tilted plane.
-inline dem::FiberGroup group_of(const dem::Fiber& fiber, double x, double y, const ref::PlanarMotion& motion) {
+inline dem::FiberGroup group_of(const dem::Fiber& fiber, double x, double y,
+                                const ref::PlanarMotion& motion) {
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   dem::ChainState<3> state = dem::placed(
       chain, {tilted(x, y, 0), tilted(0, 0, 1), tilted(motion.velocity[0], motion.velocity[1], 0)});
@@ -61,8 +62,8 @@ inline double out_of_plane(const dem::Assembly& assembly, int group) {
   const dem::ChainState<3> s = assembly.state(group, 0);
   const double R = dem::sphere_radius(assembly.chain(group).fiber);
   const V w = untilted(s.spin[0]);
-  return std::abs(untilted(s.velocity[0])[2]) + norm(s.velocity[1] - s.velocity[0]) + R * norm(s.spin[1] - s.spin[0]) +
-         R * (std::abs(w[0]) + std::abs(w[1]));
+  return std::abs(untilted(s.velocity[0])[2]) + norm(s.velocity[1] - s.velocity[0]) +
+         R * norm(s.spin[1] - s.spin[0]) + R * (std::abs(w[0]) + std::abs(w[1]));
 }
 
 }  // namespace transverse

@@ -1,5 +1,5 @@
-// Collisions of two spheres, and of a sphere and a wall, through the whole engine: against Hertz's closed forms, and
-// against CVODE where they are oblique.
+// Collisions of two spheres, and of a sphere and a wall, through the whole engine: against Hertz's closed
+// forms, and against CVODE where they are oblique.
 #define BOOST_TEST_MODULE two_body_contact
 #include <boost/test/unit_test.hpp>
 
@@ -19,23 +19,25 @@ struct Outcome {
   double astray;  ///< out of the plane or unlike
 };
 
-/// A collision of `first` with `second`, or with the wall where there is none, in `steps` steps of Hertz's time.
+/// A collision of `first` with `second`, or with the wall where there is none, in `steps` steps of Hertz's
+/// time.
 struct Collision {
   dem::Fiber first;
   const dem::Fiber* second;
   dem::Surroundings around;
   double steps = 1500;
   dem::AssemblyOptions options{};
+  double phase = 0.37;  ///< part of a step at which they touch
 
   Outcome run(const ref::PlanarMotion& one, const ref::PlanarMotion& two) {
     const ref::HertzPair pair = ref::hertz_pair(body_of(first), second ? body_of(*second) : wall_of(around));
     const double closing = one.velocity[0] - two.velocity[0], R = dem::sphere_radius(first);
-    const double dt = ref::hertz_collision(pair, closing).time / steps, gap = 0.37 * dt * closing;
+    const double dt = ref::hertz_collision(pair, closing).time / steps, gap = phase * dt * closing;
     std::vector<dem::FiberGroup> groups;
     if (second) {
       const double reach = R + dem::sphere_radius(*second);
       groups = {group_of(first, 0, 0, one),
-                group_of(*second, reach + gap, -0.37 * dt * (two.velocity[1] - one.velocity[1]), two)};
+                group_of(*second, reach + gap, -phase * dt * (two.velocity[1] - one.velocity[1]), two)};
     } else {
       // the wall's x at the touch is 0
       groups = {group_of(first, -R - gap, 0, one)};
@@ -85,7 +87,10 @@ BOOST_AUTO_TEST_CASE(head_on_collisions_are_hertz_to_a_thousandth) {
     dem::Surroundings around;
   };
   double worst = 0;
-  for (const Pair& pair : {Pair{&soft, &soft, {}}, {&soft, &hard, {}}, {&hard, &soft, {}}, {&large, nullptr, {}},
+  for (const Pair& pair : {Pair{&soft, &soft, {}},
+                           {&soft, &hard, {}},
+                           {&hard, &soft, {}},
+                           {&large, nullptr, {}},
                            {&soft, nullptr, elastic_walls()}}) {
     for (const double e : {1.0, 0.83, 0.4, 0.17}) {
       for (const double speed : {0.021, 0.7}) {
@@ -106,8 +111,8 @@ BOOST_AUTO_TEST_CASE(head_on_collisions_are_hertz_to_a_thousandth) {
         if (e == 1) within(hit.force / ref::hertz_collision(hertz, speed).force, 1, 1e-3, "force");
         if (pair.second) {
           const double m1 = dem::sphere_mass(*pair.first), m2 = dem::sphere_mass(*pair.second);
-          within((m1 * hit.first.velocity[0] + m2 * hit.second.velocity[0]) / speed,
-                 0.31 * m1 - 0.69 * m2, 1e-12 * (m1 + m2), "momentum");
+          within((m1 * hit.first.velocity[0] + m2 * hit.second.velocity[0]) / speed, 0.31 * m1 - 0.69 * m2,
+                 1e-12 * (m1 + m2), "momentum");
         }
       }
     }
@@ -116,14 +121,21 @@ BOOST_AUTO_TEST_CASE(head_on_collisions_are_hertz_to_a_thousandth) {
 }
 
 BOOST_AUTO_TEST_CASE(restitution_holds_at_the_step_of_a_packing) {
-  // 40 steps a collision
+  // 40 steps a collision, which begins anywhere within a step
   for (const double e : {1.0, 0.5, 0.4}) {
-    Collision collision{soft, &hard, {}, 40};
-    collision.around.contacts = {e, 0.3};
-    const auto hit = collision.run({{0.4, 0}, 0}, {});
-    const double off = (hit.second.velocity[0] - hit.first.velocity[0]) / (0.4 * e) - 1;
-    BOOST_TEST_MESSAGE("restitution " << e << " at 40 steps a collision is off by " << off);
-    BOOST_TEST(std::abs(off) < 5e-3);
+    double least = 1, most = -1;
+    for (const double phase : {0.02, 0.2, 0.37, 0.6, 0.8, 0.98}) {
+      Collision collision{soft, &hard, {}, 40, {}, phase};
+      collision.around.contacts = {e, 0.3};
+      const auto hit = collision.run({{0.4, 0}, 0}, {});
+      const double off = (hit.second.velocity[0] - hit.first.velocity[0]) / (0.4 * e) - 1;
+      least = std::min(least, off), most = std::max(most, off);
+    }
+    BOOST_TEST_MESSAGE("restitution " << e << " at 40 steps a collision is off by " << least << " to "
+                                      << most);
+    BOOST_TEST(least > -0.012);
+    BOOST_TEST(most < 0.012);
+    if (e < 1) BOOST_TEST(most - least > 1e-4);
   }
 }
 
@@ -138,12 +150,14 @@ BOOST_AUTO_TEST_CASE(oblique_impact_sticks_and_slides_as_the_differential_equati
           collision.around.contacts = {e, mu};
           const ref::PlanarMotion one{{0.37, across}, 83},
               two = second ? ref::PlanarMotion{{-0.21, 0.05}, -29} : ref::PlanarMotion{{-0.13, 0.02}, 0};
-          const auto exact = ref::collide(body_of(soft), second ? body_of(*second) : wall_of(collision.around),
-                                          {dem::damping_ratio_for(e), mu}, one, two);
+          const auto exact =
+              ref::collide(body_of(soft), second ? body_of(*second) : wall_of(collision.around),
+                           {dem::damping_ratio_for(e), mu}, one, two);
           const auto hit = collision.run(one, two);
           const double speed = one.velocity[0] - two.velocity[0], R = dem::sphere_radius(soft);
           const auto compare = [&](const ref::PlanarMotion& a, const ref::PlanarMotion& b) {
-            for (int k = 0; k < 2; ++k) worst = std::max(worst, std::abs(a.velocity[k] - b.velocity[k]) / speed);
+            for (int k = 0; k < 2; ++k)
+              worst = std::max(worst, std::abs(a.velocity[k] - b.velocity[k]) / speed);
             worst = std::max(worst, std::abs(a.spin - b.spin) * R / speed);
           };
           compare(hit.first, exact.first);
@@ -156,8 +170,9 @@ BOOST_AUTO_TEST_CASE(oblique_impact_sticks_and_slides_as_the_differential_equati
       }
     }
   }
-  BOOST_TEST_MESSAGE("oblique impact: velocities and R spin off by " << worst << " of the closing speed; " << sticks
-                                                                     << " start sticking, " << slides << " sliding");
+  BOOST_TEST_MESSAGE("oblique impact: velocities and R spin off by "
+                     << worst << " of the closing speed; " << sticks << " start sticking, " << slides
+                     << " sliding");
   BOOST_TEST(worst < 1e-3);  // the tangential dashpot lags
   BOOST_TEST(worst > 1e-8);
   BOOST_TEST(sticks > 8);
@@ -171,7 +186,8 @@ BOOST_AUTO_TEST_CASE(every_form_and_instruction_set_collides_alike) {
   for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
     for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
       for (const bool booked : {false, true}) {
-        Collision collision{soft, &hard, {}, 300, {.form = form, .book_energy = booked, .instruction_set = set}};
+        Collision collision{
+            soft, &hard, {}, 300, {.form = form, .book_energy = booked, .instruction_set = set}};
         collision.around.contacts = {0.6, 0.2};
         all.push_back(collision.run(one, two));
       }
@@ -182,58 +198,4 @@ BOOST_AUTO_TEST_CASE(every_form_and_instruction_set_collides_alike) {
     within(o.first.spin, all[0].first.spin, 1e-8, "spin");
     within(o.overlap / all[0].overlap, 1, 1e-11, "overlap");
   }
-}
-
-/// Crossed fibers of other radius, material and mass: at every moment the force is Hertz's of the overlap of both, along
-/// the line of centers, at the place between the surfaces, and nothing else moves them.
-BOOST_AUTO_TEST_CASE(spheres_of_different_radius_and_material_press_by_hertz) {
-  const dem::Fiber thin = fiber_of(2.6e6, 0.31, 1130, 1.1e-3);
-  dem::Fiber longer = large;
-  longer.aspect_ratio = 4;
-  const ref::HertzPair pair = ref::hertz_pair(body_of(thin), body_of(longer));
-  const dem::Chain<3> one = dem::straight_chain<3>(thin), two = dem::straight_chain<3>(longer);
-  const double reach = dem::sphere_radius(thin) + dem::sphere_radius(longer);
-  const dem::ChainState<3> a = dem::placed(one, {tilted(0, 0, 0), tilted(0.3, 1, 0.2), tilted(0.8, 0.1, 0)});
-  const dem::ChainState<3> b = dem::placed(two, {tilted(1.15 * reach, -3.8e-3, 0.4e-3), tilted(0, 1, 0), tilted(-0.3, 0, 0)});
-  dem::Surroundings around;  // no friction, no dashpots: the force is a function of the overlap
-  dem::Assembly assembly({{one, {a}}, {two, {b}}}, around, {.step = 2e-7});
-  const auto momentum = [&](int g) {
-    V sum{};
-    for (const V& v : assembly.state(g, 0).velocity) sum = sum + dem::sphere_mass(assembly.chain(g).fiber) * v;
-    return sum;
-  };
-  const V start[2]{momentum(0), momentum(1)};
-  V impulse{};
-  double largest = 0;
-  int touches = 0;
-  BOOST_TEST(assembly.touching() == 0);
-  bool met[2][5]{};
-  for (int n = 0; n < 4000; ++n) {
-    assembly.march(1);
-    const dem::PlacedSpheres placed = assembly.placed();
-    for (const dem::ContactState& c : assembly.contacts()) {
-      BOOST_REQUIRE(c.first < 2);
-      BOOST_REQUIRE(c.second >= 2);
-      const V x = placed.position[c.first], y = placed.position[c.second];
-      const double distance = norm(y - x), overlap = reach - distance;
-      const double force = ref::hertz_stiffness(pair) * std::pow(overlap, 1.5);
-      BOOST_TEST(std::abs(c.overlap - overlap) < 1e-9 * overlap + 1e-17);
-      BOOST_TEST(norm(c.force + (force / distance) * (y - x)) < 1e-6 * force + 1e-15);
-      BOOST_TEST(norm(c.point - x) == dem::sphere_radius(thin) / reach * distance, boost::test_tools::tolerance(1e-9));
-      impulse = impulse + assembly.step() * c.force;
-      largest = std::max(largest, overlap);
-      met[c.first][c.second - 2] = true;
-      ++touches;
-    }
-  }
-  BOOST_TEST(assembly.touching() == 0);
-  BOOST_TEST(touches > 300);
-  BOOST_TEST(largest > 1e-5);
-  int pairs = 0;
-  for (const auto& row : met) {
-    for (const bool one_met : row) pairs += one_met;
-  }
-  BOOST_TEST(pairs > 1);
-  BOOST_TEST(norm(momentum(0) - start[0] - impulse) < 1e-9 * norm(impulse));
-  BOOST_TEST(norm(momentum(1) - start[1] + impulse) < 1e-9 * norm(impulse));
 }

@@ -1,4 +1,4 @@
-// Walls through the whole engine: the inside of a cylinder, plates that press, walls that open, appear and move.
+// Walls through the whole engine: the inside of a cylinder, plates that press.
 #define BOOST_TEST_MODULE wall_contact
 #include <boost/test/unit_test.hpp>
 #include <numbers>
@@ -35,7 +35,8 @@ double pressed(double force, double stiffness) { return std::pow(force / stiffne
 
 BOOST_AUTO_TEST_CASE(a_sphere_circles_in_a_cylinder_as_centripetal_force_has_it) {
   const dem::Surroundings around = in_cylinder();
-  const double k = wall_stiffness(ball, around), m = dem::sphere_mass(ball), R = dem::sphere_radius(ball), v = 0.83;
+  const double k = wall_stiffness(ball, around), m = dem::sphere_mass(ball), R = dem::sphere_radius(ball),
+               v = 0.83;
   double overlap = 0;
   for (int i = 0; i < 50; ++i) overlap = pressed(m * v * v / (cylinder_radius - R + overlap), k);
   const double path = cylinder_radius - R + overlap, angle = 0.3;
@@ -73,7 +74,8 @@ double swing_period(const dem::ContactRules& rules) {
   const double k = wall_stiffness(ball, around), m = dem::sphere_mass(ball), R = dem::sphere_radius(ball);
   const double overlap = pressed(m * g, k), path = cylinder_radius - R + overlap, angle = 0.02;
   const double dt = 0.1 * std::sqrt(m / (1.5 * k * std::sqrt(overlap)));
-  dem::Assembly assembly({group_of(ball, -path * std::cos(angle), path * std::sin(angle), {})}, around, {.step = dt});
+  dem::Assembly assembly({group_of(ball, -path * std::cos(angle), path * std::sin(angle), {})}, around,
+                         {.step = dt});
   double before = path * angle, first = 0, last = 0;
   int crossings = 0;
   while (crossings < 5) {
@@ -95,14 +97,15 @@ BOOST_AUTO_TEST_CASE(a_sphere_swings_at_the_bottom_of_a_cylinder) {
   within(swing_period({0.5, 0.9}) / (2 * std::numbers::pi) / std::sqrt(1.4), 1, 1e-3, "rolling");
 }
 
-/// A plate comes down on fibers across it (contacts in series) or upright (contacts and bonds in series), slowly: the
-/// force is that of the closure, and the plate's work is what the contacts and bonds store.
+/// A plate comes down on fibers across it (contacts in series) or upright (contacts and bonds in series),
+/// slowly: the force is that of the closure, and the plate's work is what the contacts and bonds store.
 BOOST_AUTO_TEST_CASE(a_moving_plate_presses_by_hertz_and_its_work_is_stored) {
   for (const bool upright : {false, true}) {
     dem::Fiber fiber = ball;
     fiber.aspect_ratio = upright ? 3 : 1;
     const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-    const double R = dem::sphere_radius(fiber), height = upright ? 8 * R : 2 * R, speed = 2e-3, closure = 6e-5;
+    const double R = dem::sphere_radius(fiber), height = upright ? 8 * R : 2 * R, speed = 2e-3,
+                 closure = 6e-5;
     dem::Surroundings around;
     around.wall_youngs_modulus = 5.1e6;
     around.wall_poisson_ratio = 0.23;
@@ -116,7 +119,8 @@ BOOST_AUTO_TEST_CASE(a_moving_plate_presses_by_hertz_and_its_work_is_stored) {
     assembly.march(steps);
     const double closed = speed * assembly.time();
     // a line of contacts (F/k)^(2/3) and bonds F/K in series
-    const double k = wall_stiffness(fiber, around), bonds = upright ? 3 / dem::bond_stiffness(fiber).stretch : 0;
+    const double k = wall_stiffness(fiber, around),
+                 bonds = upright ? 3 / dem::bond_stiffness(fiber).stretch : 0;
     double low = 0, high = 1;
     for (int i = 0; i < 200; ++i) {
       const double middle = (low + high) / 2;
@@ -138,81 +142,4 @@ BOOST_AUTO_TEST_CASE(a_moving_plate_presses_by_hertz_and_its_work_is_stored) {
     BOOST_TEST(e.contact_normal > 0);
     BOOST_TEST(e.contact_normal < 0.01 * stored);
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_wall_that_opens_lets_fall_and_one_that_appears_catches) {
-  dem::Fiber fiber = ball;
-  fiber.aspect_ratio = 4;
-  const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-  const double R = dem::sphere_radius(fiber), m = dem::sphere_mass(fiber), opens = 0.0102, floor = -3.1e-3, e = 0.4;
-  dem::Surroundings around;
-  around.gravity = tilted(-g, 0, 0);
-  around.contacts = {e, 0.3};
-  const dem::Plane up{{}, tilted(1, 0, 0)};
-  around.walls = {{up, {}, 0, opens},                                   // opens
-                  {up, {}, 1.0},                                        // would be in the way much later
-                  {dem::Plane{tilted(floor, 0, 0), tilted(1, 0, 0)}, {}, opens + 0.0143}};  // appears below
-  const double rest = pressed(m * g, wall_stiffness(fiber, around));
-  dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(R - rest, 0, 0), tilted(0, 0.6, 0.8)})}}}, around, {});
-  const double dt = assembly.step();
-  assembly.march(static_cast<int>(opens / dt) - 1);
-  BOOST_TEST(assembly.touching() == 5);
-  within(place_of(assembly, 0, 3)[0] / (R - rest), 1, 1e-9, "rests");
-  assembly.march(3);
-  BOOST_TEST(assembly.touching() == 0);
-  const V x = place_of(assembly, 0, 1);
-  const double v = motion_of(assembly, 0, 1).velocity[0], t0 = assembly.time();
-  // to shortly before it lands: 1e-3 m above
-  const double fall = x[0] - (floor + R), until = std::sqrt(2 * (fall - 2e-4) / g);
-  for (const double part : {0.4, 0.6}) {
-    assembly.march(static_cast<int>(part * until / dt) - 2);
-    const double t = assembly.time() - t0;
-    within(place_of(assembly, 0, 1)[0], x[0] + v * t - 0.5 * g * t * t, 1e-13, "falls");
-    within(motion_of(assembly, 0, 1).velocity[0], v - g * t, 1e-11, "speed");
-    BOOST_TEST(assembly.touching() == 0);
-  }
-  // all spheres land at once, as each alone: the highest it rises to again is e^2 of the fall
-  double highest = -1, now = 0, before = -1;
-  while (assembly.touching() == 0) assembly.march(1);
-  while (assembly.touching() > 0) assembly.march(1);
-  do {
-    before = now;
-    assembly.march(10);
-    now = place_of(assembly, 0, 1)[0] - floor - R;
-    highest = std::max(highest, now);
-  } while (now > before);
-  within(highest / fall, e * e, 0.01 * e * e, "rises again");
-}
-
-/// The same scene with everything moving along at one velocity is the same scene.
-BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
-  std::vector<V> places[2];
-  for (const bool moving : {false, true}) {
-    const V u = moving ? V{0.31, -0.22, 0.17} : V{};
-    dem::Fiber fiber = ball;
-    fiber.aspect_ratio = 3;
-    const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-    dem::Surroundings around = in_cylinder();
-    around.walls.push_back({dem::Plane{tilted(-5e-3, 0, 0), tilted(1, 0, 0)}});
-    around.walls.push_back({dem::Plane{tilted(0, 0, -4e-3), tilted(0, 0, 1)}});
-    for (dem::Wall& wall : around.walls) wall.velocity = u;
-    around.contacts = {0.6, 0.4, 0.03};
-    around.gravity = tilted(-g, 1.3, -2.1);
-    dem::FiberGroup group{chain, {}};
-    for (int f = 0; f < 5; ++f) {
-      group.fibers.push_back(dem::placed(
-          chain, {tilted(-2e-3 + 2.1e-3 * f, -3e-3 + 1e-3 * f, 0), tilted(0.1 * f, 1, 0.2 * f), u + tilted(-0.5, 0.4, -0.3)}));
-    }
-    dem::Assembly assembly({group}, around, {.step = 3e-6});
-    std::int64_t most = 0;
-    for (int n = 0; n < 50; ++n) {
-      assembly.march(60);
-      most = std::max(most, assembly.touching());
-    }
-    BOOST_TEST(most > 3);
-    for (int f = 0; f < 5; ++f) {
-      for (const auto& pose : assembly.state(0, f).poses) places[moving].push_back(pose.position - assembly.time() * u);
-    }
-  }
-  for (std::size_t i = 0; i < places[0].size(); ++i) BOOST_TEST(norm(places[1][i] - places[0][i]) < 1e-9 * ball.diameter);
 }
