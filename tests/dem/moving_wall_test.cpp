@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "dem/contact/restitution.hpp"
+#include "tests/dem/small_packing.hpp"
 #include "tests/dem/transverse_fibers.hpp"
 
 using namespace transverse;
@@ -123,4 +124,37 @@ BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
   }
   for (std::size_t i = 0; i < places[0].size(); ++i)
     BOOST_TEST(norm(places[1][i] - places[0][i]) < 1e-9 * ball.diameter);
+}
+
+/// The same scene turned as a whole is the same scene.
+BOOST_AUTO_TEST_CASE(a_packing_turned_as_a_whole_does_the_same) {
+  const scenes::SmallPacking packing = scenes::packing_in_a_box(14, 9);
+  scenes::SmallPacking turned = packing;
+  turned.around.gravity = rotate(tilt, packing.around.gravity);
+  for (dem::Wall& wall : turned.around.walls) {
+    auto& plane = std::get<dem::Plane>(wall.shape);
+    plane = {rotate(tilt, plane.point), rotate(tilt, plane.normal)};
+  }
+  for (auto& group : turned.groups) {
+    for (auto& fiber : group.fibers) {
+      for (std::size_t i = 0; i < fiber.poses.size(); ++i) {
+        fiber.poses[i] = {rotate(tilt, fiber.poses[i].position), tilt * fiber.poses[i].orientation};
+        fiber.velocity[i] = rotate(tilt, fiber.velocity[i]);
+      }
+    }
+  }
+  for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
+    dem::Assembly one = packing.assembly({.form = form}), other = turned.assembly({.form = form});
+    std::int64_t most = 0;
+    for (int n = 0; n < 8; ++n) {
+      one.march(50);
+      other.march(50);
+      most = std::max(most, one.touching());
+    }
+    BOOST_TEST(most > 3);
+    const auto x = one.placed().position, y = other.placed().position;
+    double off = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) off = std::max(off, norm(rotate(tilt, x[i]) - y[i]));
+    BOOST_TEST(off < 1e-9 * 2e-3, off);
+  }
 }

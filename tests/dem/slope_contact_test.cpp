@@ -132,3 +132,32 @@ BOOST_AUTO_TEST_CASE(a_fiber_down_a_slope_rests_without_creep_or_slides) {
     }
   }
 }
+
+/// What a contact remembers stays when pairs are listed anew, here at nearly every step for a fiber that
+/// flies by.
+BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_listed_anew) {
+  dem::Fiber fiber = ball;
+  fiber.aspect_ratio = 3;
+  fiber.bond_damping = 0.4;
+  const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
+  const double R = dem::sphere_radius(fiber);
+  const dem::Surroundings around = slope(0.3, {0.3, 0.5, 0.05});
+  const auto held = dem::placed(chain, {tilted(0.99 * R, 0, 0), tilted(0, 1, 0.4)});
+  const auto upon = dem::placed(chain, {tilted(2.9 * R, 0.4 * R, -1e-3), tilted(0.02, 0.1, 1)});
+  const auto flies = dem::placed(chain, {tilted(0.1, 0, 0), tilted(0, 1, 0), tilted(3, 40, -30)});
+  const auto leaves = dem::placed(chain, {tilted(0.1, 0, 0), tilted(0, 1, 0)});
+  std::vector<V> places[2];
+  for (const bool fast : {false, true}) {
+    dem::Assembly assembly({{chain, {held, upon, fast ? flies : leaves}}}, around, {.step = 4e-6});
+    assembly.march(6000);
+    BOOST_TEST(assembly.touching() >= 4);
+    double tangential = 0;
+    for (const auto& c : assembly.contacts()) tangential += c.second < 0 ? std::abs(untilted(c.force)[1]) : 0;
+    BOOST_TEST(tangential > 1e-6);
+    for (int f : {0, 1}) {
+      for (const auto& pose : assembly.state(0, f).poses) places[fast].push_back(pose.position);
+    }
+  }
+  for (std::size_t i = 0; i < places[0].size(); ++i)
+    BOOST_TEST(norm(places[1][i] - places[0][i]) < 1e-11 * R);
+}
