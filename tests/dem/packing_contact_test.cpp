@@ -72,11 +72,11 @@ void no_contact_is_missed(const SmallPacking& packing, int moments, int steps) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(no_contact_is_missed_in_a_box) {
-  no_contact_is_missed(packing_in_a_box(60, 40), 40, 140);
+  no_contact_is_missed(packing_in_a_box(60, 40), 24, 160);
 }
 
 BOOST_AUTO_TEST_CASE(no_contact_is_missed_across_periodic_sides) {
-  no_contact_is_missed(packing_in_a_periodic_box(60, 40), 30, 150);
+  no_contact_is_missed(packing_in_a_periodic_box(60, 40), 20, 170);
 }
 
 /// Looked at after every step, while fast fibers pass through the cells.
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(no_contact_of_fast_fibers_is_missed) {
       for (V& v : group.fibers[f].velocity) v = fast;
     }
   }
-  no_contact_is_missed(packing, 150, 5);
+  no_contact_is_missed(packing, 90, 7);
 }
 
 BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
