@@ -53,8 +53,8 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   for (const FiberGroup& group : groups) {
     const Physics physics = physics_of(group.chain, surroundings, options);
     const int number = static_cast<int>(kinds.size());
-    kinds.push_back(fiber_kind(group.chain, physics, surroundings, step, options.instruction_set));
-    const FiberKind& kind = kinds.back();
+    kinds.push_back(fiber_kind(group.chain, group.fibers.size(), physics, surroundings, step, options.instruction_set));
+    FiberKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
     contacts.add(group.chain.fiber, fibers.back());
@@ -62,7 +62,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
       const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
-      blocks.emplace_back(kind, number, row, lanes, options.book_energy, rows);
+      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes, options.book_energy, rows);
       row = blocks.back().end(kind);
     }
     if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
@@ -127,12 +127,14 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& be
   return taken;
 }
 
-double Assembly::State::step_block(FiberBlock& block, LaneArray& own_scratch) {
+double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
+  FiberBlock& block = blocks[number];
+  const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
   const FiberKind& kind = kinds[block.group()];
   if (options.book_energy) block.book(kind, rows, own_scratch);
-  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_scratch, gradient.data());
+  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_scratch, gradient.data(), next);
   const BlockLook before = block.look(kind, rows, gradient.data());
-  const double fastest = block.step(kind, rows, own_scratch, gradient.data());
+  const double fastest = block.step(kind, rows, own_scratch, gradient.data(), next);
   block.add_fluid_taken(fluid_taken(block, before));
   return fastest;
 }
@@ -153,7 +155,7 @@ void Assembly::State::march_some(int count) {
       }
       if (n >= count) break;
 #pragma omp for schedule(static) reduction(max : fastest)
-      for (int b = 0; b < n_blocks; ++b) fastest = std::max(fastest, step_block(blocks[b], scratch[omp_get_thread_num()]));
+      for (int b = 0; b < n_blocks; ++b) fastest = std::max(fastest, step_block(b, scratch[omp_get_thread_num()]));
 #pragma omp single
       {
         ++steps, ++n;
