@@ -10,6 +10,8 @@ inline constexpr int orientation_numbers = 4;  ///< quaternion
 
 inline constexpr int memory_numbers = 6;       ///< of a contact: tangential spring, overlap, opening velocity, unused
 
+inline constexpr int work_numbers = 8;         ///< booked contacts: dashpot force, tangential force, 3 unused, its power
+
 /// Rows are read (never written) up to so many numbers beyond their end.
 inline constexpr int row_overhang = 2;
 

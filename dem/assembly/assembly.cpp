@@ -32,6 +32,33 @@ void check_fluid(const Surroundings& surroundings) {
   }
 }
 
+void check_places(const std::vector<FiberGroup>& groups, const Surroundings& surroundings, double time) {
+  for (const FiberGroup& group : groups) {
+    for (std::size_t f = 0; f < group.fibers.size(); ++f) {
+      for (std::size_t i = 0; i < group.fibers[f].poses.size(); ++i) {
+        for (std::size_t w = 0; w < surroundings.walls.size(); ++w) {
+          const Wall& wall = surroundings.walls[w];
+          if (!is_there(wall, time) || gap_to(wall, group.fibers[f].poses[i].position, time) > 0) continue;
+          throw InvalidInput(fmt::format("sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
+        }
+      }
+    }
+  }
+}
+
+/// Images of a sphere would have to move with the flow.
+void check_periods(const Surroundings& surroundings) {
+  if (!surroundings.fluid) return;
+  const Gradient A = gradient_at(surroundings.fluid->flow, 0);
+  for (int c = 0; c < 3; ++c) {
+    if (surroundings.period[c] > 0 && (A[0][c] != 0 || A[1][c] != 0 || A[2][c] != 0)) {
+      throw InvalidInput("a flow that varies along a periodic side is not allowed");
+    }
+  }
+}
+
+double largest_step(const StepChoice& choice) { return std::min(choice.bonds, choice.damped_bonds); }
+
 double stored(const EnergyBalance& e) { return e.kinetic + e.bonds + e.contacts + e.gravity; }
 
 }  // namespace
@@ -40,16 +67,23 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Surroundings surroundings, As
   if (groups.empty()) throw InvalidInput("fibers = none is not allowed: an assembly needs at least one");
   for (const FiberGroup& group : groups) check(group);
   check_fluid(surroundings);
+  check_periods(surroundings);
+  check_places(groups, surroundings, 0);
   if (options.threads < 1) throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
-  const double step = options.step ? *options.step : assembly_time_step(groups, surroundings).step;
+  const StepChoice choice = assembly_time_step(groups, surroundings);
+  const double step = options.step ? *options.step : choice.step;
   if (!(step > 0) || !std::isfinite(step)) {
     throw InvalidInput(fmt::format("step = {} s is not allowed: it must be finite and greater than 0", step));
+  }
+  if (step > largest_step(choice)) {
+    throw InvalidInput(fmt::format("step = {:g} s is not allowed: it must be at most {:g} s, beyond which bonds are unstable",
+                                   step, largest_step(choice)));
   }
   state_ = std::make_unique<State>(std::move(surroundings), std::move(options), step);
   State& s = *state_;
   s.add(groups);
-  for (int k = 0; k < s.contacts.stripes(); ++k) s.contacts.work_out(k, s.rows, 0);
-  for (int k = 0; k < s.contacts.stripes(); ++k) s.contacts.gather_loads(k, s.rows);
+  s.touch();
+  s.contacts.begin_books();
   s.start_blocks(0);
 }
 
@@ -59,8 +93,8 @@ Assembly::Assembly(Assembly&&) noexcept = default;
 void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
-  const StepChoice choice = assembly_time_step({group}, s.surroundings);
-  const double largest = std::min({choice.bonds, choice.damped_bonds});
+  check_places({group}, s.surroundings, s.time());
+  const double largest = largest_step(assembly_time_step({group}, s.surroundings));
   if (s.step > largest) {
     throw InvalidInput(fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear", s.step,
                                    largest));

@@ -8,7 +8,7 @@ namespace {
 /// Steps, time of the list, room, inserted energy, spheres.
 constexpr std::size_t head_numbers = 5;
 /// Of a contact.
-constexpr std::size_t kept_numbers = 7;
+constexpr std::size_t kept_numbers = 7 + work_numbers;
 
 std::vector<const LaneArray*> arrays(const SphereRows& rows) {
   return {&rows.position, &rows.motion, &rows.load, &rows.orientation};
@@ -37,6 +37,7 @@ std::vector<double> Assembly::saved() const {
   for (const KeptContact& c : kept) {
     all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
                            c.spring[2], c.overlap, c.opening});
+    all.insert(all.end(), c.work, c.work + work_numbers);
   }
   return all;
 }
@@ -61,9 +62,10 @@ void Assembly::restore(const std::vector<double>& saved) {
   std::vector<KeptContact> kept(static_cast<std::size_t>(*from++));
   for (KeptContact& c : kept) {
     c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6]};
+    std::copy_n(from + 7, work_numbers, c.work);
     from += kept_numbers;
   }
-  s.contacts.list_pairs(listed, saved[1]);
+  s.contacts.list_pairs(listed, saved[1], s.team);
   s.contacts.forget();
   s.contacts.remember(kept);
   s.contacts.set_sums(sums);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <omp.h>
 
 #include "dem/errors.hpp"
 #include "dem/motion/half_step.hpp"
@@ -30,6 +29,14 @@ SphereRows grown(const SphereRows& from, std::int64_t count, bool oriented) {
   copy(from.load, rows.load, load_numbers);
   if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_numbers);
   return rows;
+}
+
+/// What the dashpots of a bond take at this moment [W].
+double dashpot_power(const BondParameters<double>& law, const MovingSphere<double, 3>& a, const MovingSphere<double, 3>& b) {
+  const Vec<double, 3> r = b.pose.position - a.pose.position;
+  const RelativeMotion<double, 3> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin), b.spin - a.spin};
+  const BondLoads<double, 3> loads = act_at_middle(r, dashpot_action(law, r, unit(r), motion));
+  return dot(loads.force_on_first, motion.velocity) - dot(loads.moment_on_first, a.spin) - dot(loads.moment_on_second, b.spin);
 }
 
 /// Steps between two looks at all spheres.
@@ -95,7 +102,7 @@ void Assembly::State::set_gradient() {
 void Assembly::State::list_pairs() {
   std::vector<Vec<double, 3>> places(rows.count);
   for (std::int64_t i = 0; i < rows.count; ++i) places[i] = rows.place(i);
-  contacts.list_pairs(places, time());
+  contacts.list_pairs(places, time(), team);
   room = 0.5 * contacts.skin();
 }
 
@@ -139,57 +146,50 @@ double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
   return fastest;
 }
 
-void Assembly::State::march_some(int count) {
-  const int n_blocks = static_cast<int>(blocks.size()), n_stripes = contacts.stripes();
+/// All fibers move; the largest speed.
+double Assembly::State::move() {
+  std::vector<double> fastest(team.threads(), 0);
+  team.each(static_cast<int>(blocks.size()), [&](int b, int thread) {
+    fastest[thread] = std::max(fastest[thread], step_block(b, scratch[thread]));
+  });
+  ++steps;
+  set_gradient();
+  return std::sqrt(*std::ranges::max_element(fastest));
+}
+
+/// Loads of all contacts onto the rows.
+void Assembly::State::touch() {
+  const double now = time();
+  team.each(contacts.stripes(), [&](int k, int) { contacts.work_out(k, rows, now); });
+  team.each(contacts.stripes(), [&](int k, int) { contacts.gather_loads(k, rows); });
+}
+
+/// False where positions are no longer finite.
+bool Assembly::State::march_some(int count) {
   watch.lap(nullptr);
-  bool list = false, touch = false;  // touch: contacts of the last step are still to be worked out
-  for (int n = 0; n < count || touch;) {
-    double fastest = 0;
-#pragma omp parallel num_threads(options.threads) if (options.threads > 1)
-    while (true) {
-      if (touch) {
-        const double now = time();
-#pragma omp for schedule(static)
-        for (int k = 0; k < n_stripes; ++k) contacts.work_out(k, rows, now);
-#pragma omp for schedule(static)
-        for (int k = 0; k < n_stripes; ++k) contacts.gather_loads(k, rows);
-#pragma omp single nowait
-        watch.lap(&StepTimes::contacts);
-      }
-      if (n >= count) break;
-#pragma omp for schedule(static) reduction(max : fastest)
-      for (int b = 0; b < n_blocks; ++b) fastest = std::max(fastest, step_block(b, scratch[omp_get_thread_num()]));
-#pragma omp single
-      {
-        ++steps, ++n;
-        set_gradient();
-        list = must_list(std::sqrt(fastest));
-        fastest = 0;
-        touch = true;
-        watch.lap(&StepTimes::bonds_and_motion);
-      }
-      if (list) break;
-    }
-    touch = false;
-    if (list) {
+  for (int n = 0; n < count; ++n) {
+    const double fastest = move();
+    watch.lap(&StepTimes::bonds_and_motion);
+    if (must_list(fastest)) {
       try {
         list_pairs();
-      } catch (const InvalidInput&) {  // not finite: looked for by the caller
-        return;
+      } catch (const InvalidInput&) {
+        return false;
       }
       watch.lap(&StepTimes::search);
-      list = false;
-      touch = true;
     }
+    touch();
+    watch.lap(&StepTimes::contacts);
   }
+  return true;
 }
 
 void Assembly::State::march(std::int64_t count) {
   for (std::int64_t done = 0; done < count;) {
     const std::int64_t from = steps;
-    march_some(static_cast<int>(std::min<std::int64_t>(kStepsBetweenLooks, count - done)));
+    const bool finite = march_some(static_cast<int>(std::min<std::int64_t>(kStepsBetweenLooks, count - done)));
     const std::int64_t sphere = broken();
-    if (sphere >= 0) fail(sphere, from);
+    if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
     done += steps - from;
   }
 }
@@ -234,12 +234,16 @@ EnergyBalance Assembly::State::energy() const {
     const BlockLook now = look(static_cast<int>(b));
     for (int lane = 0; lane < block.lanes(); ++lane) {
       Poses<3> poses;
+      MovingSphere<double, 3> before{};
       for (int i = 0; i < kind.spheres(); ++i) {
         MovingSphere<double, 3> s = block.sphere(kind, now, lane, i);
         move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
         sum.kinetic += 0.5 * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
         sum.gravity -= dot(kind.weight, s.pose.position);
         poses.push_back(s.pose);
+        // the kick that is centered on this moment has done half of its work
+        if (options.book_energy && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
+        before = s;
       }
       if (options.form == BondForm::total) {
         sum.bonds += elastic_energy(kind.chain, poses);

@@ -6,6 +6,7 @@
 #include "dem/assembly/assembly.hpp"
 #include "dem/assembly/contact_set.hpp"
 #include "dem/assembly/fiber_block.hpp"
+#include "dem/assembly/team.hpp"
 
 namespace fiberchain::dem {
 
@@ -36,6 +37,7 @@ struct Assembly::State {
   std::vector<int> first_block;  ///< of each group
   std::vector<FiberBlock> blocks;
   SphereRows rows;
+  Team team;
   ContactSet contacts;
   LaneArray gradient;               ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;   ///< one a thread
@@ -44,7 +46,8 @@ struct Assembly::State {
   double inserted = 0;              ///< energy that fibers brought with them [J]
 
   State(Surroundings around, AssemblyOptions how, double dt)
-      : surroundings(std::move(around)), options(std::move(how)), step(dt), contacts(surroundings, options, step) {
+      : surroundings(std::move(around)), options(std::move(how)), step(dt), team(options.threads),
+        contacts(surroundings, options, step) {
     watch.on = options.time_parts;
   }
 
@@ -67,11 +70,13 @@ struct Assembly::State {
   Gradient gradient_now() const;
   void set_gradient();
   void list_pairs();
+  void touch();
   void march(std::int64_t count);
   EnergyBalance energy() const;
 
  private:
-  void march_some(int count);
+  bool march_some(int count);
+  double move();
   bool must_list(double fastest);
   double step_block(std::size_t number, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;

@@ -27,9 +27,12 @@ bool before(const KeptContact& x, const KeptContact& y) {
 }  // namespace
 
 ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step)
-    : surroundings_(surroundings), booked_(options.book_energy), instruction_set_(options.instruction_set),
-      threads_(options.threads), step_(step), stripes_(kStripes) {
-  for (Stripe& stripe : stripes_) stripe.walls.resize(surroundings.walls.size());
+    : surroundings_(surroundings), booked_(options.book_energy), instruction_set_(options.instruction_set), step_(step), stripes_(kStripes) {
+  for (Stripe& stripe : stripes_) {
+    stripe.walls.resize(surroundings.walls.size());
+    stripe.memory.booked = booked_;
+    for (NearWall& near : stripe.walls) near.memory.booked = booked_;
+  }
 }
 
 int ContactSet::kind_of(const ContactBody& body) {
@@ -82,31 +85,36 @@ void ContactSet::pad(SphereRows& rows) {
 void ContactMemory::reset(std::size_t size) {
   touched.assign(size, 0);
   if (rows.size() < size * memory_numbers + row_overhang) rows = LaneArray(2 * size * memory_numbers + row_overhang);
+  if (booked && work.size() < size * work_numbers) work = LaneArray(2 * size * work_numbers);
 }
 
 KeptContact ContactMemory::at(std::size_t i, std::int64_t first, std::int64_t second) const {
   const double* n = rows.data() + i * memory_numbers;
-  return {first, second, {n[0], n[1], n[2]}, n[3], n[4]};
+  KeptContact contact{first, second, {n[0], n[1], n[2]}, n[3], n[4]};
+  if (booked) std::copy_n(work.data() + i * work_numbers, work_numbers, contact.work);
+  return contact;
 }
 
 void ContactMemory::put(std::size_t i, const KeptContact& c) {
   double* n = rows.data() + i * memory_numbers;
   for (int k = 0; k < 3; ++k) n[k] = c.spring[k];
   n[3] = c.overlap, n[4] = c.opening;
+  if (booked) std::copy_n(c.work, work_numbers, work.data() + i * work_numbers);
   touched[i] = 1;
 }
 
-void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time) {
+void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time, Team& team) {
   const std::vector<KeptContact> contacts = listed_at_.empty() ? std::vector<KeptContact>{} : kept();
   listed_at_ = positions;
   listed_time_ = time;
-  pairs_ = close_pairs({positions, radius_, fiber_, surroundings_.period}, skin_, stripe_begin_, threads_, *kernel_);
-#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
-  for (int k = 0; k < kStripes; ++k) {
+  const CloseSearch search({positions, radius_, fiber_, surroundings_.period}, skin_, *kernel_);
+  pairs_.resize(kStripes);
+  team.each(kStripes, [&](int k, int) {
+    pairs_[k] = search.pairs(stripe_begin_[k], stripe_begin_[k + 1]);
     fill_stripe(k);
     list_walls(k);
     remember(k, contacts);
-  }
+  });
 }
 
 void ContactSet::fill_stripe(int k) {
@@ -172,6 +180,7 @@ ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
   }
   view.memory = stripe.memory.rows.data();
   view.touched = stripe.memory.touched.data();
+  view.work = stripe.memory.work.data();
   view.parameters = pair_parameters_.data();
   view.kinds = static_cast<std::int32_t>(bodies_.size());
   view.step = step_;
@@ -200,6 +209,7 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
   view.end = static_cast<std::int32_t>(near.slots.size());
   view.memory = near.memory.rows.data();
   view.touched = near.memory.touched.data();
+  view.work = near.memory.work.data();
   view.parameters = wall_parameters_.data();
   return view;
 }
@@ -209,7 +219,7 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   const std::int32_t end = stripe_begin_[k + 1];
   const ContactView contacts = view(stripe, rows);
   ContactTask task{0, static_cast<std::int32_t>(stripe.first.size()), end, stripe.touching.data(), stripe.deferred.data(),
-                   0, 0, stripe.book, stripe.wall_work};
+                   0, 0, stripe.book, {}, stripe.wall_work, 0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     NearWall& near = stripe.walls[w];
@@ -226,8 +236,8 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
     stripe.for_stripe[target].push_back(n);
   }
   stripe.contacts = task.contacts;
-  stripe.book = task.book;
-  stripe.wall_work = task.wall_work;
+  stripe.book = task.book, stripe.power = task.power;
+  stripe.wall_work = task.wall_work, stripe.wall_power = task.wall_power;
 }
 
 void ContactSet::gather_loads(int k, SphereRows& rows) {
@@ -248,19 +258,30 @@ std::int64_t ContactSet::touching() const {
 }
 
 ContactBook<double> ContactSet::taken() const {
+  const double half = 0.5 * step_;
   ContactBook<double> sum{};
-  for (const Stripe& stripe : stripes_) {
-    sum.normal_dashpot += stripe.book.normal_dashpot;
-    sum.sliding += stripe.book.sliding;
-    sum.rolling += stripe.book.rolling;
+  for (const Stripe& s : stripes_) {
+    sum.normal_dashpot += s.book.normal_dashpot - half * s.power.normal_dashpot;
+    sum.sliding += s.book.sliding - half * s.power.sliding;
+    sum.rolling += s.book.rolling - half * s.power.rolling;
   }
   return sum;
 }
 
 double ContactSet::wall_work() const {
   double sum = 0;
-  for (const Stripe& stripe : stripes_) sum += stripe.wall_work;
+  for (const Stripe& s : stripes_) sum += s.wall_work - 0.5 * step_ * s.wall_power;
   return sum;
+}
+
+void ContactSet::begin_books() {
+  const double half = 0.5 * step_;
+  for (Stripe& s : stripes_) {
+    s.book.normal_dashpot -= half * s.power.normal_dashpot;
+    s.book.sliding -= half * s.power.sliding;
+    s.book.rolling -= half * s.power.rolling;
+    s.wall_work -= half * s.wall_power;
+  }
 }
 
 double ContactSet::stored_energy() const {
@@ -281,7 +302,8 @@ double ContactSet::stored_energy() const {
 std::vector<double> ContactSet::sums() const {
   std::vector<double> all;
   for (const Stripe& s : stripes_) {
-    all.insert(all.end(), {static_cast<double>(s.contacts), s.book.normal_dashpot, s.book.sliding, s.book.rolling, s.wall_work});
+    all.insert(all.end(), {static_cast<double>(s.contacts), s.book.normal_dashpot, s.book.sliding, s.book.rolling, s.wall_work,
+                           s.power.normal_dashpot, s.power.sliding, s.power.rolling, s.wall_power});
   }
   return all;
 }
@@ -291,6 +313,8 @@ const double* ContactSet::set_sums(const double* from) {
     s.contacts = static_cast<std::int64_t>(from[0]);
     s.book = {from[1], from[2], from[3]};
     s.wall_work = from[4];
+    s.power = {from[5], from[6], from[7]};
+    s.wall_power = from[8];
     from += sums_a_stripe;
   }
   return from;
@@ -355,7 +379,6 @@ std::vector<KeptContact> ContactSet::kept_in(int k) const {
 
 std::vector<KeptContact> ContactSet::kept() const {
   std::vector<std::vector<KeptContact>> of_stripes(kStripes);
-#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
   for (int k = 0; k < kStripes; ++k) of_stripes[k] = kept_in(k);
   std::vector<KeptContact> all;
   for (const auto& own : of_stripes) all.insert(all.end(), own.begin(), own.end());

@@ -5,6 +5,7 @@
 #include "dem/assembly/assembly.hpp"
 #include "dem/assembly/contact_parameters.hpp"
 #include "dem/assembly/sphere_rows.hpp"
+#include "dem/assembly/team.hpp"
 #include "dem/contact/neighbors.hpp"
 #include "dem/contact/view.hpp"
 
@@ -17,12 +18,14 @@ struct KeptContact {
   std::int64_t first, second;
   double spring[3];  ///< on the first
   double overlap, opening;
+  double work[work_numbers] = {};  ///< booked only
 };
 
 /// The same of many contacts, row by row.
 struct ContactMemory {
-  LaneArray rows;
+  LaneArray rows, work;
   std::vector<std::uint8_t> touched;
+  bool booked = false;
 
   /// That many contacts that do not touch.
   void reset(std::size_t size);
@@ -43,7 +46,7 @@ class ContactSet {
   double skin() const { return skin_; }
 
   /// Lists the pairs that are close at these positions anew; contacts that touch keep what they remember.
-  void list_pairs(const std::vector<Vec<double, 3>>& positions, double time);
+  void list_pairs(const std::vector<Vec<double, 3>>& positions, double time, Team& team);
   /// How far any sphere is from where it was listed [m].
   double farthest_moved(const SphereRows& rows) const;
   /// Whether a wall has moved so far since then that spheres near it may be missing.
@@ -58,8 +61,11 @@ class ContactSet {
   void gather_loads(int stripe, SphereRows& rows);
 
   std::int64_t touching() const;
-  ContactBook<double> taken() const;  ///< since the start [J]
-  double wall_work() const;           ///< [J]
+  /// Since the start up to this moment [J]: half of what the kick takes that is centered on it.
+  ContactBook<double> taken() const;
+  double wall_work() const;           ///< likewise [J]
+  /// The kick centered on the start's moment began before it.
+  void begin_books();
   double stored_energy() const;       ///< in the springs now [J]
 
   std::vector<ContactState> states(const SphereRows& rows, double time) const;
@@ -68,7 +74,7 @@ class ContactSet {
   void remember(const std::vector<KeptContact>& contacts);
   /// Sums that go on when a saved state is gone on with: stripe by stripe.
   std::vector<double> sums() const;
-  static constexpr int sums_a_stripe = 5;
+  static constexpr int sums_a_stripe = 9;
   const double* set_sums(const double* from);
 
  private:
@@ -84,8 +90,8 @@ class ContactSet {
     std::vector<NearWall> walls;
     std::vector<std::vector<std::int32_t>> for_stripe;  ///< places in deferred
     std::int64_t contacts = 0;
-    ContactBook<double> book{};
-    double wall_work = 0;
+    ContactBook<double> book{}, power{};
+    double wall_work = 0, wall_power = 0;
   };
 
   void fill_stripe(int stripe);
@@ -103,7 +109,6 @@ class ContactSet {
   std::vector<ContactParameters<double>> pair_parameters_, wall_parameters_;
   std::vector<double> radius_;
   std::vector<std::int32_t> fiber_, kind_of_sphere_;
-  int threads_;
   double step_, skin_ = 0;
   const ContactKernel* kernel_ = nullptr;
   std::vector<std::int32_t> stripe_begin_;

@@ -178,10 +178,27 @@ SortedSpheres view_of(const Sorted& sorted, const SphereSet& spheres, double ski
   return view;
 }
 
-/// Pairs of the spheres begin ... end - 1 with those of higher number.
-std::vector<ClosePair> search_run(const Grid& grid, const Sorted& sorted, const SphereSet& spheres, double skin,
-                                  std::int32_t begin, std::int32_t end, const ContactKernel& kernel) {
-  const SortedSpheres view = view_of(sorted, spheres, skin);
+}  // namespace
+
+struct CloseSearch::Inside {
+  SphereSet spheres;
+  Grid grid;
+  Sorted sorted;
+  SortedSpheres view;
+  const ContactKernel& kernel;
+};
+
+CloseSearch::CloseSearch(const SphereSet& spheres, double skin, const ContactKernel& kernel) {
+  const Grid grid = grid_for(spheres, 2 * *std::ranges::max_element(spheres.radius) + skin);
+  Sorted sorted = sorted_by_cell(grid, spheres);
+  const SortedSpheres view = view_of(sorted, spheres, skin);  // of arrays that stay where they are when `sorted` moves
+  inside_ = std::make_unique<const Inside>(Inside{spheres, grid, std::move(sorted), view, kernel});
+}
+
+CloseSearch::~CloseSearch() = default;
+
+std::vector<ClosePair> CloseSearch::pairs(std::int32_t begin, std::int32_t end) const {
+  const auto& [spheres, grid, sorted, view, kernel] = *inside_;
   std::vector<ClosePair> pairs;
   std::vector<std::int32_t> found;
   int last_cell = -1;
@@ -200,21 +217,6 @@ std::vector<ClosePair> search_run(const Grid& grid, const Sorted& sorted, const 
     if (count > 1) std::sort(found.begin(), found.begin() + count);
     for (int n = 0; n < count; ++n) pairs.push_back({i, found[n]});
   }
-  return pairs;
-}
-
-}  // namespace
-
-std::vector<std::vector<ClosePair>> close_pairs(const SphereSet& spheres, double skin,
-                                                const std::vector<std::int32_t>& run_begin, int threads,
-                                                const ContactKernel& kernel) {
-  const double largest = *std::ranges::max_element(spheres.radius);
-  const Grid grid = grid_for(spheres, 2 * largest + skin);
-  const Sorted sorted = sorted_by_cell(grid, spheres);
-  const int runs = static_cast<int>(run_begin.size()) - 1;
-  std::vector<std::vector<ClosePair>> pairs(runs);
-#pragma omp parallel for num_threads(threads) schedule(dynamic) if (threads > 1)
-  for (int k = 0; k < runs; ++k) pairs[k] = search_run(grid, sorted, spheres, skin, run_begin[k], run_begin[k + 1], kernel);
   return pairs;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,12 +23,23 @@ struct ClosePair {
   std::int32_t first, second;  ///< sphere numbers, first < second
 };
 
-/// Every pair of spheres of different fibers, or of one that are no neighbors along it, with a gap below `skin` [m], by
-/// rising first and second number, in the runs of first numbers that `run_begin` (runs + 1 numbers) gives. Throws
-/// InvalidInput where a periodic side is shorter than three cells of 2 R + skin, and for positions that are not finite.
-/// `kernel` is that of the scene's contacts (periodic or not).
-std::vector<std::vector<ClosePair>> close_pairs(const SphereSet& spheres, double skin,
-                                                const std::vector<std::int32_t>& run_begin, int threads,
-                                                const ContactKernel& kernel);
+/// All spheres by cells, to ask for pairs. The spheres must stay where they are.
+class CloseSearch {
+ public:
+  /// `kernel` is that of the scene's contacts (periodic or not). Throws InvalidInput where a periodic side is shorter than
+  /// three cells of 2 R + skin, and for positions that are not finite.
+  CloseSearch(const SphereSet& spheres, double skin, const ContactKernel& kernel);
+  ~CloseSearch();
+  CloseSearch(const CloseSearch&) = delete;
+  CloseSearch& operator=(const CloseSearch&) = delete;
+
+  /// Every pair of spheres of different fibers, or of one that are no neighbors along it, with a gap below `skin` [m],
+  /// whose first number is one of begin ... end - 1, by rising first and second number.
+  std::vector<ClosePair> pairs(std::int32_t begin, std::int32_t end) const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<const Inside> inside_;
+};
 
 }  // namespace fiberchain::dem

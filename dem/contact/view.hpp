@@ -33,6 +33,7 @@ struct ContactView {
   const std::int32_t* second;
   double* memory;            ///< a row a pair, where it touched a step before
   std::uint8_t* touched;     ///< whether each pair did
+  double* work;              ///< booked: a row a pair, what dissipated in the step before
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
   double period[3], inverse_period[3];
@@ -55,6 +56,7 @@ struct WallView {
   std::int32_t begin, end;  ///< padded to whole vectors
   double* memory;           ///< as of pairs
   std::uint8_t* touched;
+  double* work;
   const ContactParameters<double>* parameters;  ///< of each kind
 };
 
@@ -68,7 +70,9 @@ struct ContactTask {
   std::int32_t deferred_count;
   std::int64_t contacts;    ///< counted
   ContactBook<double> book;
+  ContactBook<double> power;  ///< of this moment [W]
   double wall_work;         ///< by moving walls on spheres [J]
+  double wall_power;        ///< of this moment [W]
 };
 
 /// Spheres in the order of their cells, with room for one vector behind them.

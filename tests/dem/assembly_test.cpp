@@ -141,12 +141,12 @@ BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
     BOOST_TEST(brute[0].size() + brute[1].size() + brute[3].size() > 500u);
     for (const auto instructions : {dem::InstructionSet::scalar, dem::InstructionSet::sse2, dem::best_instruction_set()}) {
       const dem::ContactKernel& kernel = dem::contact_kernel({false, periodic, false, false}, instructions);
-      const auto found = dem::close_pairs(set, skin, runs, 2, kernel);
-      BOOST_REQUIRE(found.size() == brute.size());
+      const dem::CloseSearch search(set, skin, kernel);
       for (std::size_t k = 0; k < brute.size(); ++k) {
-        BOOST_REQUIRE(found[k].size() == brute[k].size());
+        const auto found = search.pairs(runs[k], runs[k + 1]);
+        BOOST_REQUIRE(found.size() == brute[k].size());
         for (std::size_t p = 0; p < brute[k].size(); ++p) {
-          BOOST_TEST((found[k][p].first == brute[k][p].first && found[k][p].second == brute[k][p].second));
+          BOOST_TEST((found[p].first == brute[k][p].first && found[p].second == brute[k][p].second));
         }
       }
     }

@@ -129,25 +129,41 @@ double summed(const Real& value, int count) {
   return sum;
 }
 
-/// Energies of the step, from the contact before and after.
+/// Tangential springs of a contact [J].
+template <class Real>
+Real spring_energy(const ContactParameters<Real>& p, const ContactHistory<Real>& h) {
+  using std::max;
+  using std::sqrt;
+  const Real stiffness = max(p.tangential * sqrt(max(h.overlap, Real(0.0))), Real(1e-300));
+  return select(h.overlap > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
+}
+
+/// Energies of the step. A kick with a force takes force times the mean of the velocities before and after it: the one
+/// before is at hand, the one after comes with the next step, which corrects this one by what its row keeps.
 template <class Real>
 void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, const ContactHistory<Real>& before,
           const ContactHistory<Real>& after, const ContactAction<Real>& action, const Real& dt, int count,
-          ContactBook<double>& book) {
-  using std::max;
+          const RowStarts<Real>& work, ContactTask& task) {
   using std::sqrt;
-  const auto stored = [&](const ContactHistory<Real>& h) {
-    const Real stiffness = max(p.tangential * sqrt(max(h.overlap, Real(0.0))), Real(1e-300));
-    return select(h.overlap > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
-  };
   const Real opening = dot(pair.velocity, pair.normal);
   const Real push = Real(0.0) - dot(action.force, pair.normal);
-  const Real hertz = p.normal * pair.overlap * sqrt(pair.overlap);
-  book.normal_dashpot += summed<Real>(dt * (hertz - push) * opening, count);
-  const Vec<Real, 3> slip = pair.velocity - opening * pair.normal;
-  const Vec<Real, 3> drag = action.force + push * pair.normal;
-  book.sliding += summed<Real>(dt * dot(drag, slip) - (stored(after) - stored(before)), count);
-  book.rolling += summed<Real>(dt * dot(action.moment, pair.spin), count);
+  const Real dashpot = p.normal * pair.overlap * sqrt(pair.overlap) - push;
+  const Vec<Real, 3> slip = pair.velocity - opening * pair.normal, drag = action.force + push * pair.normal;
+  Real kept[work_numbers];
+  load_rows<work_numbers>(work, 0, kept);
+  const auto held = before.overlap > Real(0.0);
+  const auto of_step_before = [&](const Real& power_now) { return select(held, Real(0.5) * dt * power_now, Real(0.0)); };
+  const Vec<Real, 3> last_drag{kept[1], kept[2], kept[3]};
+  const Real normal = dashpot * opening, sliding = dot(drag, slip), rolling = dot(action.moment, pair.spin);
+  task.book.normal_dashpot += summed<Real>(dt * normal + of_step_before(kept[0] * (opening - before.opening)), count);
+  task.book.sliding += summed<Real>(dt * sliding + of_step_before(dot(last_drag, slip) - kept[7]) -
+                                        (spring_energy(p, after) - spring_energy(p, before)), count);
+  task.book.rolling += summed<Real>(dt * rolling, count);
+  task.power.normal_dashpot += summed<Real>(normal, count);
+  task.power.sliding += summed<Real>(sliding, count);
+  task.power.rolling += summed<Real>(rolling, count);
+  const Real keep[work_numbers] = {dashpot, drag[0], drag[1], drag[2], Real(0.0), Real(0.0), Real(0.0), sliding};
+  store_rows<work_numbers>(keep, work, 0);
 }
 
 /// What contacts remember; nothing of those that did not touch a step before.
@@ -205,7 +221,11 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
   ContactHistory<Real> history = remembered<Real>(memory, view.touched, pairs);
   [[maybe_unused]] const ContactHistory<Real> before = history;
   const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
-  if constexpr (P.booked) book(p, pair, before, history, action, Real(view.step), count, task.book);
+  if constexpr (P.booked) {
+    RowStarts<Real> work;
+    for (int k = 0; k < lanes; ++k) work.at[k] = view.work + static_cast<std::ptrdiff_t>(pairs[k]) * work_numbers;
+    book(p, pair, before, history, action, Real(view.step), count, work, task);
+  }
   keep<Real>(history, memory);
   for (int k = 0; k < count; ++k) view.touched[pairs[k]] = 1;
   const Vec<Real, 3> turn = cross(pair.normal, action.force);

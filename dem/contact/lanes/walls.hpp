@@ -77,13 +77,17 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     }
     if constexpr (P.booked) {
       const Real on = select(seen.distance < radius, Real(1.0), Real(0.0));
-      ContactAction<Real> counted{on * action.force, on * action.moment};
+      const ContactAction<Real> counted{on * action.force, on * action.moment};
       TouchingPair<Real> there = pair;
       there.velocity = on * pair.velocity;
       ContactHistory<Real> was = before, is = history;
       was.spring = on * was.spring, is.spring = on * is.spring;
-      book(p, there, was, is, counted, Real(view.step), lanes, task.book);
-      task.wall_work += summed<Real>(Real(view.step) * dot(counted.force, wall_velocity), lanes);
+      RowStarts<Real> work;
+      for (int k = 0; k < lanes; ++k) work.at[k] = wall.work + static_cast<std::ptrdiff_t>(n + k) * work_numbers;
+      book(p, there, was, is, counted, Real(view.step), lanes, work, task);
+      const double power = summed<Real>(dot(counted.force, wall_velocity), lanes);
+      task.wall_work += view.step * power;
+      task.wall_power += power;
     }
   }
 }

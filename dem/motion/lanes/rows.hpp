@@ -216,6 +216,7 @@ void book_bond(const RowBlock& block, const ChainBlock<P, Real>& chain, int bond
   damping = damping + half * (kept.power + power_of(kept.loads, a, b));
   kept.loads = act_at_middle(line.vector, dashpot_action(p.bond, line.vector, line.inverse_length * line.vector, motion));
   kept.power = power_of(kept.loads, a, b);
+  if (block.led == 0) damping = damping - Real(0.5) * p.step * kept.power;  // the first kick began half a step before the start
   if constexpr (P.rolling == Rolling::set_valued) {  // the impulse l over J went from one sphere to the other
     const Real inertia = p.step / p.angular_impulse;
     const Vec<Real, 3> impulse = rolling_slots(chain)[bond].impulse;

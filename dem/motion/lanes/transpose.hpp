@@ -84,7 +84,7 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
   }
 #elif defined(__AVX2__)
   if constexpr (lanes == 4) {
-    static_assert(N == 4 || N == 6);
+    static_assert(N == 4 || N == 6 || N == 8);
     for (int part = 0; part < N; part += 4) {
       __m256d r[4];
       for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows.at[k] + offset + part);
@@ -119,7 +119,7 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
       _mm256_storeu_pd(rows.at[k + 4] + offset, _mm512_extractf64x4_pd(r[k], 1));
     }
     return;
-  } else if constexpr (lanes == 8 && N < 8) {
+  } else if constexpr (lanes == 8 && N <= 8) {
     __m512d r[8];
     for (int c = 0; c < 8; ++c) r[c] = c < N ? static_cast<__m512d>(in[c]) : _mm512_setzero_pd();
     transpose_8(r);
@@ -128,10 +128,12 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
   }
 #elif defined(__AVX2__)
   if constexpr (lanes == 4) {
-    __m256d r[4];
-    for (int c = 0; c < 4; ++c) r[c] = in[c];
-    transpose_4(r);
-    for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset, r[k]);
+    for (int part = 0; part + 4 <= N; part += 4) {
+      __m256d r[4];
+      for (int c = 0; c < 4; ++c) r[c] = in[part + c];
+      transpose_4(r);
+      for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset + part, r[k]);
+    }
     if constexpr (N == 6) {
       const __m256d low = _mm256_unpacklo_pd(in[4], in[5]), high = _mm256_unpackhi_pd(in[4], in[5]);
       _mm_storeu_pd(rows.at[0] + offset + 4, _mm256_castpd256_pd128(low));

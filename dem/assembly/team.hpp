@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace fiberchain::dem {
+
+/// Threads that share loops. They look for work for some microseconds and then sleep: a thread that spins while another
+/// program has its processor would hold everybody up.
+class Team {
+ public:
+  /// `threads` with the caller.
+  explicit Team(int threads);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  int threads() const { return static_cast<int>(workers_.size()) + 1; }
+
+  /// work(i, thread) for all i below `count`, each thread its own consecutive ones; back when all are done. `work` must
+  /// not throw.
+  template <class Work>
+  void each(int count, Work&& work) {
+    if (workers_.empty()) {
+      for (int i = 0; i < count; ++i) work(i, 0);
+      return;
+    }
+    call_ = [](void* what, int i, int thread) { (*static_cast<std::remove_reference_t<Work>*>(what))(i, thread); };
+    what_ = &work;
+    count_ = count;
+    share();
+  }
+
+ private:
+  void share();
+  void do_part(int thread) const;
+  void serve(int thread);
+
+  void (*call_)(void*, int, int) = nullptr;
+  void* what_ = nullptr;
+  int count_ = 0;
+  std::atomic<unsigned> round_{0}, done_{0};
+  std::atomic<bool> over_{false};
+  std::vector<std::thread> workers_;
+};
+
+}  // namespace fiberchain::dem
