@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/packing/study.hpp"
+#include "compare/packing/study_pictures.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+using compare::PackingCase;
+using compare::PackingRun;
+
+compare::PackingPlan plan_of(const Arguments& arguments) {
+  compare::PackingPlan plan;
+  read_number(arguments, "--fibers", {.low = 0, .high = 100000}, plan.fibers);
+  read_number(arguments, "--seeds", {.low = 0, .high = 100}, plan.seeds);
+  read_number(arguments, "--seed-fibers", {.low = 50, .high = 100000}, plan.spread_fibers);
+  read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.duration);
+  return plan;
+}
+
+/// All runs together, so that no thread waits while any is left.
+struct Runs {
+  std::vector<PackingRun> figures, spread;
+};
+
+Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context) {
+  std::vector<PackingCase> cases = compare::figure_cases(plan);
+  const auto figures = static_cast<std::ptrdiff_t>(cases.size());
+  std::ranges::copy(compare::spread_cases(plan), std::back_inserter(cases));
+  const compare::PackingWatch watch;
+  const auto progress = context.progress(cases.size() * static_cast<std::size_t>(watch.samples + 1));
+  std::vector<PackingRun> all = compare::run_packings(cases, watch, jobs, [&] { progress->advance(); });
+  Runs runs;
+  std::ranges::move(all.begin(), all.begin() + figures, std::back_inserter(runs.figures));
+  std::ranges::move(all.begin() + figures, all.end(), std::back_inserter(runs.spread));
+  return runs;
+}
+
+Results results_of(const Runs& runs) {
+  std::vector<PackingRun> all = runs.figures;
+  std::ranges::copy(runs.spread, std::back_inserter(all));
+  Results results{.name = "packing",
+                  .heading = "Packings of flexible fibers, Figs 11 and 12",
+                  .table = compare::run_table(all),
+                  .notes = compare::packing_notes(runs.figures, runs.spread)};
+  const auto add = [&](const char* name, compare::Table table) {
+    if (!table.rows().empty()) results.more_tables.emplace_back(name, std::move(table));
+  };
+  add("packing-stages", compare::stage_table(all));
+  add("packing-spread", compare::spread_table(runs.spread));
+  add("packing-differences", compare::comparison_table(runs.spread));
+  add("packing-history", compare::history_table(all));
+  add("packing-density", compare::density_table(runs.figures));
+  add("packing-orientation", compare::orientation_table(runs.figures));
+  for (const PackingRun& run : runs.figures) {
+    if (run.asked.booked) add("packing-energy", compare::energy_table(run));
+  }
+  results.figures = compare::packing_figures(runs.figures, runs.spread);
+  return results;
+}
+
+int status_of(const Runs& runs, const Context& context) {
+  int failed = 0;
+  for (const auto* part : {&runs.figures, &runs.spread}) {
+    for (const PackingRun& run : *part) failed += run.status != "finished";
+  }
+  if (failed == 0) return kSuccess;
+  context.log->error("error: {} packings did not finish, see column status", failed);
+  return kRunFailed;
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const compare::PackingPlan plan = plan_of(arguments);
+  const auto directory = open_output(output);
+  const Runs runs = runs_of(plan, output.jobs, context);
+  Results results = results_of(runs);
+  for (const PackingRun& packing : runs.figures) {
+    if (!directory || packing.pictures.empty()) continue;
+    results.more_files = compare::stage_pictures(packing, output.jobs, context.provenance);
+  }
+  const compare::Table shown =
+      results.table.select({"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
+                            "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});
+  deliver(results, shown, output, directory, context);
+  return status_of(runs, context);
+}
+
+}  // namespace
+
+Command tables_packing_command() {
+  return {.name = "tables packing",
+          .description = "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
+          .footer = "The packings of one seed are run with --fibers, those of several seeds with --seed-fibers in a\n"
+                    "narrower room.\n"
+                    "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --seed-fibers 250",
+          .options = with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
+                                  {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
+                                  {"--seed-fibers", "N", "of each packing of these [500]"},
+                                  {"--duration", "SECONDS", "simulated [0.7]"}}),
+          .run = &run};
+}
+
+}  // namespace fiberchain::app

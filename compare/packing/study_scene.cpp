@@ -1,0 +1,65 @@
+#include "compare/packing/study_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/errors.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using Vec3 = dem::Vec<double, 3>;
+
+constexpr int kFibers = 2000;
+constexpr double kSide = 0.1;                     // of the floor for so many [m]
+constexpr double kLowest = 0.03, kHighest = 0.4;  // of the fibers at the start [m]
+
+dem::Fiber fiber_of(const PackingCase& asked) {
+  dem::Fiber fiber{dem::isotropic_material(asked.stiffness * 2.6e6, 0.3, 1000), 0.002, 20};
+  fiber.bond_damping = asked.bond_damping;
+  fiber.rolling_friction = asked.rolling_friction;
+  return fiber;
+}
+
+dem::Surroundings room_of(double side, const PackingCase& asked) {
+  dem::Surroundings around;
+  around.gravity = {0, 0, -9.81};
+  around.contacts = {.restitution = 0.4, .friction = 0.6};
+  around.wall_youngs_modulus = asked.stiffness * 2.6e6;
+  around.walls.push_back({dem::Plane{{}, {0, 0, 1}}});
+  if (asked.periodic) {
+    around.period = {side, side, 0};
+    return around;
+  }
+  for (const int axis : {0, 1}) {
+    Vec3 normal{}, far{};
+    normal[axis] = 1, far[axis] = side;
+    around.walls.push_back({dem::Plane{{}, normal}});
+    around.walls.push_back({dem::Plane{far, -1 * normal}});
+  }
+  return around;
+}
+
+}  // namespace
+
+dem::io::PackingScene packing_scene(const PackingCase& asked) {
+  if (asked.fibers < 1) throw InputError(fmt::format("a packing of {} fibers", asked.fibers));
+  const double side = kSide * std::sqrt(asked.fibers / static_cast<double>(kFibers));
+  dem::io::PackingScene scene;
+  scene.kinds = {{.fiber = fiber_of(asked), .count = asked.fibers}};
+  scene.filling = {.region = {{0, 0, kLowest}, {side, side, kHighest}}, .gap = 1e-4, .seed = asked.seed};
+  scene.surroundings = room_of(side, asked);
+  scene.room = {{0, 0, 0}, {side, side, kHighest}};
+  scene.duration = asked.duration;
+  scene.book_energy = asked.booked;
+  const std::vector<dem::FiberGroup> group{{dem::straight_chain<3>(scene.kinds[0].fiber), {}}};
+  scene.step = asked.step_ratio * dem::assembly_time_step(group, scene.surroundings).step;
+  return scene;
+}
+
+double floor_area(const dem::io::PackingScene& scene) {
+  return (scene.room.high[0] - scene.room.low[0]) * (scene.room.high[1] - scene.room.low[1]);
+}
+
+}  // namespace fiberchain::compare

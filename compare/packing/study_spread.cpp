@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/errors.hpp"
+#include "compare/packing/study.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+/// What is asked but for the seed.
+auto key(const PackingCase& c) {
+  return std::tuple(c.fibers, c.periodic, c.stiffness, c.bond_damping, c.rolling_friction, c.step_ratio);
+}
+
+bool finished(const PackingRun& run) { return run.status == "finished"; }
+
+std::vector<PackingCase> kinds_of(int fibers, double duration) {
+  const PackingCase plain{.fibers = fibers, .duration = duration};
+  std::vector<PackingCase> kinds;
+  const auto add = [&](double damping, double friction, double stiffness) {
+    kinds.push_back(plain);
+    kinds.back().bond_damping = damping, kinds.back().rolling_friction = friction, kinds.back().stiffness = stiffness;
+  };
+  for (const double damping : kBondDampings) add(damping, 0, 1);
+  for (const double friction : kRollingFrictions) add(kDampingUnderFriction, friction, 1);
+  add(kDampingUnderFriction, 0, kStiff);
+  return kinds;
+}
+
+}  // namespace
+
+std::vector<PackingCase> figure_cases(const PackingPlan& plan) {
+  if (plan.fibers == 0) return {};
+  std::vector<PackingCase> cases = kinds_of(plan.fibers, plan.duration);
+  cases.front().booked = cases.front().pictured = true;
+  return cases;
+}
+
+std::vector<PackingCase> spread_cases(const PackingPlan& plan) {
+  std::vector<PackingCase> kinds = kinds_of(plan.spread_fibers, plan.duration);
+  kinds.push_back(kinds.front());
+  kinds.back().step_ratio = 0.5;
+  std::vector<PackingCase> cases;
+  for (PackingCase c : kinds) {
+    for (int seed = 1; seed <= plan.seeds; ++seed) {
+      c.seed = static_cast<std::uint64_t>(seed);
+      cases.push_back(c);
+    }
+  }
+  return cases;
+}
+
+std::vector<SeedGroup> seed_groups(const std::vector<PackingRun>& runs) {
+  std::vector<SeedGroup> groups;
+  for (const PackingRun& run : runs) {
+    auto same = std::ranges::find(groups, key(run.asked), [](const SeedGroup& g) { return key(g.asked); });
+    if (same == groups.end()) same = groups.insert(same, {run.asked, {}});
+    same->runs.push_back(&run);
+  }
+  return groups;
+}
+
+BendingSpread bending_spread(const SeedGroup& group) {
+  std::vector<double> peak, trough, plateau;
+  for (const PackingRun* run : group.runs) {
+    if (!finished(*run)) continue;
+    const BendingParts parts = bending_parts(run->history);
+    peak.push_back(parts.peak), trough.push_back(parts.trough), plateau.push_back(parts.plateau);
+  }
+  return {spread_of(peak), spread_of(trough), spread_of(plateau)};
+}
+
+Spread paired_difference(const SeedGroup& a, const SeedGroup& b, double BendingParts::* part) {
+  std::vector<double> differences;
+  for (const PackingRun* first : a.runs) {
+    const auto second = std::ranges::find(b.runs, first->asked.seed, [](const PackingRun* r) { return r->asked.seed; });
+    if (second == b.runs.end() || !finished(*first) || !finished(**second)) continue;
+    differences.push_back(bending_parts(first->history).*part - bending_parts((*second)->history).*part);
+  }
+  return spread_of(differences);
+}
+
+double energy_drift(const PackingRun& booked) {
+  if (!booked.asked.booked || booked.history.empty()) throw InputError("energy is not booked");
+  const double start = total(booked.history.front().energy);
+  double largest = 0;
+  for (const PackingSample& sample : booked.history) {
+    const double drift = std::abs(total(sample.energy) - start);
+    largest = drift <= largest ? largest : drift;  // a NaN stays
+  }
+  const dem::EnergyBalance& first = booked.history.front().energy;
+  const dem::EnergyBalance& last = booked.history.back().energy;
+  return largest / (first.gravity + first.kinetic - last.gravity);
+}
+
+std::string label_of(const PackingCase& asked) {
+  std::string label = fmt::format("ξ_b = {:g}", asked.bond_damping);
+  if (asked.rolling_friction > 0) label += fmt::format(", ξ_r = {:g}", asked.rolling_friction);
+  if (asked.stiffness != 1) label += fmt::format(", {:g} {{/:Italic E}}", asked.stiffness);
+  if (asked.step_ratio != 1) label += fmt::format(", {:g} of the step", asked.step_ratio);
+  return label;
+}
+
+}  // namespace fiberchain::compare
