@@ -50,7 +50,8 @@ void sample_motion(const States& states, PackingSample& sample) {
 
 PackingSample sample_of(const dem::Assembly& assembly, const States& states, double floor,
                         const std::vector<std::int32_t>& fiber_of_sphere) {
-  PackingSample sample{.time = assembly.time(), .energy = assembly.energy()};
+  PackingSample sample{};
+  sample.time = assembly.time(), sample.energy = assembly.energy();
   sample_bending(assembly, sample);
   sample_motion(states, sample);
   const dem::PlacedSpheres spheres = assembly.placed();

@@ -36,7 +36,7 @@ dem::Surroundings room_of(double side, const PackingCase& asked) {
     Vec3 normal{}, far{};
     normal[axis] = 1, far[axis] = side;
     around.walls.push_back({dem::Plane{{}, normal}});
-    around.walls.push_back({dem::Plane{far, -1 * normal}});
+    around.walls.push_back({dem::Plane{far, -1.0 * normal}});
   }
   return around;
 }
