@@ -2,6 +2,7 @@
 #include "compare/app/results.hpp"
 #include "compare/cantilever.hpp"
 #include "compare/csv.hpp"
+#include "compare/errors.hpp"
 #include "compare/flow/scene_report.hpp"
 #include "compare/release_report.hpp"
 #include "dem/errors.hpp"
@@ -63,6 +64,10 @@ Outcome outcome_of(const dem::io::FlowScene& scene, const std::string& name) {
                                                "period", "orbit_constant", "end_to_end_least", "bending_angle",
                                                "run_time", "status"});
   return {std::move(results), std::move(shown), history.record.failure};
+}
+
+Outcome outcome_of(const dem::io::PackingScene&, const std::string&) {
+  throw compare::InputError("packings: the run comes with the next commit");
 }
 
 int run(const Arguments& arguments, Context& context) {
