@@ -128,8 +128,10 @@ void follow(const dem::io::PackingScene& scene, const PackingWatch& watch, const
 dem::io::Frame frame_of(const PackingPicture& picture, const PackingCase& asked) {
   const dem::io::PackingScene scene = packing_scene(asked);
   const dem::Fiber& fiber = scene.kinds.front().fiber;
-  dem::io::Frame frame{.time = picture.time, .step = picture.step, .low = scene.room.low, .high = scene.room.high,
-                       .periodic = {asked.periodic, asked.periodic, false}};
+  dem::io::Frame frame{};
+  frame.time = picture.time, frame.step = picture.step;
+  frame.low = scene.room.low, frame.high = scene.room.high;
+  frame.periodic[0] = frame.periodic[1] = asked.periodic;
   const int n = fiber.aspect_ratio + 1;
   for (std::size_t i = 0; i < picture.spheres.size(); ++i) {
     const SpherePlace& s = picture.spheres[i];
@@ -143,7 +145,8 @@ dem::io::Frame frame_of(const PackingPicture& picture, const PackingCase& asked)
 }
 
 PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch, const std::function<void()>& advance) {
-  PackingRun run{.asked = asked};
+  PackingRun run{};
+  run.asked = asked;
   const auto begin = std::chrono::steady_clock::now();
   try {
     follow(packing_scene(asked), watch, advance, run);
