@@ -80,7 +80,7 @@ class Assembly {
   int fibers(int group) const;  ///< how many
   PlacedSpheres placed() const;  ///< all spheres now, to fill in more beside them
 
-  /// State now of a fiber, velocities of this moment.
+  /// State now of a fiber, velocities of this moment. Orientations are not numbers where they are not followed.
   ChainState<3> state(int group, int fiber) const;
   /// Of a fiber, from its first bond on.
   std::vector<BondState> bonds(int group, int fiber) const;
@@ -95,8 +95,9 @@ class Assembly {
   /// Throws InvalidInput for numbers that cannot be a state of this assembly.
   void restore(const std::vector<double>& saved);
 
- private:
   struct State;
+
+ private:
   std::unique_ptr<State> state_;
 };
 

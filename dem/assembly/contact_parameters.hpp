@@ -12,6 +12,8 @@ namespace fiberchain::dem {
 struct ContactBody {
   double youngs_modulus, poisson_ratio;  ///< [Pa], [-]
   double radius, mass, inertia;          ///< [m], [kg], [kg m^2]
+
+  bool operator==(const ContactBody&) const = default;
 };
 
 ContactBody sphere_body(const Fiber& fiber);

@@ -22,44 +22,57 @@ std::int32_t whole_vectors(std::size_t count, int width) {
 
 }  // namespace
 
-ContactSet::ContactSet(const std::vector<FiberGroup>& groups, const Surroundings& surroundings,
-                       const AssemblyOptions& options, double step)
-    : surroundings_(surroundings), kinds_(static_cast<int>(groups.size())), threads_(options.threads), step_(step) {
-  std::vector<ContactBody> bodies;
-  for (const FiberGroup& group : groups) bodies.push_back(sphere_body(group.chain.fiber));
-  const ContactBody wall = wall_body(surroundings);
-  std::int32_t fiber = 0;
-  for (int kind = 0; kind < kinds_; ++kind) {
-    const int n = groups[kind].chain.fiber.aspect_ratio + 1;
-    for (std::size_t f = 0; f < groups[kind].fibers.size(); ++f, ++fiber) {
-      fiber_.insert(fiber_.end(), n, fiber);
-      radius_.insert(radius_.end(), n, bodies[kind].radius);
-      kind_of_sphere_.insert(kind_of_sphere_.end(), n, kind);
+ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step)
+    : surroundings_(surroundings), booked_(options.book_energy), instruction_set_(options.instruction_set),
+      threads_(options.threads), step_(step), stripes_(kStripes) {
+  for (Stripe& stripe : stripes_) stripe.walls.resize(surroundings.walls.size());
+}
+
+int ContactSet::kind_of(const ContactBody& body) {
+  const auto found = std::ranges::find(bodies_, body);
+  if (found == bodies_.end()) {
+    bodies_.push_back(body);
+    return static_cast<int>(bodies_.size()) - 1;
+  }
+  return static_cast<int>(found - bodies_.begin());
+}
+
+void ContactSet::add(const Fiber& fiber, int count) {
+  const int kind = kind_of(sphere_body(fiber)), n = fiber.aspect_ratio + 1;
+  std::int32_t number = fiber_.empty() ? 0 : fiber_.back() + 1;
+  for (int f = 0; f < count; ++f, ++number) {
+    fiber_.insert(fiber_.end(), n, number);
+    radius_.insert(radius_.end(), n, bodies_[kind].radius);
+  }
+  kind_of_sphere_.resize(fiber_.size() - static_cast<std::size_t>(n) * count);
+  kind_of_sphere_.resize(fiber_.size(), kind);
+}
+
+void ContactSet::pad(SphereRows& rows) {
+  pair_parameters_.clear();
+  wall_parameters_.clear();
+  const ContactBody wall = wall_body(surroundings_);
+  for (const ContactBody& body : bodies_) {
+    for (const ContactBody& other : bodies_) {
+      pair_parameters_.push_back(contact_parameters(body, other, surroundings_.contacts, step_));
     }
-    for (const ContactBody& other : bodies) {
-      pair_parameters_.push_back(contact_parameters(bodies[kind], other, surroundings.contacts, step));
-    }
-    wall_parameters_.push_back(contact_parameters(bodies[kind], wall, surroundings.contacts, step));
+    wall_parameters_.push_back(contact_parameters(body, wall, surroundings_.contacts, step_));
   }
   skin_ = kSkin * *std::ranges::min_element(radius_);
-  const bool periodic = std::ranges::any_of(surroundings.period.c, [](double p) { return p > 0; });
-  kernel_ = &contact_kernel({kinds_ == 1, periodic, surroundings.contacts.rolling_friction > 0, options.book_energy},
-                            options.instruction_set);
-  stripes_.resize(kStripes);
-  for (Stripe& stripe : stripes_) stripe.walls.resize(surroundings.walls.size());
+  const bool periodic = std::ranges::any_of(surroundings_.period.c, [](double p) { return p > 0; });
+  kernel_ = &contact_kernel({bodies_.size() == 1, periodic, surroundings_.contacts.rolling_friction > 0, booked_},
+                            instruction_set_);
   const std::int64_t n = spheres();
+  stripe_begin_.clear();
   for (int k = 0; k <= kStripes; ++k) stripe_begin_.push_back(static_cast<std::int32_t>(n * k / kStripes));
-  // three that pad whole vectors: two of no size far from each other, one that no wall is near to
-  positions_.assign((n + 3) * position_numbers, 0);
-  motions_.assign((n + 3) * motion_numbers, 0);
-  loads_.assign((n + 3) * force_numbers, 0);
-  for (std::int64_t s = 0; s < n; ++s) positions_[s * position_numbers + 3] = radius_[s];
+  // two of no size far from each other, one that no wall is near to
+  double* behind = rows.position.data() + n * position_numbers;
   for (int c = 0; c < 3; ++c) {
     const double period = surroundings_.period[c];
-    positions_[(n + 1) * position_numbers + c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
+    behind[position_numbers + c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
   }
-  positions_[(n + 2) * position_numbers + 3] = -std::numeric_limits<double>::max();
-  kind_of_sphere_.resize(n + 3, 0);
+  behind[2 * position_numbers + 3] = -std::numeric_limits<double>::max();
+  kind_of_sphere_.resize(n + SphereRows::pads, 0);
 }
 
 void ContactMemory::reset(std::size_t size) {
@@ -119,17 +132,26 @@ void ContactSet::list_walls(int k) {
   }
 }
 
+double ContactSet::farthest_moved(const SphereRows& rows) const {
+  double squared = 0;
+  for (std::int64_t i = 0; i < spheres(); ++i) {
+    const Vec<double, 3> moved = rows.place(i) - listed_at_[i];
+    squared = std::max(squared, dot(moved, moved));
+  }
+  return std::sqrt(squared);
+}
+
 bool ContactSet::walls_moved_far(double time) const {
   return std::ranges::any_of(surroundings_.walls, [&](const Wall& wall) {
     return norm(wall.velocity) * (time - listed_time_) > 0.5 * skin_;
   });
 }
 
-ContactView ContactSet::view(Stripe& stripe) {
+ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
   ContactView view{};
-  view.position = positions_.data();
-  view.motion = motions_.data();
-  view.force = loads_.data();
+  view.position = rows.position.data();
+  view.motion = rows.motion.data();
+  view.force = rows.load.data();
   view.kind = kind_of_sphere_.data();
   view.first = stripe.first.data();
   view.second = stripe.second.data();
@@ -141,7 +163,7 @@ ContactView ContactSet::view(Stripe& stripe) {
   view.overlap = stripe.memory.overlap.data();
   view.opening = stripe.memory.opening.data();
   view.parameters = pair_parameters_.data();
-  view.kinds = kinds_;
+  view.kinds = static_cast<std::int32_t>(bodies_.size());
   view.step = step_;
   return view;
 }
@@ -173,11 +195,10 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
   return view;
 }
 
-void ContactSet::work_out(int k, double time) {
+void ContactSet::work_out(int k, SphereRows& rows, double time) {
   Stripe& stripe = stripes_[k];
-  const std::int32_t begin = stripe_begin_[k], end = stripe_begin_[k + 1];
-  std::fill(loads_.begin() + begin * force_numbers, loads_.begin() + end * force_numbers, 0.0);
-  const ContactView contacts = view(stripe);
+  const std::int32_t end = stripe_begin_[k + 1];
+  const ContactView contacts = view(stripe, rows);
   ContactTask task{0, static_cast<std::int32_t>(stripe.first.size()), end, stripe.touching.data(), stripe.deferred.data(),
                    0, 0, stripe.book, stripe.wall_work};
   kernel_->pairs(contacts, task);
@@ -200,12 +221,12 @@ void ContactSet::work_out(int k, double time) {
   stripe.wall_work = task.wall_work;
 }
 
-void ContactSet::gather_loads(int k) {
+void ContactSet::gather_loads(int k, SphereRows& rows) {
   for (int from = 0; from < k; ++from) {
     const Stripe& other = stripes_[from];
     for (const std::int32_t n : other.for_stripe[k]) {
       const DeferredForce& later = other.deferred[n];
-      double* load = loads_.data() + later.slot * force_numbers;
+      double* load = rows.load.data() + later.slot * load_numbers;
       for (int c = 0; c < 6; ++c) load[c] += later.load[c];
     }
   }
@@ -238,7 +259,7 @@ double ContactSet::stored_energy() const {
   for (const KeptContact& c : kept()) {
     const int kind = kind_of_sphere_[c.first];
     const ContactParameters<double>& p = c.second < 0 ? wall_parameters_[kind]
-                                                      : pair_parameters_[kind * kinds_ + kind_of_sphere_[c.second]];
+                                                      : pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
     const double root = std::sqrt(c.overlap);
     sum += 0.4 * p.normal * c.overlap * c.overlap * root;
     for (const double spring : c.spring) {
@@ -248,14 +269,32 @@ double ContactSet::stored_energy() const {
   return sum;
 }
 
-std::vector<ContactState> ContactSet::states(double time) const {
+std::vector<double> ContactSet::sums() const {
+  std::vector<double> all;
+  for (const Stripe& s : stripes_) {
+    all.insert(all.end(), {static_cast<double>(s.contacts), s.book.normal_dashpot, s.book.sliding, s.book.rolling, s.wall_work});
+  }
+  return all;
+}
+
+const double* ContactSet::set_sums(const double* from) {
+  for (Stripe& s : stripes_) {
+    s.contacts = static_cast<std::int64_t>(from[0]);
+    s.book = {from[1], from[2], from[3]};
+    s.wall_work = from[4];
+    from += sums_a_stripe;
+  }
+  return from;
+}
+
+std::vector<ContactState> ContactSet::states(const SphereRows& rows, double time) const {
   std::vector<ContactState> all;
-  const auto at = [](const std::vector<double>& numbers, std::int64_t i) {
-    return Vec<double, 3>{numbers[i], numbers[i + 1], numbers[i + 2]};
+  const auto at = [](const LaneArray& numbers, std::int64_t i) {
+    return Vec<double, 3>{numbers.data()[i], numbers.data()[i + 1], numbers.data()[i + 2]};
   };
   for (const KeptContact& c : kept()) {
-    const Vec<double, 3> x = at(positions_, c.first * position_numbers);
-    const Vec<double, 3> v = at(motions_, c.first * motion_numbers), w = at(motions_, c.first * motion_numbers + 3);
+    const Vec<double, 3> x = at(rows.position, c.first * position_numbers);
+    const Vec<double, 3> v = at(rows.motion, c.first * motion_numbers), w = at(rows.motion, c.first * motion_numbers + 3);
     const int kind = kind_of_sphere_[c.first];
     Vec<double, 3> other_velocity{}, other_spin{};
     TouchingPair<double> pair{};
@@ -267,7 +306,7 @@ std::vector<ContactState> ContactSet::states(double time) const {
       arm = gap_to(wall, x, time);
       other_velocity = wall.velocity;
     } else {
-      Vec<double, 3> r = at(positions_, c.second * position_numbers) - x;
+      Vec<double, 3> r = at(rows.position, c.second * position_numbers) - x;
       for (int k = 0; k < 3; ++k) {
         const double period = surroundings_.period[k];
         if (period > 0) r[k] -= period * std::nearbyint(r[k] / period);
@@ -275,9 +314,9 @@ std::vector<ContactState> ContactSet::states(double time) const {
       pair.normal = (1 / norm(r)) * r;
       arm = norm(r) * radius_[c.first] / (radius_[c.first] + radius_[c.second]);
       other_arm = norm(r) - arm;
-      other_velocity = at(motions_, c.second * motion_numbers);
-      other_spin = at(motions_, c.second * motion_numbers + 3);
-      p = &pair_parameters_[kind * kinds_ + kind_of_sphere_[c.second]];
+      other_velocity = at(rows.motion, c.second * motion_numbers);
+      other_spin = at(rows.motion, c.second * motion_numbers + 3);
+      p = &pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
     }
     pair.overlap = c.overlap;
     pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);

@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
+#include "dem/assembly/contact_parameters.hpp"
+#include "dem/assembly/sphere_rows.hpp"
 #include "dem/contact/neighbors.hpp"
 #include "dem/contact/view.hpp"
 
@@ -29,39 +31,44 @@ struct ContactMemory {
 
 class ContactSet {
  public:
-  ContactSet(const std::vector<FiberGroup>& groups, const Surroundings& surroundings, const AssemblyOptions& options,
-             double step);
+  ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step);
+
+  /// More fibers, after those that are there.
+  void add(const Fiber& fiber, int count);
+  /// Once all have been added: sets what stands behind the spheres' rows.
+  void pad(SphereRows& rows);
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
   double skin() const { return skin_; }
 
   /// Lists the pairs that are close at these positions anew; contacts that touch keep what they remember.
   void list_pairs(const std::vector<Vec<double, 3>>& positions, double time);
+  /// How far any sphere is from where it was listed [m].
+  double farthest_moved(const SphereRows& rows) const;
   /// Whether a wall has moved so far since then that spheres near it may be missing.
   bool walls_moved_far(double time) const;
   const std::vector<Vec<double, 3>>& listed_at() const { return listed_at_; }
   double listed_time() const { return listed_time_; }
 
-  /// Numbers of the spheres, in their order, and loads on them.
-  double* positions() { return positions_.data(); }
-  double* motions() { return motions_.data(); }
-  const double* loads() const { return loads_.data(); }
-
   int stripes() const { return static_cast<int>(stripes_.size()); }
   /// Loads of a stripe's pairs and walls; what leaves the stripe waits for gather_loads().
-  void work_out(int stripe, double time);
+  void work_out(int stripe, SphereRows& rows, double time);
   /// Adds what other stripes have for this one, in their order.
-  void gather_loads(int stripe);
+  void gather_loads(int stripe, SphereRows& rows);
 
   std::int64_t touching() const;
   ContactBook<double> taken() const;  ///< since the start [J]
   double wall_work() const;           ///< [J]
   double stored_energy() const;       ///< in the springs now [J]
 
-  std::vector<ContactState> states(double time) const;
+  std::vector<ContactState> states(const SphereRows& rows, double time) const;
   std::vector<KeptContact> kept() const;
   void forget();
   void remember(const std::vector<KeptContact>& contacts);
+  /// Sums that go on when a saved state is gone on with: stripe by stripe.
+  std::vector<double> sums() const;
+  static constexpr int sums_a_stripe = 5;
+  const double* set_sums(const double* from);
 
  private:
   /// Spheres of a stripe near a wall and what those contacts remember.
@@ -82,21 +89,24 @@ class ContactSet {
 
   void fill_stripe(int stripe);
   void list_walls(int stripe);
-  ContactView view(Stripe& stripe);
+  int kind_of(const ContactBody& body);
+  ContactView view(Stripe& stripe, SphereRows& rows);
   WallView wall_view(int wall, NearWall& near, double time) const;
 
   Surroundings surroundings_;
+  bool booked_;
+  InstructionSet instruction_set_;
+  std::vector<ContactBody> bodies_;  ///< of each kind
   std::vector<ContactParameters<double>> pair_parameters_, wall_parameters_;
   std::vector<double> radius_;
   std::vector<std::int32_t> fiber_, kind_of_sphere_;
-  int kinds_, threads_;
-  double step_, skin_;
-  const ContactKernel* kernel_;
+  int threads_;
+  double step_, skin_ = 0;
+  const ContactKernel* kernel_ = nullptr;
   std::vector<std::int32_t> stripe_begin_;
   std::vector<std::vector<ClosePair>> pairs_;
   std::vector<Vec<double, 3>> listed_at_;
   double listed_time_ = 0;
-  std::vector<double> positions_, motions_, loads_;
   std::vector<Stripe> stripes_;
 };
 

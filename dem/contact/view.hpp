@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "dem/contact/law.hpp"
+#include "dem/sphere_rows.hpp"
 
 // What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves all.
 namespace fiberchain::dem {
@@ -21,11 +22,6 @@ constexpr ContactPhysics contact_physics(int n) { return {(n & 1) != 0, (n & 2) 
 constexpr int contact_index(const ContactPhysics& p) {
   return (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) + (p.booked ? 8 : 0);
 }
-
-/// Numbers of a sphere in the arrays below.
-inline constexpr int position_numbers = 4;  ///< x, y, z, radius
-inline constexpr int motion_numbers = 8;    ///< velocity, spin, two unused
-inline constexpr int force_numbers = 8;     ///< force, moment, two unused
 
 /// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
 struct ContactView {

@@ -2,34 +2,55 @@
 
 #include "dem/contact/lanes/gather.hpp"
 #include "dem/contact/view.hpp"
+#include "dem/motion/lanes/transpose.hpp"
 
 // The contact loop: distances of all close pairs, then the law for those that touch, as many at a time as there are lanes.
 namespace fiberchain::dem {
 
+/// Slots of some spheres, one a lane.
 template <class Real>
-using Place = Vec<Real, 3>;
-
-/// Index of the slots of some pairs, scaled to the arrays' strides.
-template <class Real>
-struct SlotIndex {
-  std::int32_t slot[contact_lanes<Real>], position[contact_lanes<Real>], motion[contact_lanes<Real>];
+struct Slots {
+  std::int32_t at[contact_lanes<Real>];
 };
 
 template <class Real>
-SlotIndex<Real> slot_index(const std::int32_t* slots, const std::int32_t* pairs) {
-  SlotIndex<Real> index;
-  for (int k = 0; k < contact_lanes<Real>; ++k) {
-    const std::int32_t slot = slots[pairs[k]];
-    index.slot[k] = slot;
-    index.position[k] = slot * position_numbers;
-    index.motion[k] = slot * motion_numbers;
-  }
-  return index;
+Slots<Real> slots_of(const std::int32_t* slots, const std::int32_t* entries) {
+  Slots<Real> chosen;
+  for (int k = 0; k < contact_lanes<Real>; ++k) chosen.at[k] = slots[entries[k]];
+  return chosen;
+}
+
+template <int N, class Real>
+RowStarts<Real, const double> rows_at(const double* rows, const std::int32_t* slots) {
+  RowStarts<Real, const double> starts;
+  for (int k = 0; k < contact_lanes<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(slots[k]) * N;
+  return starts;
+}
+
+/// Centers and radii.
+template <class Real>
+struct Balls {
+  Vec<Real, 3> center;
+  Real radius;
+};
+
+template <class Real>
+Balls<Real> balls_at(const ContactView& view, const std::int32_t* slots) {
+  Real n[position_numbers];
+  load_rows<position_numbers>(rows_at<position_numbers, Real>(view.position, slots), 0, n);
+  return {{n[0], n[1], n[2]}, n[3]};
 }
 
 template <class Real>
-Vec<Real, 3> gather_vector(const double* source, const std::int32_t* index) {
-  return {gather_lanes<Real>(source, index), gather_lanes<Real>(source + 1, index), gather_lanes<Real>(source + 2, index)};
+struct Motions {
+  Vec<Real, 3> velocity, spin;
+};
+
+template <class Real>
+Motions<Real> motions_at(const ContactView& view, const std::int32_t* slots) {
+  Real n[motion_numbers];
+  load_rows<motion_numbers>(rows_at<motion_numbers, Real>(view.motion, slots), 0, n);
+  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
 }
 
 /// The nearest image of a separation in a periodic cell.
@@ -47,15 +68,9 @@ int find_touching(const ContactView& view, ContactTask& task) {
   constexpr int lanes = contact_lanes<Real>;
   int count = 0;
   for (std::int32_t p = task.begin; p < task.end; p += lanes) {
-    std::int32_t i[lanes], j[lanes];
-    for (int k = 0; k < lanes; ++k) {
-      i[k] = view.first[p + k] * position_numbers;
-      j[k] = view.second[p + k] * position_numbers;
-    }
-    const Vec<Real, 3> r =
-        nearest_image<P, Real>(view, gather_vector<Real>(view.position, j) - gather_vector<Real>(view.position, i));
-    Real reach = Real(2.0 * view.position[3]);
-    if constexpr (!P.uniform) reach = gather_lanes<Real>(view.position + 3, i) + gather_lanes<Real>(view.position + 3, j);
+    const Balls<Real> a = balls_at<Real>(view, view.first + p), b = balls_at<Real>(view, view.second + p);
+    const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
+    const Real reach = P.uniform ? Real(2.0 * view.position[3]) : a.radius + b.radius;
     unsigned touching = less_mask(dot(r, r), reach * reach);
     unsigned ended = less_mask(Real(0.0), load_lanes<Real>(view.overlap + p)) & ~touching;
     for (; touching != 0; touching &= touching - 1) task.touching[count++] = p + __builtin_ctz(touching);
@@ -126,12 +141,12 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
 
 /// The law for the pairs touching[0 ... lanes - 1], of which `count` count.
 template <ContactPhysics P, class Real>
-PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const SlotIndex<Real>& i,
-                           const SlotIndex<Real>& j, int count, ContactTask& task) {
+PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const Slots<Real>& i,
+                           const Slots<Real>& j, int count, ContactTask& task) {
   using std::sqrt;
   constexpr int lanes = contact_lanes<Real>;
-  const Vec<Real, 3> r = nearest_image<P, Real>(
-      view, gather_vector<Real>(view.position, j.position) - gather_vector<Real>(view.position, i.position));
+  const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
+  const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
   const Real distance = sqrt(dot(r, r));
   ContactParameters<Real> p;
   Real reach, share = Real(0.5);
@@ -139,23 +154,21 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
     p = broadcast<Real>(view.parameters[0]);
     reach = Real(2.0 * view.position[3]);
   } else {
-    const Real first = gather_lanes<Real>(view.position + 3, i.position);
-    reach = first + gather_lanes<Real>(view.position + 3, j.position);
-    share = first / reach;
+    reach = a.radius + b.radius;
+    share = a.radius / reach;
     std::int32_t entry[lanes];
-    for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.slot[k]] * view.kinds + view.kind[j.slot[k]];
+    for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.at[k]] * view.kinds + view.kind[j.at[k]];
     p = gather_parameters<Real>(view.parameters, entry);
   }
   if constexpr (!P.rolling) p.rolling = p.rolling_limit = Real(0.0);
-  const Vec<Real, 3> v_i = gather_vector<Real>(view.motion, i.motion), v_j = gather_vector<Real>(view.motion, j.motion);
-  const Vec<Real, 3> w_i = gather_vector<Real>(view.motion + 3, i.motion), w_j = gather_vector<Real>(view.motion + 3, j.motion);
+  const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Real arm_i = share * distance, arm_j = distance - arm_i;
   TouchingPair<Real> pair;
   pair.normal = (Real(1.0) / distance) * r;
   pair.overlap = reach - distance;
-  pair.velocity = v_j - v_i - cross(arm_i * w_i + arm_j * w_j, pair.normal);
-  pair.spin = w_j - w_i;
-  pair.mean_spin = Real(0.5) * (w_i + w_j);
+  pair.velocity = motion_j.velocity - motion_i.velocity - cross(arm_i * motion_i.spin + arm_j * motion_j.spin, pair.normal);
+  pair.spin = motion_j.spin - motion_i.spin;
+  pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
   ContactHistory<Real> history{{gather_lanes<Real>(view.spring[0], pairs), gather_lanes<Real>(view.spring[1], pairs),
                                 gather_lanes<Real>(view.spring[2], pairs)},
                                gather_lanes<Real>(view.overlap, pairs),
@@ -183,7 +196,7 @@ void store_vector(const Vec<Real, 3>& v, double (*target)[contact_lanes<Real>]) 
 
 /// Adds a pair's loads to its spheres in the order of the pairs.
 template <class Real>
-void add_loads(const ContactView& view, const PairLoads<Real>& loads, const SlotIndex<Real>& i, const SlotIndex<Real>& j,
+void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j,
                int count, ContactTask& task) {
   constexpr int lanes = contact_lanes<Real>;
   double numbers[9][lanes];
@@ -191,15 +204,15 @@ void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slot
   store_vector(loads.first_moment, numbers + 3);
   store_vector(loads.second_moment, numbers + 6);
   for (int k = 0; k < count; ++k) {
-    double* first = view.force + i.slot[k] * force_numbers;
+    double* first = view.force + i.at[k] * load_numbers;
     for (int c = 0; c < 6; ++c) first[c] += numbers[c][k];
-    if (j.slot[k] < task.slots_end) {
-      double* second = view.force + j.slot[k] * force_numbers;
+    if (j.at[k] < task.slots_end) {
+      double* second = view.force + j.at[k] * load_numbers;
       for (int c = 0; c < 3; ++c) second[c] -= numbers[c][k], second[3 + c] += numbers[6 + c][k];
     } else {
       DeferredForce& later = task.deferred[task.deferred_count++];
       for (int c = 0; c < 3; ++c) later.load[c] = -numbers[c][k], later.load[3 + c] = numbers[6 + c][k];
-      later.slot = j.slot[k];
+      later.slot = j.at[k];
     }
   }
 }
@@ -213,7 +226,7 @@ void contact_pairs(const ContactView& view, ContactTask& task) {
     std::int32_t pairs[lanes];
     const int count = touching - n < lanes ? touching - n : lanes;
     for (int k = 0; k < lanes; ++k) pairs[k] = task.touching[n + (k < count ? k : 0)];
-    const SlotIndex<Real> i = slot_index<Real>(view.first, pairs), j = slot_index<Real>(view.second, pairs);
+    const Slots<Real> i = slots_of<Real>(view.first, pairs), j = slots_of<Real>(view.second, pairs);
     add_loads(view, pair_loads<P, Real>(view, pairs, i, j, count, task), i, j, count, task);
   }
 }

@@ -36,9 +36,10 @@ void contact_wall(const ContactView& view, const WallView& wall, ContactTask& ta
   for (std::int32_t n = wall.begin; n < wall.end; n += lanes) {
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = n + k;
-    const SlotIndex<Real> i = slot_index<Real>(wall.slots, entry);
-    const WallSight<Real> seen = sight(wall, gather_vector<Real>(view.position, i.position));
-    const Real radius = gather_lanes<Real>(view.position + 3, i.position);
+    const Slots<Real> i = slots_of<Real>(wall.slots, entry);
+    const Balls<Real> ball = balls_at<Real>(view, i.at);
+    const WallSight<Real> seen = sight(wall, ball.center);
+    const Real radius = ball.radius;
     const unsigned touching = less_mask(seen.distance, radius);
     const Real last = load_lanes<Real>(wall.overlap + n);
     const unsigned ended = less_mask(Real(0.0), last) & ~touching;
@@ -48,11 +49,12 @@ void contact_wall(const ContactView& view, const WallView& wall, ContactTask& ta
       p = broadcast<Real>(wall.parameters[0]);
     } else {
       std::int32_t kind[lanes];
-      for (int k = 0; k < lanes; ++k) kind[k] = view.kind[i.slot[k]];
+      for (int k = 0; k < lanes; ++k) kind[k] = view.kind[i.at[k]];
       p = gather_parameters<Real>(wall.parameters, kind);
     }
     if constexpr (!P.rolling) p.rolling = p.rolling_limit = Real(0.0);
-    const Vec<Real, 3> v = gather_vector<Real>(view.motion, i.motion), w = gather_vector<Real>(view.motion + 3, i.motion);
+    const Motions<Real> motion = motions_at<Real>(view, i.at);
+    const Vec<Real, 3>&v = motion.velocity, &w = motion.spin;
     TouchingPair<Real> pair;
     pair.normal = seen.normal;
     pair.overlap = select(seen.distance < radius, radius - seen.distance, Real(1e-300));
@@ -74,7 +76,7 @@ void contact_wall(const ContactView& view, const WallView& wall, ContactTask& ta
     for (int k = 0; k < lanes; ++k) {
       const std::int32_t at = n + k;
       if (touching >> k & 1u) {
-        double* own = view.force + i.slot[k] * force_numbers;
+        double* own = view.force + i.at[k] * load_numbers;
         for (int c = 0; c < 6; ++c) own[c] += numbers[c][k];
         for (int c = 0; c < 3; ++c) wall.spring[c][at] = numbers[6 + c][k];
         wall.overlap[at] = numbers[9][k];

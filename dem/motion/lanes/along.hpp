@@ -3,6 +3,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "dem/motion/leapfrog.hpp"
+#include "dem/motion/lanes/flatten.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 
 // One chain, its spheres and bonds side by side in lanes: number n of sphere i stands at [n * stride + i]. The last

@@ -35,13 +35,6 @@ constexpr int steps_a_chunk = 64;
 
 }  // namespace
 
-LaneArray::LaneArray(std::size_t size)
-    : data_(static_cast<double*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(double),
-                                                  std::align_val_t{lane_alignment}))),
-      size_(size) {
-  std::fill_n(data_.get(), size, 0.0);
-}
-
 template <int Dim>
 MarchingBlock<Dim>::MarchingBlock(const std::vector<Chain<Dim>>& chains, Clamps clamps,
                                   const std::vector<double>& steps, const std::vector<double>& drag,

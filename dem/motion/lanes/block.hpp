@@ -1,52 +1,15 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <new>
 #include <vector>
 
 #include "dem/boundary.hpp"
 #include "dem/chain.hpp"
 #include "dem/flow/fluid.hpp"
 #include "dem/motion/lanes/kernel.hpp"
+#include "dem/motion/lanes/lane_array.hpp"
 
 // Chains of equal length marched side by side, one a lane.
 namespace fiberchain::dem {
-
-/// Doubles that a value type consists of.
-template <class Value>
-inline constexpr std::size_t numbers_of = sizeof(Value) / sizeof(double);
-
-/// Array of doubles, aligned for every instruction set.
-class LaneArray {
- public:
-  LaneArray() = default;
-  explicit LaneArray(std::size_t size);
-
-  std::size_t size() const { return size_; }
-  double* data() { return data_.get(); }
-  const double* data() const { return data_.get(); }
-
-  /// Copies the doubles of `value` to every `stride`th place from `first` on.
-  template <class Value>
-  void put(const Value& value, std::size_t first, std::size_t stride) {
-    const double* source = reinterpret_cast<const double*>(&value);
-    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) data_[first + n * stride] = source[n];
-  }
-
-  template <class Value>
-  void get(Value& value, std::size_t first, std::size_t stride) const {
-    double* target = reinterpret_cast<double*>(&value);
-    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) target[n] = data_[first + n * stride];
-  }
-
- private:
-  struct Free {
-    void operator()(double* p) const { ::operator delete[](p, std::align_val_t{lane_alignment}); }
-  };
-  std::unique_ptr<double[], Free> data_;
-  std::size_t size_ = 0;
-};
 
 /// A block of up to `width` chains that march together. Unused lanes repeat the last chain. One chain alone lies along
 /// the lanes where that is built; it then differs from the same chain among others by round-off.
@@ -88,13 +51,6 @@ class MarchingBlock {
   /// moves the velocities half a step back, where the leapfrog wants them.
   void synchronize();
   Poses<Dim> poses(int lane) const;
-
-  /// Numbers of all spheres as they lie: number n of sphere i (of a MovingSphere) of a lane at place + n * stride.
-  double* sphere_numbers() { return spheres_.data(); }
-  const double* sphere_numbers() const { return spheres_.data(); }
-  std::size_t sphere_place(int lane, int i) const { return place(lane, i, numbers_of<MovingSphere<double, Dim>>); }
-  std::size_t number_stride() const { return stride(); }
-  const MarchParameters<double, Dim>& parameters(int lane) const { return parameters_of_[lane]; }
 
   /// The whole state, to go back to; not past a set_step().
   std::vector<double> saved() const;

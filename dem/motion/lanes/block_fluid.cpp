@@ -5,26 +5,10 @@
 #include "dem/errors.hpp"
 #include "dem/motion/lanes/block.hpp"
 #include "dem/motion/leapfrog.hpp"
-#include "dem/motion/relaxation.hpp"
+#include "dem/motion/half_step.hpp"
 
 // What a fluid does to a block of lanes, and the half steps between velocities and poses.
 namespace fiberchain::dem {
-namespace {
-
-/// Velocity half a step on, or the one it came from. What a stiff drag has forgotten of that is taken as the fluid's:
-/// it has no part in what follows.
-template <int N>
-void relax(Vec<double, N>& v, const Relaxation& half, const Vec<double, N>& fluid, const Vec<double, N>& force, bool back) {
-  const Vec<double, N> pull = half.follow * fluid + half.gain * force;
-  if (!back) {
-    v = half.keep * v + pull;
-  } else {
-    v = half.keep > 1e-100 ? (1 / half.keep) * (v - pull) : fluid;
-  }
-}
-
-}  // namespace
-
 template <int Dim>
 void MarchingBlock<Dim>::set_fluid(int lane, const Fluid& fluid, double time) {
   if (!fluid_) throw InvalidInput("a fluid is not allowed: the physics of these lanes has none");
@@ -108,14 +92,8 @@ EndLoad<double, Dim> MarchingBlock<Dim>::load_now(int lane, int index) const {
 template <int Dim>
 void MarchingBlock<Dim>::move_half_step(int lane, int index, MovingSphere<double, Dim>& s, bool back) const {
   if (fixed(index)) return;
-  const StokesDrag& drag = fluids_[lane].drag;
-  const double time = 0.5 * parameters_of_[lane].step;
   const EndLoad<double, Dim> load = load_now(lane, index);
-  const Gradient A = gradient_now(lane, 0);
-  relax(s.velocity, relaxation(drag.translation, sphere_mass(fibers_[lane]), time), velocity_at<Dim>(A, s.pose.position),
-        s.force + load.force, back);
-  relax(s.spin, relaxation(drag.rotation, sphere_inertia(fibers_[lane]), time), spin_of<Dim>(A), s.moment + load.moment,
-        back);
+  dem::move_half_step(s, load, fibers_[lane], fluids_[lane].drag, gradient_now(lane, 0), parameters_of_[lane].step, back);
 }
 
 template <int Dim>

@@ -4,15 +4,8 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
-// Flattened: a call inside the loop would pass its vectors through memory. Not under the sanitizers, whose checks in
-// every copy would take the compiler minutes a file.
-#ifdef FIBERCHAIN_SANITIZED
-#define FIBERCHAIN_FLATTEN
-#else
-#define FIBERCHAIN_FLATTEN __attribute__((flatten))
-#endif
-
 #include "dem/motion/lanes/along.hpp"
+#include "dem/motion/lanes/flatten.hpp"
 #include "dem/motion/lanes/kernel.hpp"
 #include "dem/motion/leapfrog.hpp"
 
@@ -72,5 +65,3 @@ template <class Real>
 inline constexpr KernelTable<Real> kernels_of = kernel_table<Real>(std::make_index_sequence<built_physics.size()>{});
 
 }  // namespace fiberchain::dem
-
-#undef FIBERCHAIN_FLATTEN

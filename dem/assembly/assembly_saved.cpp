@@ -1,0 +1,76 @@
+#include "dem/assembly/assembly_state.hpp"
+#include "dem/errors.hpp"
+
+// The whole state as numbers, and back.
+namespace fiberchain::dem {
+namespace {
+
+/// Steps, time of the list, room, inserted energy, spheres.
+constexpr std::size_t head_numbers = 5;
+/// Of a contact.
+constexpr std::size_t kept_numbers = 7;
+
+std::vector<const LaneArray*> arrays(const SphereRows& rows) {
+  return {&rows.position, &rows.motion, &rows.load, &rows.orientation};
+}
+
+std::size_t fixed_numbers(const Assembly::State& s, std::size_t stripes) {
+  std::size_t sum = head_numbers + stripes * ContactSet::sums_a_stripe + 3 * s.rows.count + 1;
+  for (const LaneArray* a : arrays(s.rows)) sum += a->size();
+  for (const FiberBlock& block : s.blocks) sum += block.saved_size();
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> Assembly::saved() const {
+  const State& s = *state_;
+  std::vector<double> all{static_cast<double>(s.steps), s.contacts.listed_time(), s.room, s.inserted,
+                          static_cast<double>(s.rows.count)};
+  const std::vector<double> sums = s.contacts.sums();
+  all.insert(all.end(), sums.begin(), sums.end());
+  for (const auto& x : s.contacts.listed_at()) all.insert(all.end(), x.c, x.c + 3);
+  for (const LaneArray* a : arrays(s.rows)) all.insert(all.end(), a->data(), a->data() + a->size());
+  for (const FiberBlock& block : s.blocks) block.save(all);
+  const std::vector<KeptContact> kept = s.contacts.kept();
+  all.push_back(static_cast<double>(kept.size()));
+  for (const KeptContact& c : kept) {
+    all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
+                           c.spring[2], c.overlap, c.opening});
+  }
+  return all;
+}
+
+void Assembly::restore(const std::vector<double>& saved) {
+  State& s = *state_;
+  const std::size_t fixed = fixed_numbers(s, s.contacts.stripes());
+  if (saved.size() < fixed || saved[head_numbers - 1] != static_cast<double>(s.rows.count) || !(saved[fixed - 1] >= 0) ||
+      static_cast<double>(saved.size()) != static_cast<double>(fixed) + kept_numbers * saved[fixed - 1]) {
+    throw InvalidInput("these numbers are not a state of this assembly");
+  }
+  const double* from = saved.data() + head_numbers;
+  std::vector<Vec<double, 3>> listed(s.rows.count);
+  const double* sums = from;
+  from += static_cast<std::size_t>(s.contacts.stripes()) * ContactSet::sums_a_stripe;
+  for (auto& x : listed) x = {from[0], from[1], from[2]}, from += 3;
+  for (LaneArray* a : {&s.rows.position, &s.rows.motion, &s.rows.load, &s.rows.orientation}) {
+    std::copy_n(from, a->size(), a->data());
+    from += a->size();
+  }
+  for (FiberBlock& block : s.blocks) from = block.restore(from);
+  std::vector<KeptContact> kept(static_cast<std::size_t>(*from++));
+  for (KeptContact& c : kept) {
+    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6]};
+    from += kept_numbers;
+  }
+  s.contacts.list_pairs(listed, saved[1]);
+  s.contacts.forget();
+  s.contacts.remember(kept);
+  s.contacts.set_sums(sums);
+  s.steps = static_cast<std::int64_t>(saved[0]);
+  s.room = saved[2];
+  s.inserted = saved[3];
+  s.set_gradient();
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,260 @@
+#include "dem/assembly/assembly_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include "dem/errors.hpp"
+#include "dem/motion/half_step.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+Physics physics_of(const Chain<3>& chain, const Surroundings& surroundings, const AssemblyOptions& options) {
+  Physics physics{.dimension = 3, .form = options.form, .damped = damped(chain.fiber), .drag = false,
+                  .curved = options.form == BondForm::total && !chain.natural.empty()};
+  physics.fluid = surroundings.fluid.has_value();
+  if (chain.fiber.rolling_friction > 0) physics.rolling = options.rolling, physics.damped = true;
+  return physics;
+}
+
+/// The rows of `from` at the beginning of larger ones.
+SphereRows grown(const SphereRows& from, std::int64_t count, bool oriented) {
+  SphereRows rows(count, oriented);
+  const auto copy = [&](const LaneArray& source, LaneArray& target, int numbers) {
+    std::copy_n(source.data(), from.count * numbers, target.data());
+  };
+  copy(from.position, rows.position, position_numbers);
+  copy(from.motion, rows.motion, motion_numbers);
+  copy(from.load, rows.load, load_numbers);
+  if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_numbers);
+  return rows;
+}
+
+/// Steps between two looks at all spheres.
+constexpr int kStepsBetweenLooks = 256;
+
+}  // namespace
+
+std::int64_t Assembly::State::first_sphere(int group, int fiber) const {
+  const Place at = place(group, fiber);
+  return blocks[at.block].first(at.lane);
+}
+
+int Assembly::State::add(const std::vector<FiberGroup>& groups) {
+  std::int64_t count = rows.count;
+  for (const FiberGroup& group : groups) count += static_cast<std::int64_t>(group.fibers.size()) * group.chain.poses.size();
+  const bool oriented = options.orientations || options.form == BondForm::total;
+  std::int64_t row = rows.count;
+  rows = grown(rows, count, oriented);
+  const int first_new = static_cast<int>(blocks.size());
+  std::size_t scratch_size = scratch.empty() ? 0 : scratch[0].size();
+  for (const FiberGroup& group : groups) {
+    const Physics physics = physics_of(group.chain, surroundings, options);
+    const int number = static_cast<int>(kinds.size());
+    kinds.push_back(fiber_kind(group.chain, physics, surroundings, step, options.instruction_set));
+    const FiberKind& kind = kinds.back();
+    fibers.push_back(static_cast<int>(group.fibers.size()));
+    first_block.push_back(static_cast<int>(blocks.size()));
+    contacts.add(group.chain.fiber, fibers.back());
+    scratch_size = std::max(scratch_size, kind.kernel->scratch(group.chain.fiber.aspect_ratio));
+    for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
+      const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
+      const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
+      blocks.emplace_back(kind, number, row, lanes, options.book_energy, rows);
+      row = blocks.back().end(kind);
+    }
+    if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
+  }
+  scratch.clear();
+  for (int t = 0; t < options.threads; ++t) scratch.emplace_back(scratch_size);
+  contacts.pad(rows);
+  set_gradient();
+  list_pairs();
+  return first_new;
+}
+
+void Assembly::State::start_blocks(int from) {
+  for (std::size_t b = from; b < blocks.size(); ++b) {
+    blocks[b].start(kinds[blocks[b].group()], rows, gradient.data(), gradient_now());
+  }
+}
+
+Gradient Assembly::State::gradient_now() const {
+  return surroundings.fluid ? gradient_at(surroundings.fluid->flow, time()) : Gradient{};
+}
+
+void Assembly::State::set_gradient() {
+  if (!surroundings.fluid) return;
+  const Gradient A = gradient_now();
+  const std::size_t width = gradient.size() / 9;
+  for (int n = 0; n < 9; ++n) std::fill_n(gradient.data() + n * width, width, A[n / 3][n % 3]);
+}
+
+void Assembly::State::list_pairs() {
+  std::vector<Vec<double, 3>> places(rows.count);
+  for (std::int64_t i = 0; i < rows.count; ++i) places[i] = rows.place(i);
+  contacts.list_pairs(places, time());
+  room = 0.5 * contacts.skin();
+}
+
+/// Whether a sphere may have moved so far that a pair is missing, or a wall. Speeds tell when it is worth looking.
+bool Assembly::State::must_list(double fastest) {
+  if (contacts.walls_moved_far(time())) return true;
+  room -= step * fastest;
+  if (room > 0) return false;
+  const double limit = 0.5 * contacts.skin(), worth = 0.2 * limit;
+  room = limit - contacts.farthest_moved(rows);
+  return !(room > worth);
+}
+
+/// Kinetic energy and the work of all other forces tell what the fluid took.
+double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& before) const {
+  const FiberKind& kind = kinds[block.group()];
+  double taken = 0;
+  for (int lane = 0; lane < block.lanes(); ++lane) {
+    for (int i = 0; i < kind.spheres(); ++i) {
+      const MovingSphere<double, 3> s = block.sphere(kind, before, lane, i);
+      const double* v = rows.motion.data() + (block.first(lane) + i) * motion_numbers;
+      for (int c = 0; c < 3; ++c) {
+        const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + v[3 + c]);
+        taken += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
+                 mean_spin * (step * s.moment[c] - kind.inertia * (v[3 + c] - s.spin[c]));
+      }
+    }
+  }
+  return taken;
+}
+
+double Assembly::State::step_block(FiberBlock& block, LaneArray& own_scratch) {
+  const FiberKind& kind = kinds[block.group()];
+  if (options.book_energy) block.book(kind, rows, own_scratch);
+  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_scratch, gradient.data());
+  const BlockLook before = block.look(kind, rows, gradient.data());
+  const double fastest = block.step(kind, rows, own_scratch, gradient.data());
+  block.add_fluid_taken(fluid_taken(block, before));
+  return fastest;
+}
+
+void Assembly::State::march_some(int count) {
+  const int n_blocks = static_cast<int>(blocks.size()), n_stripes = contacts.stripes();
+  bool list = false, touch = false;  // touch: contacts of the last step are still to be worked out
+  for (int n = 0; n < count || touch;) {
+    double fastest = 0;
+#pragma omp parallel num_threads(options.threads) if (options.threads > 1)
+    while (true) {
+      if (touch) {
+        const double now = time();
+#pragma omp for schedule(static)
+        for (int k = 0; k < n_stripes; ++k) contacts.work_out(k, rows, now);
+#pragma omp for schedule(static)
+        for (int k = 0; k < n_stripes; ++k) contacts.gather_loads(k, rows);
+      }
+      if (n >= count) break;
+#pragma omp for schedule(static) reduction(max : fastest)
+      for (int b = 0; b < n_blocks; ++b) fastest = std::max(fastest, step_block(blocks[b], scratch[omp_get_thread_num()]));
+#pragma omp single
+      {
+        ++steps, ++n;
+        set_gradient();
+        list = must_list(std::sqrt(fastest));
+        fastest = 0;
+        touch = true;
+      }
+      if (list) break;
+    }
+    touch = false;
+    if (list) {
+      try {
+        list_pairs();
+      } catch (const InvalidInput&) {  // not finite: looked for by the caller
+        return;
+      }
+      list = false;
+      touch = true;
+    }
+  }
+}
+
+void Assembly::State::march(std::int64_t count) {
+  for (std::int64_t done = 0; done < count;) {
+    const std::int64_t from = steps;
+    march_some(static_cast<int>(std::min<std::int64_t>(kStepsBetweenLooks, count - done)));
+    const std::int64_t sphere = broken();
+    if (sphere >= 0) fail(sphere, from);
+    done += steps - from;
+  }
+}
+
+/// First sphere that has blown up: not finite, or its bond ten times too long or short; -1 if none.
+std::int64_t Assembly::State::broken() const {
+  for (const FiberBlock& block : blocks) {
+    const FiberKind& kind = kinds[block.group()];
+    const double l = bond_length(kind.chain.fiber);
+    for (int lane = 0; lane < block.lanes(); ++lane) {
+      for (std::int64_t i = block.first(lane); i < block.first(lane) + kind.spheres(); ++i) {
+        const double* v = rows.motion.data() + i * motion_numbers;
+        double sum = 0;
+        for (int c = 0; c < motion_numbers; ++c) sum += v[c];
+        const double length = i > block.first(lane) ? norm(rows.place(i) - rows.place(i - 1)) : l + 0 * norm(rows.place(i));
+        if (!std::isfinite(sum + length) || length > 10 * l || length < 0.1 * l) return i;
+      }
+    }
+  }
+  return -1;
+}
+
+void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
+  int fiber = 0;
+  for (const FiberBlock& block : blocks) {
+    for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
+      const std::int64_t own = sphere - block.first(lane);
+      if (own >= kinds[block.group()].spheres()) continue;
+      throw Diverged(fmt::format("the run blew up: fiber {}, sphere {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); "
+                                 "likely cause: a step too long for the bonds or for how hard contacts press",
+                                 fiber, own, from, steps, step, time()));
+    }
+  }
+  throw Diverged("the run blew up");
+}
+
+EnergyBalance Assembly::State::energy() const {
+  EnergyBalance sum{};
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const FiberBlock& block = blocks[b];
+    const FiberKind& kind = kinds[block.group()];
+    const BlockLook now = look(static_cast<int>(b));
+    for (int lane = 0; lane < block.lanes(); ++lane) {
+      Poses<3> poses;
+      for (int i = 0; i < kind.spheres(); ++i) {
+        MovingSphere<double, 3> s = block.sphere(kind, now, lane, i);
+        move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
+        sum.kinetic += 0.5 * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
+        sum.gravity -= dot(kind.weight, s.pose.position);
+        poses.push_back(s.pose);
+      }
+      if (options.form == BondForm::total) {
+        sum.bonds += elastic_energy(kind.chain, poses);
+        continue;
+      }
+      for (int i = 0; i + 1 < kind.spheres(); ++i) {
+        sum.bonds += stored_energy(kind.parameters.bond, block.history(kind, now, lane, i),
+                                   unit(poses[i + 1].position - poses[i].position));
+      }
+    }
+    sum.bond_damping += block.bond_damping();
+    sum.bond_friction += block.bond_friction();
+    sum.fluid += block.fluid_taken();
+  }
+  sum.contacts = contacts.stored_energy();
+  const ContactBook<double> taken = contacts.taken();
+  sum.contact_normal = taken.normal_dashpot;
+  sum.contact_tangential = taken.sliding;
+  sum.contact_rolling = taken.rolling;
+  sum.wall_work = contacts.wall_work();
+  sum.inserted = inserted;
+  return sum;
+}
+
+}  // namespace fiberchain::dem

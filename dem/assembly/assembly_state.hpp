@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "dem/assembly/assembly.hpp"
+#include "dem/assembly/contact_set.hpp"
+#include "dem/assembly/fiber_block.hpp"
+
+namespace fiberchain::dem {
+
+/// The inside of an assembly: rows of spheres, blocks of fibers that move them, contacts between them.
+struct Assembly::State {
+  Surroundings surroundings;
+  AssemblyOptions options;
+  double step;
+  std::int64_t steps = 0;
+  std::vector<FiberKind> kinds;  ///< one a group
+  std::vector<int> fibers;       ///< in each group
+  std::vector<int> first_block;  ///< of each group
+  std::vector<FiberBlock> blocks;
+  SphereRows rows;
+  ContactSet contacts;
+  LaneArray gradient;               ///< fluid: A now, lane by lane
+  std::vector<LaneArray> scratch;   ///< one a thread
+  double room = 0;                  ///< what spheres may move before their distance from where they were listed is looked at [m]
+  double inserted = 0;              ///< energy that fibers brought with them [J]
+
+  State(Surroundings around, AssemblyOptions how, double dt)
+      : surroundings(std::move(around)), options(std::move(how)), step(dt), contacts(surroundings, options, step) {}
+
+  double time() const { return static_cast<double>(steps) * step; }
+  std::int64_t first_sphere(int group, int fiber) const;
+  struct Place {
+    int block, lane;
+  };
+  Place place(int group, int fiber) const {
+    const int width = kinds[group].kernel->width;
+    return {first_block[group] + fiber / width, fiber % width};
+  }
+
+  /// Makes room for the groups, sets their spheres, and lists pairs; returns the first new block.
+  int add(const std::vector<FiberGroup>& groups);
+  /// Blocks from this one on have the velocities of this moment: half a step back.
+  void start_blocks(int from);
+
+  BlockLook look(int block) const { return blocks[block].look(kinds[blocks[block].group()], rows, gradient.data()); }
+  Gradient gradient_now() const;
+  void set_gradient();
+  void list_pairs();
+  void march(std::int64_t count);
+  EnergyBalance energy() const;
+
+ private:
+  void march_some(int count);
+  bool must_list(double fastest);
+  double step_block(FiberBlock& block, LaneArray& own_scratch);
+  double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
+  std::int64_t broken() const;
+  [[noreturn]] void fail(std::int64_t sphere, std::int64_t from) const;
+};
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,175 @@
+#include "dem/assembly/fiber_block.hpp"
+
+#include <algorithm>
+
+#include "dem/motion/half_step.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+using Sphere = MovingSphere<double, 3>;
+
+/// Lanes of `taken_`: two sums a lane.
+constexpr int taken_numbers = 2;
+
+double sum_of_lanes(const double* numbers, int lanes) {
+  double sum = 0;
+  for (int k = 0; k < lanes; ++k) sum += numbers[k];
+  return sum;
+}
+
+void put_rows(SphereRows& rows, std::int64_t row, const ChainState<3>& state, double radius) {
+  for (std::size_t i = 0; i < state.poses.size(); ++i, ++row) {
+    double* x = rows.position.data() + row * position_numbers;
+    double* v = rows.motion.data() + row * motion_numbers;
+    for (int c = 0; c < 3; ++c) x[c] = state.poses[i].position[c], v[c] = state.velocity[i][c], v[3 + c] = state.spin[i][c];
+    x[3] = radius;
+    if (!rows.oriented()) continue;
+    const Quaternion<double>& turn = state.poses[i].orientation;
+    double* q = rows.orientation.data() + row * orientation_numbers;
+    q[0] = turn.w;
+    for (int c = 0; c < 3; ++c) q[1 + c] = turn.v[c];
+  }
+}
+
+/// The strain that the poses stand for.
+BondHistory<double, 3> strain_of(const Chain<3>& chain, const Poses<3>& poses, int bond) {
+  const auto k = bond_kinematics(chain, poses, bond);
+  const BondParameters<double> law = bond_parameters(chain.fiber);
+  return history_of(law, poses[bond + 1].position - poses[bond].position,
+                    bond_loads(k, bond_stress(law, k.separation, k.rotation)));
+}
+
+}  // namespace
+
+FiberKind fiber_kind(const Chain<3>& chain, const Physics& physics, const Surroundings& surroundings, double step,
+                     InstructionSet set) {
+  const Fiber& fiber = chain.fiber;
+  FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
+  kind.weight = kind.mass * surroundings.gravity;
+  if (surroundings.fluid) kind.drag = stokes_drag(*surroundings.fluid, fiber);
+  kind.parameters.bond = bond_parameters(fiber);
+  kind.parameters.inverse_length = 1 / bond_length(fiber);
+  kind.parameters.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
+  set_step(kind.parameters, fiber, kind.drag, step);
+  return kind;
+}
+
+FiberBlock::FiberBlock(const FiberKind& kind, int group, std::int64_t first, const std::vector<ChainState<3>>& fibers,
+                       bool booked, SphereRows& rows)
+    : group_(group), lanes_(static_cast<int>(fibers.size())) {
+  const int width = kind.kernel->width, bonds = kind.chain.fiber.aspect_ratio;
+  history_ = LaneArray(bonds * numbers_of<BondHistory<double, 3>> * width);
+  natural_ = LaneArray(kind.chain.natural.size() * numbers_of<NaturalEnds<double, 3>> * width);
+  parameters_ = LaneArray(numbers_of<MarchParameters<double, 3>> * width);
+  workspace_ = LaneArray(kind.kernel->workspace(bonds) * width);
+  const bool books = booked && kind.kernel->book != nullptr;
+  kept_ = LaneArray(books ? static_cast<std::size_t>(bonds) * book_numbers * width : 0);
+  taken_ = LaneArray(taken_numbers * width);
+  for (int lane = 0; lane < width; ++lane) {
+    const int fiber = std::min(lane, lanes_ - 1);
+    first_.push_back(first + static_cast<std::int64_t>(fiber) * kind.spheres());
+    parameters_.put(kind.parameters, lane, width);
+    for (int i = 0; i < bonds; ++i) {
+      history_.put(strain_of(kind.chain, fibers[fiber].poses, i), i * numbers_of<BondHistory<double, 3>> * width + lane, width);
+    }
+    for (std::size_t i = 0; i < kind.chain.natural.size(); ++i) {
+      natural_.put(kind.chain.natural[i], i * numbers_of<NaturalEnds<double, 3>> * width + lane, width);
+    }
+  }
+  for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
+}
+
+RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient) {
+  return {kind.chain.fiber.aspect_ratio,
+          first_.data(),
+          rows.position.data(),
+          rows.motion.data(),
+          rows.load.data(),
+          rows.oriented() ? rows.orientation.data() : nullptr,
+          history_.data(),
+          natural_.data(),
+          parameters_.data(),
+          workspace_.data(),
+          scratch.data(),
+          {kind.weight[0], kind.weight[1], kind.weight[2]},
+          gradient,
+          led_};
+}
+
+double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient) {
+  const double fastest = kind.kernel->step(view(kind, rows, scratch, gradient));
+  std::fill(rows.load.data() + first_[0] * load_numbers, rows.load.data() + end(kind) * load_numbers, 0.0);
+  led_ = kind.parameters.step;
+  return fastest;
+}
+
+void FiberBlock::book(const FiberKind& kind, SphereRows& rows, LaneArray& scratch) {
+  if (kept_.size() == 0) return;
+  kind.kernel->book(view(kind, rows, scratch, nullptr), {kept_.data(), taken_.data(), taken_.data() + kind.kernel->width});
+}
+
+BlockLook FiberBlock::look(const FiberKind& kind, const SphereRows& rows, const double* gradient) const {
+  BlockLook look{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_.size())};
+  std::copy_n(history_.data(), history_.size(), look.history.data());
+  LaneArray workspace(workspace_.size());
+  std::copy_n(workspace_.data(), workspace_.size(), workspace.data());
+  // what a look writes are its own copies
+  RowBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereRows&>(rows), look.spheres, gradient);
+  view.history = look.history.data();
+  view.workspace = workspace.data();
+  kind.kernel->look(view);
+  return look;
+}
+
+Sphere FiberBlock::sphere(const FiberKind& kind, const BlockLook& look, int lane, int index) const {
+  const std::size_t width = kind.kernel->width;
+  Sphere sphere{};
+  look.spheres.get(sphere, index * numbers_of<Sphere> * width + lane, width);
+  return sphere;
+}
+
+BondHistory<double, 3> FiberBlock::history(const FiberKind& kind, const BlockLook& look, int lane, int bond) const {
+  const std::size_t width = kind.kernel->width;
+  BondHistory<double, 3> history{};
+  look.history.get(history, bond * numbers_of<BondHistory<double, 3>> * width + lane, width);
+  return history;
+}
+
+void FiberBlock::start(const FiberKind& kind, SphereRows& rows, const double* gradient, const Gradient& A) {
+  const BlockLook now = look(kind, rows, gradient);
+  for (int lane = 0; lane < lanes_; ++lane) {
+    for (int i = 0; i < kind.spheres(); ++i) {
+      Sphere s = sphere(kind, now, lane, i);
+      move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
+      double* v = rows.motion.data() + (first_[lane] + i) * motion_numbers;
+      for (int c = 0; c < 3; ++c) v[c] = s.velocity[c], v[3 + c] = s.spin[c];
+    }
+  }
+}
+
+double FiberBlock::bond_damping() const { return sum_of_lanes(taken_.data(), lanes_); }
+
+double FiberBlock::bond_friction() const {
+  return sum_of_lanes(taken_.data() + taken_.size() / taken_numbers, lanes_);
+}
+
+std::size_t FiberBlock::saved_size() const { return 2 + history_.size() + workspace_.size() + kept_.size() + taken_.size(); }
+
+void FiberBlock::save(std::vector<double>& to) const {
+  to.push_back(led_);
+  to.push_back(fluid_taken_);
+  for (const LaneArray* a : {&history_, &workspace_, &kept_, &taken_}) to.insert(to.end(), a->data(), a->data() + a->size());
+}
+
+const double* FiberBlock::restore(const double* from) {
+  led_ = *from++;
+  fluid_taken_ = *from++;
+  for (LaneArray* a : {&history_, &workspace_, &kept_, &taken_}) {
+    std::copy_n(from, a->size(), a->data());
+    from += a->size();
+  }
+  return from;
+}
+
+}  // namespace fiberchain::dem

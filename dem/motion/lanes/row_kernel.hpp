@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "dem/motion/lanes/kernel.hpp"
+#include "dem/sphere_rows.hpp"
+
+// Fibers among others: their spheres lie in rows, sphere by sphere, where contacts want them; bonds still run in lanes
+// across fibers. One pass a step reads a block's rows, evaluates its bonds, moves its spheres and writes the rows back.
+namespace fiberchain::dem {
+
+/// What the bonds of a step have taken, and what is needed to know it at the next one.
+struct BondBook {
+  double* kept;                   ///< `book_numbers` a bond, lane by lane
+  double* bond_damping;           ///< sum [J], one a lane
+  double* bond_friction;          ///< sum [J], one a lane
+};
+/// Loads of the dashpots (and of explicit rolling friction), their powers, and the relative spin.
+inline constexpr int book_numbers = 9 + 1 + 3 + 1 + 3;
+
+/// A block of `width` fibers of one kind. Unused lanes repeat the last fiber.
+struct RowBlock {
+  int bonds;
+  const std::int64_t* first;  ///< row of the first sphere of each lane
+  double* position;
+  double* motion;
+  double* load;
+  double* orientation;        ///< null where it is not followed
+  double* history;            ///< BondHistory, lane by lane
+  const double* natural;      ///< NaturalEnds, lane by lane (curved fibers)
+  const double* parameters;   ///< MarchParameters, lane by lane
+  double* workspace;          ///< `workspace` of the kernel
+  double* scratch;            ///< room for `scratch` doubles
+  double weight[3];           ///< of a sphere [N]
+  const double* gradient;     ///< fluid: A now, lane by lane
+  double led;                 ///< the step that led here: dt, or 0 before the first [s]
+};
+
+struct RowKernel {
+  int width;
+  std::size_t (*workspace)(int bonds);  ///< doubles a lane that solving along the chain needs, kept from step to step
+  std::size_t (*scratch)(int bonds);    ///< doubles in all
+  /// One step; the square of the largest speed after it.
+  double (*step)(const RowBlock&);
+  /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history moves on.
+  void (*look)(const RowBlock&);
+  /// Before a step: books what the one before took. Null where bonds take nothing.
+  void (*book)(const RowBlock&, const BondBook&);
+};
+
+/// Every combination built for fibers among others: three dimensions, nothing solved but rolling friction, no drag.
+constexpr bool built_in_rows(const Physics& p) { return p.dimension == 3 && !p.drag && !p.solved; }
+
+/// As lane_kernel().
+const RowKernel& row_kernel(const Physics& physics, InstructionSet set);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cstddef>
+#include <xsimd/xsimd.hpp>
+
+#include "dem/sphere_rows.hpp"
+
+// Rows of numbers, one row a lane, into vectors and back. Copies only: every instruction set gives the same.
+namespace fiberchain::dem {
+
+template <class Real>
+inline constexpr int row_lanes = static_cast<int>(sizeof(Real) / sizeof(double));
+
+#ifdef __AVX512F__
+/// Eight rows of eight to columns, or back.
+inline __attribute__((always_inline)) void transpose_8(__m512d (&r)[8]) {
+  __m512d t[8], u[8];
+  for (int k = 0; k < 8; k += 2) {
+    t[k] = _mm512_unpacklo_pd(r[k], r[k + 1]);
+    t[k + 1] = _mm512_unpackhi_pd(r[k], r[k + 1]);
+  }
+  for (int odd = 0; odd < 2; ++odd) {
+    for (int half = 0; half < 2; ++half) {
+      const __m512d a = t[4 * half + odd], b = t[4 * half + 2 + odd];
+      u[4 * odd + half] = _mm512_shuffle_f64x2(a, b, 0x88);
+      u[4 * odd + 2 + half] = _mm512_shuffle_f64x2(a, b, 0xdd);
+    }
+    r[odd] = _mm512_shuffle_f64x2(u[4 * odd], u[4 * odd + 1], 0x88);
+    r[4 + odd] = _mm512_shuffle_f64x2(u[4 * odd], u[4 * odd + 1], 0xdd);
+    r[2 + odd] = _mm512_shuffle_f64x2(u[4 * odd + 2], u[4 * odd + 3], 0x88);
+    r[6 + odd] = _mm512_shuffle_f64x2(u[4 * odd + 2], u[4 * odd + 3], 0xdd);
+  }
+}
+
+/// Four by four in both halves.
+inline __attribute__((always_inline)) void transpose_4(__m512d (&r)[4]) {
+  const __m512i even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  const __m512d t0 = _mm512_unpacklo_pd(r[0], r[1]), t1 = _mm512_unpackhi_pd(r[0], r[1]);
+  const __m512d t2 = _mm512_unpacklo_pd(r[2], r[3]), t3 = _mm512_unpackhi_pd(r[2], r[3]);
+  r[0] = _mm512_permutex2var_pd(t0, even, t2);
+  r[1] = _mm512_permutex2var_pd(t1, even, t3);
+  r[2] = _mm512_permutex2var_pd(t0, odd, t2);
+  r[3] = _mm512_permutex2var_pd(t1, odd, t3);
+}
+#endif
+
+#ifdef __AVX2__
+inline __attribute__((always_inline)) void transpose_4(__m256d (&r)[4]) {
+  const __m256d t0 = _mm256_unpacklo_pd(r[0], r[1]), t1 = _mm256_unpackhi_pd(r[0], r[1]);
+  const __m256d t2 = _mm256_unpacklo_pd(r[2], r[3]), t3 = _mm256_unpackhi_pd(r[2], r[3]);
+  r[0] = _mm256_permute2f128_pd(t0, t2, 0x20);
+  r[1] = _mm256_permute2f128_pd(t1, t3, 0x20);
+  r[2] = _mm256_permute2f128_pd(t0, t2, 0x31);
+  r[3] = _mm256_permute2f128_pd(t1, t3, 0x31);
+}
+#endif
+
+/// Where rows begin, lane by lane.
+template <class Real, class Number = double>
+struct RowStarts {
+  Number* at[row_lanes<Real>];
+};
+
+/// Number c of the row `offset` numbers behind a lane's start becomes that lane of out[c].
+template <int N, class Real, class Number>
+inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows, std::ptrdiff_t offset, Real* out) {
+  constexpr int lanes = row_lanes<Real>;
+#ifdef __AVX512F__
+  if constexpr (lanes == 8 && N == 4) {
+    __m512d r[4];
+    for (int k = 0; k < 4; ++k) {
+      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows.at[k] + offset)), _mm256_loadu_pd(rows.at[k + 4] + offset), 1);
+    }
+    transpose_4(r);
+    for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
+    return;
+  } else if constexpr (lanes == 8 && N <= 8) {
+    static_assert(N + row_overhang >= 8);
+    __m512d r[8];
+    for (int k = 0; k < 8; ++k) r[k] = _mm512_loadu_pd(rows.at[k] + offset);
+    transpose_8(r);
+    for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
+    return;
+  }
+#elif defined(__AVX2__)
+  if constexpr (lanes == 4) {
+    static_assert(N == 4 || N == 6);
+    for (int part = 0; part < N; part += 4) {
+      __m256d r[4];
+      for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows.at[k] + offset + part);
+      transpose_4(r);
+      for (int c = part; c < N && c < part + 4; ++c) out[c] = Real(r[c - part]);
+    }
+    return;
+  }
+#endif
+  for (int c = 0; c < N; ++c) {
+    if constexpr (lanes == 1) {
+      out[c] = rows.at[0][offset + c];
+    } else {
+      alignas(64) double numbers[lanes];
+      for (int k = 0; k < lanes; ++k) numbers[k] = rows.at[k][offset + c];
+      out[c] = Real::load_aligned(numbers);
+    }
+  }
+}
+
+/// The way back.
+template <int N, class Real>
+inline __attribute__((always_inline)) void store_rows(const Real* in, const RowStarts<Real>& rows, std::ptrdiff_t offset) {
+  constexpr int lanes = row_lanes<Real>;
+#ifdef __AVX512F__
+  if constexpr (lanes == 8 && N == 4) {
+    __m512d r[4];
+    for (int c = 0; c < N; ++c) r[c] = in[c];
+    transpose_4(r);
+    for (int k = 0; k < 4; ++k) {
+      _mm256_storeu_pd(rows.at[k] + offset, _mm512_castpd512_pd256(r[k]));
+      _mm256_storeu_pd(rows.at[k + 4] + offset, _mm512_extractf64x4_pd(r[k], 1));
+    }
+    return;
+  } else if constexpr (lanes == 8 && N < 8) {
+    __m512d r[8];
+    for (int c = 0; c < 8; ++c) r[c] = c < N ? static_cast<__m512d>(in[c]) : _mm512_setzero_pd();
+    transpose_8(r);
+    for (int k = 0; k < 8; ++k) _mm512_mask_storeu_pd(rows.at[k] + offset, (1u << N) - 1u, r[k]);
+    return;
+  }
+#elif defined(__AVX2__)
+  if constexpr (lanes == 4) {
+    __m256d r[4];
+    for (int c = 0; c < 4; ++c) r[c] = in[c];
+    transpose_4(r);
+    for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset, r[k]);
+    if constexpr (N == 6) {
+      const __m256d low = _mm256_unpacklo_pd(in[4], in[5]), high = _mm256_unpackhi_pd(in[4], in[5]);
+      _mm_storeu_pd(rows.at[0] + offset + 4, _mm256_castpd256_pd128(low));
+      _mm_storeu_pd(rows.at[1] + offset + 4, _mm256_castpd256_pd128(high));
+      _mm_storeu_pd(rows.at[2] + offset + 4, _mm256_extractf128_pd(low, 1));
+      _mm_storeu_pd(rows.at[3] + offset + 4, _mm256_extractf128_pd(high, 1));
+    }
+    return;
+  }
+#endif
+  for (int c = 0; c < N; ++c) {
+    if constexpr (lanes == 1) {
+      rows.at[0][offset + c] = in[c];
+    } else {
+      alignas(64) double numbers[lanes];
+      in[c].store_aligned(numbers);
+      for (int k = 0; k < lanes; ++k) rows.at[k][offset + c] = numbers[k];
+    }
+  }
+}
+
+}  // namespace fiberchain::dem
