@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -53,7 +54,7 @@ PackingStart packing_start(const PackingScene& scene, int threads) {
                    .orientations = scene.orientations};
   if (start.steps > 0) return start;
   const double steps = std::ceil(scene.duration / step * (1 - 1e-12));
-  if (!(steps >= 1 && steps < 1e15)) {
+  if (!(steps >= 1 && steps < 1e12)) {
     throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s",
                                    scene.duration, steps, step));
   }
@@ -69,18 +70,28 @@ std::int64_t batch_step(const PackingScene& scene, int n, double step) {
   return std::llround(n * scene.batches.interval / step);
 }
 
-std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, const PlacedSpheres& present) {
+std::vector<FillCount> batch_counts(const PackingScene& scene, int n) {
   std::vector<FillCount> counts;
+  for (const FiberKind& kind : scene.kinds) {
+    const std::int64_t count =
+        before_batch(kind, scene.batches, n + 1) - before_batch(kind, scene.batches, n);
+    if (count > 0) counts.push_back({chain_of(kind), count});
+  }
+  return counts;
+}
+
+int groups_at_start(const PackingScene& scene) {
+  const auto of_files = std::ranges::count_if(scene.kinds, [](const FiberKind& k) { return !k.starts.empty(); });
+  return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
+}
+
+std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, const PlacedSpheres& present) {
+  const std::vector<FillCount> counts = batch_counts(scene, n);
+  if (counts.empty()) return {};
   FillRules rules = scene.filling;
   rules.time = n * scene.batches.interval;
   rules.first_number = 0;
-  for (const FiberKind& kind : scene.kinds) {
-    const std::int64_t before = before_batch(kind, scene.batches, n);
-    const std::int64_t count = before_batch(kind, scene.batches, n + 1) - before;
-    rules.first_number += before;
-    if (count > 0) counts.push_back({chain_of(kind), count});
-  }
-  if (counts.empty()) return {};
+  for (const FiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
   return fill(counts, rules, scene.surroundings, present);
 }
 

@@ -31,6 +31,12 @@ Assembly make_assembly(PackingStart start);
 /// Steps after which batch `n` comes, 0 for the first.
 std::int64_t batch_step(const PackingScene& scene, int n, double step);
 
+/// How many fibers of which kind batch `n` has, in the order of their groups.
+std::vector<FillCount> batch_counts(const PackingScene& scene, int n);
+
+/// Groups of fibers at the start: those of files and of the first batch.
+int groups_at_start(const PackingScene& scene);
+
 /// The fibers of batch `n`, beside those that are there. Kinds without a fiber in it are left out.
 /// @throws NoRoom
 std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, const PlacedSpheres& present);
