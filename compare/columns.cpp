@@ -369,7 +369,8 @@ constexpr Column kColumns[] = {
 
     // Packings, Figs 11 and 12.
     {"stiffness", number, "1", "Young's modulus of fibers and walls over that of the scene"},
-    {"fibers", integer, "1", "number of fibers; with fewer than in the scene the room is narrower"},
+    {"fibers", integer, "1", "number of fibers"},
+    {"side", number, "m", "of the square floor"},
     {"sides", text, "", "of the room: walls or periodic"},
     {"seed", integer, "1", "seed of the random filling"},
     {"step_factor", number, "1", "time step over the one chosen for the scene"},

@@ -15,7 +15,7 @@ compare::PackingPlan plan_of(const Arguments& arguments) {
   compare::PackingPlan plan;
   read_number(arguments, "--fibers", {.low = 0, .high = 100000}, plan.fibers);
   read_number(arguments, "--seeds", {.low = 0, .high = 100}, plan.seeds);
-  read_number(arguments, "--seed-fibers", {.low = 50, .high = 100000}, plan.spread_fibers);
+  read_number(arguments, "--seed-fibers", {.low = 350, .high = 100000}, plan.spread_fibers);
   read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.duration);
   return plan;
 }
@@ -95,11 +95,11 @@ Command tables_packing_command() {
           .description = "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
           .footer = "The packings of one seed are run with --fibers, those of several seeds with --seed-fibers in a\n"
                     "narrower room.\n"
-                    "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --seed-fibers 250",
+                    "Example:\n  fiberchain tables packing --fibers 0 --seeds 5",
           .options = with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
                                   {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
                                   {"--seed-fibers", "N", "of each packing of these [500]"},
-                                  {"--duration", "SECONDS", "simulated [0.7]"}}),
+                                  {"--duration", "SECONDS", "simulated [0.6]"}}),
           .run = &run};
 }
 

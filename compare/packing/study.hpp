@@ -16,7 +16,7 @@ namespace fiberchain::compare {
 struct PackingPlan {
   int fibers = 2000;        ///< of the packings of the first seed, drawn and tabled one by one; 0: none
   int seeds = 3;            ///< of the smaller packings, from which spreads come; 0: none
-  int spread_fibers = 500;  ///< of those
+  int spread_fibers = 500;  ///< of those; the room is narrower, the packing as deep
   double duration = kPackingDuration;  ///< simulated [s]
 };
 

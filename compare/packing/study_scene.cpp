@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <vector>
 
 #include "compare/errors.hpp"
 
@@ -11,9 +11,9 @@ namespace {
 
 using Vec3 = dem::Vec<double, 3>;
 
-constexpr int kFibers = 2000;
-constexpr double kSide = 0.1;                     // of the floor for so many [m]
-constexpr double kLowest = 0.03, kHighest = 0.4;  // of the fibers at the start [m]
+constexpr double kLowest = 0.02;  // of the fibers at the start [m]
+constexpr double kColumn = 2000 / (0.1 * 0.1 * 0.36);  // fibers in a volume then [1/m^3]
+constexpr double kSpeed = 1;     // downward [m/s]
 
 dem::Fiber fiber_of(const PackingCase& asked) {
   dem::Fiber fiber{dem::isotropic_material(asked.stiffness * 2.6e6, 0.3, 1000), 0.002, 20};
@@ -45,12 +45,15 @@ dem::Surroundings room_of(double side, const PackingCase& asked) {
 
 dem::io::PackingScene packing_scene(const PackingCase& asked) {
   if (asked.fibers < 1) throw InputError(fmt::format("a packing of {} fibers", asked.fibers));
-  const double side = kSide * std::sqrt(asked.fibers / static_cast<double>(kFibers));
+  const double side = asked.side, highest = kLowest + asked.fibers / (kColumn * side * side);
   dem::io::PackingScene scene;
   scene.kinds = {{.fiber = fiber_of(asked), .count = asked.fibers}};
-  scene.filling = {.region = {{0, 0, kLowest}, {side, side, kHighest}}, .gap = 1e-4, .seed = asked.seed};
+  scene.filling = {.region = {{0, 0, kLowest}, {side, side, highest}},
+                   .velocity = {0, 0, -kSpeed},
+                   .gap = 1e-4,
+                   .seed = asked.seed};
   scene.surroundings = room_of(side, asked);
-  scene.room = {{0, 0, 0}, {side, side, kHighest}};
+  scene.room = {{0, 0, 0}, {side, side, highest}};
   scene.duration = asked.duration;
   scene.book_energy = asked.booked;
   const std::vector<dem::FiberGroup> group{{dem::straight_chain<3>(scene.kinds[0].fiber), {}}};

@@ -9,14 +9,15 @@
 // is ours, as in data/scenes/packing.yaml.
 namespace fiberchain::compare {
 
-inline constexpr double kPackingDuration = 0.7;  ///< of the fall and the coming to rest [s]
+inline constexpr double kPackingDuration = 0.6;  ///< of the fall and the coming to rest [s]
 
 /// A packing to run.
 struct PackingCase {
   double bond_damping = 1;      ///< xi_b
   double rolling_friction = 0;  ///< xi_r
   double stiffness = 1;         ///< factor to Young's modulus of fibers and walls
-  int fibers = 2000;            ///< with fewer the room is narrower: as many above each other
+  int fibers = 2000;
+  double side = 0.1;            ///< of the square floor [m]; with it and the number goes the depth
   std::uint64_t seed = 1;       ///< of the filling
   double step_ratio = 1;        ///< time step over the one chosen for the scene
   double duration = kPackingDuration;  ///< [s]

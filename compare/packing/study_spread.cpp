@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "compare/errors.hpp"
 #include "compare/packing/study.hpp"
@@ -10,13 +12,16 @@ namespace {
 
 /// What is asked but for the seed.
 auto key(const PackingCase& c) {
-  return std::tuple(c.fibers, c.periodic, c.stiffness, c.bond_damping, c.rolling_friction, c.step_ratio);
+  return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.bond_damping, c.rolling_friction, c.step_ratio);
 }
 
 bool finished(const PackingRun& run) { return run.status == "finished"; }
 
+/// On a floor that leaves the packing as deep as that of 2000.
 std::vector<PackingCase> kinds_of(int fibers, double duration) {
-  const PackingCase plain{.fibers = fibers, .duration = duration};
+  const PackingCase full;
+  const PackingCase plain{
+      .fibers = fibers, .side = full.side * std::sqrt(fibers / static_cast<double>(full.fibers)), .duration = duration};
   std::vector<PackingCase> kinds;
   const auto add = [&](double damping, double friction, double stiffness) {
     kinds.push_back(plain);

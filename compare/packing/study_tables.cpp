@@ -14,7 +14,7 @@ std::vector<std::string> joined(std::vector<std::string> first, const std::vecto
   return first;
 }
 
-const std::vector<std::string> kAsked = {"bond_damping", "rolling_friction", "stiffness", "fibers", "sides",
+const std::vector<std::string> kAsked = {"bond_damping", "rolling_friction", "stiffness", "fibers", "side", "sides",
                                          "seed",         "step_factor"};
 
 NamedRow asked_row(const PackingCase& c) {
@@ -22,6 +22,7 @@ NamedRow asked_row(const PackingCase& c) {
           {"rolling_friction", c.rolling_friction},
           {"stiffness", c.stiffness},
           {"fibers", std::int64_t{c.fibers}},
+          {"side", c.side},
           {"sides", std::string(c.periodic ? "periodic" : "walls")},
           {"seed", static_cast<std::int64_t>(c.seed)},
           {"step_factor", c.step_ratio}};
@@ -176,7 +177,7 @@ NamedRow spread_row(const Spread& s) {
           {"most", s.most}};
 }
 
-const std::vector<std::string> kGroup = {"bond_damping", "rolling_friction", "stiffness", "fibers", "sides", "step_factor"};
+const std::vector<std::string> kGroup = {"bond_damping", "rolling_friction", "stiffness", "fibers", "side", "sides", "step_factor"};
 
 NamedRow group_row(const PackingCase& c) {
   NamedRow row = asked_row(c);
