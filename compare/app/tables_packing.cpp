@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/packing/study.hpp"
 #include "compare/packing/study_pictures.hpp"
+#include "compare/packing/study_rows.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -17,6 +20,9 @@ compare::PackingPlan plan_of(const Arguments& arguments) {
   read_number(arguments, "--seeds", {.low = 0, .high = 100}, plan.seeds);
   read_number(arguments, "--seed-fibers", {.low = 350, .high = 100000}, plan.spread_fibers);
   read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.duration);
+  read_list(arguments, "--bond-damping", {.low = 0}, plan.bond_dampings);
+  read_list(arguments, "--friction", {.low = 0, .low_open = true}, plan.rolling_frictions);
+  read_list(arguments, "--stiffness", {.low = 1, .low_open = true}, plan.stiffnesses);
   return plan;
 }
 
@@ -36,6 +42,16 @@ Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context)
   std::ranges::move(all.begin(), all.begin() + figures, std::back_inserter(runs.figures));
   std::ranges::move(all.begin() + figures, all.end(), std::back_inserter(runs.spread));
   return runs;
+}
+
+/// What the paper says, judged by the runs of several seeds and the energy of the one that is booked.
+compare::Table statements_of(const Runs& runs, const Arguments& arguments) {
+  std::optional<std::filesystem::path> data;
+  if (arguments.has("--data")) data = arguments.text("--data");
+  std::vector<PackingRun> judged = runs.spread;
+  std::ranges::copy_if(runs.figures, std::back_inserter(judged), [](const PackingRun& run) { return run.asked.booked; });
+  return to_table(
+      compare::packing_statements({compare::read_all_published(compare::find_data_directory(data)), 1}, judged));
 }
 
 Results results_of(const Runs& runs) {
@@ -75,12 +91,17 @@ int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::PackingPlan plan = plan_of(arguments);
   const auto directory = open_output(output);
-  const Runs runs = runs_of(plan, output.jobs, context);
-  Results results = results_of(runs);
-  for (const PackingRun& packing : runs.figures) {
-    if (!directory || packing.pictures.empty()) continue;
-    results.more_files = compare::stage_pictures(packing, output.jobs, context.provenance);
+  Runs runs = runs_of(plan, output.jobs, context);
+  std::vector<compare::OutputFile> pictures;
+  for (PackingRun& packing : runs.figures) {
+    if (directory && !packing.pictures.empty()) {
+      pictures = compare::stage_pictures(packing, output.jobs, context.provenance);
+    }
+    packing.pictures.clear();  // many, and runs are copied below
   }
+  Results results = results_of(runs);
+  results.more_files = std::move(pictures);
+  if (!runs.spread.empty()) results.more_tables.emplace_back("packing-statements", statements_of(runs, arguments));
   const compare::Table shown =
       results.table.select({"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
                             "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});
@@ -93,12 +114,17 @@ int run(const Arguments& arguments, Context& context) {
 Command tables_packing_command() {
   return {.name = "tables packing",
           .description = "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
-          .footer = "The packings of one seed are run with --fibers, those of several seeds with --seed-fibers in a\n"
+          .footer = std::string("The packings of one seed are run with --fibers, those of several seeds with --seed-fibers in a\n"
                     "narrower room.\n"
-                    "Example:\n  fiberchain tables packing --fibers 0 --seeds 5",
+                    "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --bond-damping 0.1,1\n") +
+                    kListHelp,
           .options = with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
                                   {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
                                   {"--seed-fibers", "N", "of each packing of these [500]"},
+                                  {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
+                                  {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
+                                  {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [50]"},
+                                  {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
                                   {"--duration", "SECONDS", "simulated [0.6]"}}),
           .run = &run};
 }

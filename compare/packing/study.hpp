@@ -17,19 +17,15 @@ struct PackingPlan {
   int fibers = 2000;        ///< of the packings of the first seed, drawn and tabled one by one; 0: none
   int seeds = 3;            ///< of the smaller packings, from which spreads come; 0: none
   int spread_fibers = 500;  ///< of those; the room is narrower, the packing as deep
-  double duration = kPackingDuration;  ///< simulated [s]
+  double duration = kPackingDuration;           ///< simulated [s]
+  std::vector<double> bond_dampings{0.1, 1, 5};  ///< xi_b, each without rolling friction
+  std::vector<double> rolling_frictions{1, 2};   ///< xi_r, each at the first xi_b
+  std::vector<double> stiffnesses{50};  ///< likewise: bends next to nothing, at a step that can still be paid
 };
-
-/// Bond damping and rolling friction of Fig 12: xi_b without friction, xi_r at the least xi_b.
-inline const std::vector<double> kBondDampings{0.1, 1, 5};
-inline const std::vector<double> kRollingFrictions{1, 2};  ///< and 0
-inline constexpr double kDampingUnderFriction = 0.1;
-/// Bends next to nothing, at a step that can still be paid.
-inline constexpr double kStiff = 50;
 
 /// The packings of one seed. The first is that of Fig 11: pictures are kept and energy is booked.
 std::vector<PackingCase> figure_cases(const PackingPlan& plan);
-/// The same of more seeds, not booked, and those of half the step.
+/// The same of more seeds, not booked, and those of the first at half the step.
 std::vector<PackingCase> spread_cases(const PackingPlan& plan);
 
 /// Runs that differ in nothing but the seed.

@@ -27,16 +27,23 @@ std::pair<Series, Series> band(const Runs& runs, double PackingSample::* of, int
   return {low, high};
 }
 
-bool plain(const PackingCase& c) { return c.stiffness == 1 && c.step_ratio == 1; }
-bool of_damping(const PackingCase& c) { return plain(c) && c.rolling_friction == 0; }
-bool of_friction(const PackingCase& c) { return plain(c) && c.bond_damping == kDampingUnderFriction; }
+/// Without friction.
+bool of_damping(const PackingCase& c, const PackingCase& first) {
+  return c.stiffness == 1 && c.step_ratio == 1 && c.rolling_friction == first.rolling_friction;
+}
+
+/// At the first damping.
+bool of_friction(const PackingCase& c, const PackingCase& first) {
+  return c.stiffness == 1 && c.step_ratio == 1 && c.bond_damping == first.bond_damping;
+}
 
 /// Fig 12 for the cases that are chosen: a curve each, and the seeds' least and most where there are several.
-Figure bending_figure(const std::vector<PackingRun>& runs, bool (*chosen)(const PackingCase&), std::string title) {
+Figure bending_figure(const std::vector<PackingRun>& runs, bool (*chosen)(const PackingCase&, const PackingCase&),
+                      std::string title) {
   Figure figure{std::move(title), {"time (s)"}, {"mean bending angle of a bond (rad)"}, {}};
   int color = 0;
   for (const SeedGroup& group : seed_groups(runs)) {
-    if (!chosen(group.asked)) continue;
+    if (!chosen(group.asked, runs.front().asked)) continue;
     if (group.runs.size() == 1) {
       figure.series.push_back(curve(*group.runs[0], &PackingSample::bending_angle, label_of(group.asked), color++));
       continue;

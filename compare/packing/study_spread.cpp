@@ -17,19 +17,21 @@ auto key(const PackingCase& c) {
 
 bool finished(const PackingRun& run) { return run.status == "finished"; }
 
-/// On a floor that leaves the packing as deep as that of 2000.
-std::vector<PackingCase> kinds_of(int fibers, double duration) {
-  const PackingCase full;
-  const PackingCase plain{
-      .fibers = fibers, .side = full.side * std::sqrt(fibers / static_cast<double>(full.fibers)), .duration = duration};
+/// So many fibers, on a floor that leaves the packing as deep as that of 2000.
+std::vector<PackingCase> kinds_of(const PackingPlan& plan, int fibers) {
+  PackingCase plain;
+  plain.side *= std::sqrt(fibers / static_cast<double>(plain.fibers));
+  plain.fibers = fibers, plain.duration = plan.duration, plain.bond_damping = plan.bond_dampings.front();
   std::vector<PackingCase> kinds;
-  const auto add = [&](double damping, double friction, double stiffness) {
-    kinds.push_back(plain);
-    kinds.back().bond_damping = damping, kinds.back().rolling_friction = friction, kinds.back().stiffness = stiffness;
+  const auto add = [&](double PackingCase::* what, const std::vector<double>& values) {
+    for (const double value : values) {
+      kinds.push_back(plain);
+      kinds.back().*what = value;
+    }
   };
-  for (const double damping : kBondDampings) add(damping, 0, 1);
-  for (const double friction : kRollingFrictions) add(kDampingUnderFriction, friction, 1);
-  add(kDampingUnderFriction, 0, kStiff);
+  add(&PackingCase::bond_damping, plan.bond_dampings);
+  add(&PackingCase::rolling_friction, plan.rolling_frictions);
+  add(&PackingCase::stiffness, plan.stiffnesses);
   return kinds;
 }
 
@@ -37,13 +39,13 @@ std::vector<PackingCase> kinds_of(int fibers, double duration) {
 
 std::vector<PackingCase> figure_cases(const PackingPlan& plan) {
   if (plan.fibers == 0) return {};
-  std::vector<PackingCase> cases = kinds_of(plan.fibers, plan.duration);
+  std::vector<PackingCase> cases = kinds_of(plan, plan.fibers);
   cases.front().booked = cases.front().pictured = true;
   return cases;
 }
 
 std::vector<PackingCase> spread_cases(const PackingPlan& plan) {
-  std::vector<PackingCase> kinds = kinds_of(plan.spread_fibers, plan.duration);
+  std::vector<PackingCase> kinds = kinds_of(plan, plan.spread_fibers);
   kinds.push_back(kinds.front());
   kinds.back().step_ratio = 0.5;
   std::vector<PackingCase> cases;
