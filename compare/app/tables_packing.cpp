@@ -114,8 +114,8 @@ int run(const Arguments& arguments, Context& context) {
 Command tables_packing_command() {
   return {.name = "tables packing",
           .description = "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
-          .footer = std::string("The packings of one seed are run with --fibers, those of several seeds with --seed-fibers in a\n"
-                    "narrower room.\n"
+          .footer = std::string("The packings of one seed are run with --fibers, those of several seeds with --seed-fibers on a\n"
+                    "smaller floor with periodic sides, as deep.\n"
                     "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --bond-damping 0.1,1\n") +
                     kListHelp,
           .options = with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
@@ -123,7 +123,7 @@ Command tables_packing_command() {
                                   {"--seed-fibers", "N", "of each packing of these [500]"},
                                   {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
                                   {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
-                                  {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [50]"},
+                                  {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
                                   {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
                                   {"--duration", "SECONDS", "simulated [0.6]"}}),
           .run = &run};

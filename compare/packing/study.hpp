@@ -16,11 +16,11 @@ namespace fiberchain::compare {
 struct PackingPlan {
   int fibers = 2000;        ///< of the packings of the first seed, drawn and tabled one by one; 0: none
   int seeds = 3;            ///< of the smaller packings, from which spreads come; 0: none
-  int spread_fibers = 500;  ///< of those; the room is narrower, the packing as deep
+  int spread_fibers = 500;  ///< of those; as deep, on a smaller floor with periodic sides
   double duration = kPackingDuration;           ///< simulated [s]
   std::vector<double> bond_dampings{0.1, 1, 5};  ///< xi_b, each without rolling friction
   std::vector<double> rolling_frictions{1, 2};   ///< xi_r, each at the first xi_b
-  std::vector<double> stiffnesses{50};  ///< likewise: bends next to nothing, at a step that can still be paid
+  std::vector<double> stiffnesses{20};  ///< likewise: bends next to nothing, at a step that can still be paid
 };
 
 /// The packings of one seed. The first is that of Fig 11: pictures are kept and energy is booked.

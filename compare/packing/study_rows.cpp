@@ -156,19 +156,18 @@ std::vector<MatrixRow> packing_statements(const ValidationInput& in, const std::
 }
 
 std::vector<PackingCase> row_cases() {
-  const PackingCase plain{.bond_damping = 0.1, .fibers = 120, .side = 0.05, .duration = 0.4};
+  const PackingCase plain{.bond_damping = 0.1, .fibers = 200, .side = 0.05, .duration = 0.4, .periodic = true};
   std::vector<PackingCase> cases;
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
     PackingCase c = plain;
-    c.seed = seed, c.booked = seed == 1;
+    c.seed = seed;
     cases.push_back(c);
-    c.booked = false;
-    c.bond_damping = 2, cases.push_back(c), c.bond_damping = plain.bond_damping;
+    c.bond_damping = 1, cases.push_back(c), c.bond_damping = plain.bond_damping;
     c.rolling_friction = 1, cases.push_back(c), c.rolling_friction = 0;
     c.step_ratio = 0.5, cases.push_back(c);
   }
   cases.push_back(plain);
-  cases.back().stiffness = 50;
+  cases.back().stiffness = 20;
   return cases;
 }
 

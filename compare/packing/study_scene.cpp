@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "compare/errors.hpp"
@@ -41,6 +42,13 @@ dem::Surroundings room_of(double side, const PackingCase& asked) {
   return around;
 }
 
+/// Of the limits that bonds and contacts set. Fibers pressed into a corner are stable below 0.8 of the contacts' only.
+double step_of(const dem::io::PackingScene& scene) {
+  const dem::FiberGroup group{dem::straight_chain<3>(scene.kinds.front().fiber), {}};
+  const dem::StepChoice choice = dem::assembly_time_step({group}, scene.surroundings);
+  return std::min(0.8 * std::min(choice.bonds, choice.damped_bonds), 0.45 * choice.contacts);
+}
+
 }  // namespace
 
 dem::io::PackingScene packing_scene(const PackingCase& asked) {
@@ -56,8 +64,7 @@ dem::io::PackingScene packing_scene(const PackingCase& asked) {
   scene.room = {{0, 0, 0}, {side, side, highest}};
   scene.duration = asked.duration;
   scene.book_energy = asked.booked;
-  const std::vector<dem::FiberGroup> group{{dem::straight_chain<3>(scene.kinds[0].fiber), {}}};
-  scene.step = asked.step_ratio * dem::assembly_time_step(group, scene.surroundings).step;
+  scene.step = asked.step_ratio * step_of(scene);
   return scene;
 }
 

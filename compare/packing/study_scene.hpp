@@ -19,7 +19,7 @@ struct PackingCase {
   int fibers = 2000;
   double side = 0.1;            ///< of the square floor [m]; with it and the number goes the depth
   std::uint64_t seed = 1;       ///< of the filling
-  double step_ratio = 1;        ///< time step over the one chosen for the scene
+  double step_ratio = 1;        ///< time step over the usual: 0.8 of the bonds' limit, 0.45 of the contacts'
   double duration = kPackingDuration;  ///< [s]
   bool periodic = false;        ///< sides, in place of walls
   bool booked = false;          ///< energy by mechanism

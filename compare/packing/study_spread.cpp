@@ -50,6 +50,7 @@ std::vector<PackingCase> spread_cases(const PackingPlan& plan) {
   kinds.back().step_ratio = 0.5;
   std::vector<PackingCase> cases;
   for (PackingCase c : kinds) {
+    c.periodic = true;  // a fiber is nearly as long as the floor is wide
     for (int seed = 1; seed <= plan.seeds; ++seed) {
       c.seed = static_cast<std::uint64_t>(seed);
       cases.push_back(c);
