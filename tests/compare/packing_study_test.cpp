@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_history_without_a_trough_or_a_step_that_matters_fails) {
 
 BOOST_AUTO_TEST_CASE(the_scene_file_holds_the_packing_of_fig_11) {
   const auto scene = std::get<dem::io::PackingScene>(
-      dem::io::read_scene(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/packing.yaml"));
+      dem::io::parse_scene(dem::io::read_scene_text(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/packing.yaml")));
   const auto own = compare::packing_scene(compare::figure_cases({}).front());
   const dem::Fiber &a = scene.kinds.at(0).fiber, &b = own.kinds.at(0).fiber;
   BOOST_TEST(scene.kinds.size() == 1u);
