@@ -18,11 +18,12 @@ compare::PackingPlan plan_of(const Arguments& arguments) {
   compare::PackingPlan plan;
   read_number(arguments, "--fibers", {.low = 0, .high = 100000}, plan.fibers);
   read_number(arguments, "--seeds", {.low = 0, .high = 100}, plan.seeds);
-  read_number(arguments, "--seed-fibers", {.low = 350, .high = 100000}, plan.spread_fibers);
+  read_number(arguments, "--seed-fibers", {.low = 500, .high = 100000}, plan.spread_fibers);
   read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.duration);
   read_list(arguments, "--bond-damping", {.low = 0}, plan.bond_dampings);
   read_list(arguments, "--friction", {.low = 0, .low_open = true}, plan.rolling_frictions);
   read_list(arguments, "--stiffness", {.low = 1, .low_open = true}, plan.stiffnesses);
+  read_number(arguments, "--samples", {.low = 20, .high = 10000}, plan.samples);
   return plan;
 }
 
@@ -35,7 +36,7 @@ Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context)
   std::vector<PackingCase> cases = compare::figure_cases(plan);
   const auto figures = static_cast<std::ptrdiff_t>(cases.size());
   std::ranges::copy(compare::spread_cases(plan), std::back_inserter(cases));
-  const compare::PackingWatch watch;
+  const compare::PackingWatch watch{.samples = plan.samples};
   const auto progress = context.progress(cases.size() * static_cast<std::size_t>(watch.samples + 1));
   std::vector<PackingRun> all = compare::run_packings(cases, watch, jobs, [&] { progress->advance(); });
   Runs runs;
@@ -125,7 +126,8 @@ Command tables_packing_command() {
                                   {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
                                   {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
                                   {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
-                                  {"--duration", "SECONDS", "simulated [0.6]"}}),
+                                  {"--duration", "SECONDS", "simulated [0.6]"},
+                                  {"--samples", "N", "intervals of the histories [140]"}}),
           .run = &run};
 }
 

@@ -18,6 +18,7 @@ struct PackingPlan {
   int seeds = 3;            ///< of the smaller packings, from which spreads come; 0: none
   int spread_fibers = 500;  ///< of those; as deep, on a smaller floor with periodic sides
   double duration = kPackingDuration;           ///< simulated [s]
+  int samples = 140;                            ///< intervals of the histories
   std::vector<double> bond_dampings{0.1, 1, 5};  ///< xi_b, each without rolling friction
   std::vector<double> rolling_frictions{1, 2};   ///< xi_r, each at the first xi_b
   std::vector<double> stiffnesses{20};  ///< likewise: bends next to nothing, at a step that can still be paid
