@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   const auto output = text.find("output: {");
   BOOST_REQUIRE(output != std::string::npos);
   scratch.file("small.yaml", text.insert(output + 9, "vtk: true, "));
-  const Outcome outcome = run({"run", "small.yaml", "--json", "--jobs", "2"}, {.directory = scratch.path});
+  const Outcome outcome = run({"run", "small.yaml", "--json", "--jobs", "1"}, {.directory = scratch.path});
   BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.error);
   const auto row = nlohmann::json::parse(outcome.out)["rows"][0];
   BOOST_TEST(row["fibers"] == 200);
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_resumes_and_ends_the_same) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
-  const FewFibers fibers(3000), others(3000);
+  const FewFibers fibers(500), others(500);
   BOOST_TEST(fibers.go().status == 0);
   BOOST_TEST(run({"run", "s.yaml", "--out", "out", "--threads", "2"}, others.here()).status == 0);
   BOOST_TEST((io::read_checkpoint(fibers.out("s.checkpoint")).state ==
