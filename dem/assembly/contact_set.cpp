@@ -20,6 +20,10 @@ std::int32_t whole_vectors(std::size_t count, int width) {
   return static_cast<std::int32_t>((count + width - 1) / width * width);
 }
 
+bool before(const KeptContact& x, const KeptContact& y) {
+  return std::pair(x.first, x.second) < std::pair(y.first, y.second);
+}
+
 }  // namespace
 
 ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step)
@@ -93,9 +97,13 @@ void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double
   const std::vector<KeptContact> contacts = listed_at_.empty() ? std::vector<KeptContact>{} : kept();
   listed_at_ = positions;
   listed_time_ = time;
-  pairs_ = close_pairs({positions, radius_, fiber_, surroundings_.period}, skin_, stripe_begin_, threads_);
-  for (int k = 0; k < kStripes; ++k) fill_stripe(k), list_walls(k);
-  remember(contacts);
+  pairs_ = close_pairs({positions, radius_, fiber_, surroundings_.period}, skin_, stripe_begin_, threads_, *kernel_);
+#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
+  for (int k = 0; k < kStripes; ++k) {
+    fill_stripe(k);
+    list_walls(k);
+    remember(k, contacts);
+  }
 }
 
 void ContactSet::fill_stripe(int k) {
@@ -328,25 +336,28 @@ std::vector<ContactState> ContactSet::states(const SphereRows& rows, double time
   return all;
 }
 
-std::vector<KeptContact> ContactSet::kept() const {
-  std::vector<KeptContact> all;
-  for (int k = 0; k < kStripes; ++k) {
-    const Stripe& stripe = stripes_[k];
-    for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
-      if (stripe.memory.overlap[p] > 0) all.push_back(stripe.memory.at(p, stripe.first[p], stripe.second[p]));
-    }
-    for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
-      const NearWall& near = stripe.walls[w];
-      for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
-        if (near.memory.overlap[n] > 0) {
-          all.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
-        }
-      }
+std::vector<KeptContact> ContactSet::kept_in(int k) const {
+  const Stripe& stripe = stripes_[k];
+  std::vector<KeptContact> own;
+  for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
+    if (stripe.memory.overlap[p] > 0) own.push_back(stripe.memory.at(p, stripe.first[p], stripe.second[p]));
+  }
+  for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
+    const NearWall& near = stripe.walls[w];
+    for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
+      if (near.memory.overlap[n] > 0) own.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
     }
   }
-  std::ranges::sort(all, [](const KeptContact& x, const KeptContact& y) {
-    return std::pair(x.first, x.second) < std::pair(y.first, y.second);
-  });
+  std::ranges::sort(own, before);
+  return own;
+}
+
+std::vector<KeptContact> ContactSet::kept() const {
+  std::vector<std::vector<KeptContact>> of_stripes(kStripes);
+#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
+  for (int k = 0; k < kStripes; ++k) of_stripes[k] = kept_in(k);
+  std::vector<KeptContact> all;
+  for (const auto& own : of_stripes) all.insert(all.end(), own.begin(), own.end());
   return all;
 }
 
@@ -357,26 +368,33 @@ void ContactSet::forget() {
   }
 }
 
-void ContactSet::remember(const std::vector<KeptContact>& contacts) {
-  const auto find = [&](std::int64_t first, std::int64_t second) -> const KeptContact* {
-    const auto found = std::ranges::lower_bound(
-        contacts, std::pair(first, second), {}, [](const KeptContact& c) { return std::pair(c.first, c.second); });
-    return found != contacts.end() && found->first == first && found->second == second ? &*found : nullptr;
-  };
-  for (int k = 0; k < kStripes; ++k) {
-    Stripe& stripe = stripes_[k];
-    for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
-      const KeptContact* contact = find(stripe.first[p], stripe.second[p]);
-      if (contact != nullptr) stripe.memory.put(p, *contact);
-    }
-    for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
-      NearWall& near = stripe.walls[w];
-      for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
-        const KeptContact* contact = find(near.slots[n], -1 - static_cast<std::int64_t>(w));
-        if (contact != nullptr) near.memory.put(n, *contact);
+/// Both the contacts and the pairs are in order.
+void ContactSet::remember(int k, const std::vector<KeptContact>& contacts) {
+  Stripe& stripe = stripes_[k];
+  const auto pairs = static_cast<std::size_t>(pairs_[k].size());
+  std::size_t p = 0;
+  std::vector<std::size_t> at_wall(stripe.walls.size(), 0);
+  const auto first_of = [](const KeptContact& c) { return c.first; };
+  auto contact = std::ranges::lower_bound(contacts, stripe_begin_[k], {}, first_of);
+  for (; contact != contacts.end() && contact->first < stripe_begin_[k + 1]; ++contact) {
+    if (contact->second >= 0) {
+      while (p < pairs && std::pair<std::int64_t, std::int64_t>(stripe.first[p], stripe.second[p]) <
+                              std::pair(contact->first, contact->second)) {
+        ++p;
       }
+      if (p < pairs && stripe.first[p] == contact->first && stripe.second[p] == contact->second) stripe.memory.put(p, *contact);
+    } else {
+      const auto wall = static_cast<std::size_t>(-1 - contact->second);
+      NearWall& near = stripe.walls[wall];
+      std::size_t& n = at_wall[wall];
+      while (n < near.slots.size() && near.slots[n] < contact->first) ++n;
+      if (n < near.slots.size() && near.slots[n] == contact->first) near.memory.put(n, *contact);
     }
   }
+}
+
+void ContactSet::remember(const std::vector<KeptContact>& contacts) {
+  for (int k = 0; k < kStripes; ++k) remember(k, contacts);
 }
 
 }  // namespace fiberchain::dem

@@ -89,6 +89,8 @@ class ContactSet {
 
   void fill_stripe(int stripe);
   void list_walls(int stripe);
+  void remember(int stripe, const std::vector<KeptContact>& contacts);
+  std::vector<KeptContact> kept_in(int stripe) const;
   int kind_of(const ContactBody& body);
   ContactView view(Stripe& stripe, SphereRows& rows);
   WallView wall_view(int wall, NearWall& near, double time) const;

@@ -60,10 +60,6 @@ Grid grid_for(const SphereSet& spheres, double edge) {
   return grid;
 }
 
-struct CellRange {
-  std::int32_t begin, end;
-};
-
 /// Slots of the cells next to and at `cell`, in nine runs or, across a periodic side, a few more.
 class Neighborhood {
  public:
@@ -88,11 +84,15 @@ class Neighborhood {
         }
       }
     }
-    std::sort(ranges_, ranges_ + size_, [](const CellRange& x, const CellRange& y) { return x.begin < y.begin; });
   }
 
-  const CellRange* begin() const { return ranges_; }
-  const CellRange* end() const { return ranges_ + size_; }
+  const SlotRange* ranges() const { return ranges_; }
+  int count() const { return size_; }
+  std::int32_t spheres() const {
+    std::int32_t sum = 0;
+    for (int n = 0; n < size_; ++n) sum += ranges_[n].end - ranges_[n].begin;
+    return sum;
+  }
 
  private:
   static bool step(const Grid& grid, int* cell, int axis, int by) {
@@ -106,16 +106,18 @@ class Neighborhood {
   void add(std::int32_t begin, std::int32_t end) {
     if (begin < end) ranges_[size_++] = {begin, end};
   }
-  CellRange ranges_[27];
+  SlotRange ranges_[27];
   int size_ = 0;
 };
 
 /// Everything about the spheres in cell order that the search reads.
 struct Sorted {
-  std::vector<Vec<double, 3>> position;
-  std::vector<double> radius;
+  std::vector<double> x[3], radius;
   std::vector<std::int32_t> fiber, sphere, cell_begin;
 };
+
+/// Lanes of the widest vector.
+constexpr std::size_t widest = 8;
 
 Sorted sorted_by_cell(const Grid& grid, const SphereSet& spheres) {
   const auto n = static_cast<std::int32_t>(spheres.position.size());
@@ -129,55 +131,67 @@ Sorted sorted_by_cell(const Grid& grid, const SphereSet& spheres) {
     ++sorted.cell_begin[cell_of[s] + 1];
   }
   for (int c = 0; c < grid.cells(); ++c) sorted.cell_begin[c + 1] += sorted.cell_begin[c];
+  for (auto& numbers : sorted.x) numbers.resize(n + widest);
+  sorted.radius.resize(n + widest);
+  sorted.fiber.resize(n);
   sorted.sphere.resize(n);
   std::vector<std::int32_t> next(sorted.cell_begin.begin(), sorted.cell_begin.end() - 1);
-  for (std::int32_t s = 0; s < n; ++s) sorted.sphere[next[cell_of[s]]++] = s;
-  for (const std::int32_t s : sorted.sphere) {
-    sorted.position.push_back(spheres.position[s]);
-    sorted.radius.push_back(spheres.radius[s]);
-    sorted.fiber.push_back(spheres.fiber[s]);
+  for (std::int32_t s = 0; s < n; ++s) {
+    const std::int32_t at = next[cell_of[s]]++;
+    for (int c = 0; c < 3; ++c) sorted.x[c][at] = spheres.position[s][c];
+    sorted.radius[at] = spheres.radius[s];
+    sorted.fiber[at] = spheres.fiber[s];
+    sorted.sphere[at] = s;
   }
   return sorted;
 }
 
+SortedSpheres view_of(const Sorted& sorted, const SphereSet& spheres, double skin) {
+  SortedSpheres view{{sorted.x[0].data(), sorted.x[1].data(), sorted.x[2].data()}, sorted.radius.data(),
+                     sorted.sphere.data(), sorted.fiber.data(), {}, {}, skin};
+  for (int c = 0; c < 3; ++c) {
+    view.period[c] = spheres.period[c];
+    view.inverse_period[c] = spheres.period[c] > 0 ? 1 / spheres.period[c] : 0;
+  }
+  return view;
+}
+
 /// Pairs of the spheres begin ... end - 1 with those of higher number.
-void search_run(const Grid& grid, const Sorted& sorted, const SphereSet& spheres, double skin, std::int32_t begin,
-                std::int32_t end, std::vector<ClosePair>& pairs) {
+std::vector<ClosePair> search_run(const Grid& grid, const Sorted& sorted, const SphereSet& spheres, double skin,
+                                  std::int32_t begin, std::int32_t end, const ContactKernel& kernel) {
+  const SortedSpheres view = view_of(sorted, spheres, skin);
+  std::vector<ClosePair> pairs;
+  std::vector<std::int32_t> found;
   int last_cell = -1;
   std::optional<Neighborhood> near;
   for (std::int32_t i = begin; i < end; ++i) {
-    const Vec<double, 3> x = spheres.position[i];
+    const Vec<double, 3>& x = spheres.position[i];
     const int cell[3] = {grid.cell_along(0, x[0]), grid.cell_along(1, x[1]), grid.cell_along(2, x[2])};
-    if (grid.index(cell) != last_cell) near.emplace(grid, sorted.cell_begin, cell), last_cell = grid.index(cell);
-    const std::size_t before = pairs.size();
-    for (const CellRange& range : *near) {
-      for (std::int32_t k = range.begin; k < range.end; ++k) {
-        const std::int32_t j = sorted.sphere[k];
-        Vec<double, 3> r = sorted.position[k] - x;
-        for (int c = 0; c < 3; ++c) {
-          if (spheres.period[c] > 0) r[c] -= spheres.period[c] * std::nearbyint(r[c] / spheres.period[c]);
-        }
-        const double reach = spheres.radius[i] + sorted.radius[k] + skin;
-        if (dot(r, r) >= reach * reach || j <= i || (j == i + 1 && sorted.fiber[k] == spheres.fiber[i])) continue;
-        pairs.push_back({i, j});
-      }
+    if (grid.index(cell) != last_cell) {
+      near.emplace(grid, sorted.cell_begin, cell);
+      last_cell = grid.index(cell);
+      if (found.size() < static_cast<std::size_t>(near->spheres())) found.resize(near->spheres());
     }
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end(),
-              [](const ClosePair& a, const ClosePair& b) { return a.second < b.second; });
+    const Asking own{{x[0], x[1], x[2]}, spheres.radius[i], i, spheres.fiber[i]};
+    const int count = kernel.near(view, near->ranges(), near->count(), own, found.data());
+    std::sort(found.begin(), found.begin() + count);
+    for (int n = 0; n < count; ++n) pairs.push_back({i, found[n]});
   }
+  return pairs;
 }
 
 }  // namespace
 
 std::vector<std::vector<ClosePair>> close_pairs(const SphereSet& spheres, double skin,
-                                                const std::vector<std::int32_t>& run_begin, int threads) {
+                                                const std::vector<std::int32_t>& run_begin, int threads,
+                                                const ContactKernel& kernel) {
   const double largest = *std::ranges::max_element(spheres.radius);
   const Grid grid = grid_for(spheres, 2 * largest + skin);
   const Sorted sorted = sorted_by_cell(grid, spheres);
   const int runs = static_cast<int>(run_begin.size()) - 1;
   std::vector<std::vector<ClosePair>> pairs(runs);
 #pragma omp parallel for num_threads(threads) schedule(dynamic) if (threads > 1)
-  for (int k = 0; k < runs; ++k) search_run(grid, sorted, spheres, skin, run_begin[k], run_begin[k + 1], pairs[k]);
+  for (int k = 0; k < runs; ++k) pairs[k] = search_run(grid, sorted, spheres, skin, run_begin[k], run_begin[k + 1], kernel);
   return pairs;
 }
 

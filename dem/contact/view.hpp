@@ -73,10 +73,33 @@ struct ContactTask {
   double wall_work;         ///< by moving walls on spheres [J]
 };
 
+/// Spheres in the order of their cells, with room for one vector behind them.
+struct SortedSpheres {
+  const double* x[3];
+  const double* radius;
+  const std::int32_t* sphere;  ///< number
+  const std::int32_t* fiber;
+  double period[3], inverse_period[3];
+  double skin;
+};
+
+struct SlotRange {
+  std::int32_t begin, end;
+};
+
+/// A sphere that asks who is near.
+struct Asking {
+  double x[3];
+  double radius;
+  std::int32_t sphere, fiber;
+};
+
 struct ContactKernel {
   int width;
   void (*pairs)(const ContactView&, ContactTask&);
   void (*wall)(const ContactView&, const WallView&, ContactTask&);
+  /// Spheres of higher number in the ranges of sorted places that are near and not bonded: written to `found`, counted.
+  int (*near)(const SortedSpheres&, const SlotRange* ranges, int count, const Asking&, std::int32_t* found);
 };
 
 }  // namespace fiberchain::dem

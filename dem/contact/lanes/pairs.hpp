@@ -2,6 +2,7 @@
 
 #include "dem/contact/lanes/gather.hpp"
 #include "dem/contact/view.hpp"
+#include "dem/motion/lanes/flatten.hpp"
 #include "dem/motion/lanes/transpose.hpp"
 
 // The contact loop: distances of all close pairs, then the law for those that touch, as many at a time as there are lanes.
@@ -218,7 +219,7 @@ void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slot
 }
 
 template <ContactPhysics P, class Real>
-void contact_pairs(const ContactView& view, ContactTask& task) {
+FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task) {
   constexpr int lanes = contact_lanes<Real>;
   const int touching = find_touching<P, Real>(view, task);
   task.contacts += touching;
