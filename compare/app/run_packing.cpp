@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "compare/app/results.hpp"
 #include "compare/app/stop_signals.hpp"
 #include "compare/csv.hpp"
@@ -36,24 +39,23 @@ Results results_of(const compare::PackingJob& job, const compare::PackingEndStat
 
 int run_packing(const dem::io::SceneText& text, const dem::io::PackingScene& scene, const Arguments& arguments,
                 Context& context) {
-  OutputOptions output = output_options(arguments);
-  const std::filesystem::path path = text.name;
-  const compare::OutputDirectory directory(output.out.value_or("results"));
-  const compare::DirectoryLock lock(directory.path());
-  const compare::PackingJob job{text,
-                                scene,
-                                {directory.path(), path.stem().string()},
-                                output.jobs,
-                                arguments.has("--resume"),
-                                context.provenance};
+  const OutputOptions output = output_options(arguments);
+  const std::filesystem::path path = text.name, out = output.out.value_or("results");
+  const bool resume = arguments.has("--resume");
+  const compare::PackingJob job{text, scene, {out, path.stem().string()}, output.jobs, resume, context.provenance};
+  const auto say = [&](const std::string& words) { context.log->info(words); };
+  std::optional<compare::RunBegin> begin;
+  if (!resume) begin.emplace(compare::begin_run(job, say));  // what cannot begin leaves nothing behind
+  const compare::OutputDirectory directory(out);
+  const compare::DirectoryLock lock(out);
   check_directory(job.files, arguments);
+  if (resume) begin.emplace(compare::begin_run(job, say));
   const StopSignals signals;
   const compare::PackingEndState end = compare::run_packing_session(
-      job, {[&] { return signals.received() != 0; }, [&](const std::string& words) { context.log->info(words); },
-            context.bar, context.watched});
+      job, std::move(*begin), {[&] { return signals.received() != 0; }, say, context.bar, context.watched});
   if (end.failure.empty() && !end.finished()) {
     context.log->info("stopped at step {} of {}, t = {:.6g} s, with a checkpoint; to go on: fiberchain run {} --out {} --resume",
-                      end.last.step, end.steps, end.last.time, path.string(), directory.path().string());
+                      end.last.step, end.steps, end.last.time, path.string(), out.string());
     return kSignaled + signals.received();
   }
   const Results results = results_of(job, end);

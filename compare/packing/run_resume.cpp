@@ -1,10 +1,9 @@
-#include "compare/packing/run_resume.hpp"
-
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "compare/errors.hpp"
+#include "compare/packing/run_session.hpp"
 #include "dem/errors.hpp"
 
 namespace fiberchain::compare {
@@ -51,24 +50,6 @@ RunBegin begin_run(const PackingJob& job, const Say& say) {
     say("no checkpoint to go on from: the run begins anew");
   }
   return {dem::io::make_assembly(std::move(start)), choice, steps};
-}
-
-BatchQueue::BatchQueue(const dem::io::PackingScene& scene, const dem::Assembly& assembly)
-    : scene_(scene), step_(assembly.step()) {
-  while (next_step() <= assembly.steps()) ++next_;
-}
-
-std::int64_t BatchQueue::next_step() const {
-  if (next_ >= scene_.batches.number) return std::numeric_limits<std::int64_t>::max();
-  return dem::io::batch_step(scene_, next_, step_);
-}
-
-void BatchQueue::insert_due(dem::Assembly& assembly) {
-  for (; next_step() <= assembly.steps(); ++next_) {
-    for (dem::FiberGroup& group : dem::io::packing_batch(scene_, next_, assembly.placed())) {
-      assembly.insert(std::move(group));
-    }
-  }
 }
 
 }  // namespace fiberchain::compare

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compare/errors.hpp"
-#include "compare/packing/run_resume.hpp"
+#include "compare/packing/batch_queue.hpp"
 #include "compare/packing/run_schedule.hpp"
 #include "compare/run_log.hpp"
 #include "compare/run_status.hpp"
@@ -163,9 +163,8 @@ std::string program_of(const Provenance& provenance) {
                      provenance.flags, dem::name(dem::best_instruction_set()));
 }
 
-PackingEndState run_packing_session(const PackingJob& job, const PackingWatchers& watchers) {
+PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
   const auto clock = std::chrono::steady_clock::now();
-  RunBegin begin = begin_run(job, watchers.say);
   const double step = begin.assembly.step();
   watchers.say(fmt::format("{} fibers, {} spheres; {} steps of {:.4g} s ({})", dem::io::fibers_in(job.scene),
                            dem::io::spheres_in(job.scene), begin.steps, step, step_words(begin.choice, job.scene)));

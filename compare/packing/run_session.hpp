@@ -45,13 +45,23 @@ struct PackingEndState {
   bool finished() const { return failure.empty() && last.step == steps; }
 };
 
+/// Where a run begins: at the start of its scene, or at a checkpoint.
+struct RunBegin {
+  dem::Assembly assembly;
+  dem::StepChoice choice;
+  std::int64_t steps;    ///< of the whole run
+  bool resumed = false;  ///< from a checkpoint
+};
+
+/// @throws InputError for checkpoints that cannot be used, dem::InvalidInput, dem::NoRoom
+RunBegin begin_run(const PackingJob& job, const Say& say);
+
 /// Which binary runs, to the bit: what a checkpoint is written and refused by.
 std::string program_of(const Provenance& provenance);
 
 /// Writes the trajectory, the log and checkpoints as the scene asks. A run that blows up ends with its reason;
 /// its files are those of before.
-/// @throws InputError for checkpoints that cannot be used, dem::InvalidInput, dem::NoRoom, OutputError: the
-///         checkpoint before then still stands
-PackingEndState run_packing_session(const PackingJob& job, const PackingWatchers& watchers);
+/// @throws dem::NoRoom for a batch of fibers that does not go in, OutputError; the checkpoint before then still stands
+PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers);
 
 }  // namespace fiberchain::compare

@@ -1,22 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
-#include "compare/packing/run_session.hpp"
+#include "dem/assembly/assembly.hpp"
+#include "dem/io/packing_scene.hpp"
 
-// Where a run begins: at the start of its scene, or at a checkpoint; and the fibers that come later.
 namespace fiberchain::compare {
-
-struct RunBegin {
-  dem::Assembly assembly;
-  dem::StepChoice choice;
-  std::int64_t steps;    ///< of the whole run
-  bool resumed = false;  ///< from a checkpoint
-};
-
-/// @throws as run_packing_session
-RunBegin begin_run(const PackingJob& job, const Say& say);
 
 /// Batches of fibers that are still to come.
 class BatchQueue {
