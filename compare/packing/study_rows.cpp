@@ -49,7 +49,7 @@ Groups groups_of(const std::vector<PackingRun>& runs) {
 bool goes_as_fig_12(const BendingParts& p) {
   const bool in_order = p.peak_time > 0 && p.peak_time < p.trough_time;
   const double fall = p.peak - p.trough, second_rise = p.plateau - p.trough;
-  return in_order && fall > 0.3 * p.peak && second_rise > 0 && second_rise < 0.5 * fall && p.unrest < 0.2;
+  return in_order && fall > 0.3 * p.peak && second_rise > 0.02 * p.plateau && second_rise < 0.5 * fall && p.unrest < 0.2;
 }
 
 std::string parts_text(const BendingSpread& s) {
@@ -156,15 +156,14 @@ std::vector<MatrixRow> packing_statements(const ValidationInput& in, const std::
 }
 
 std::vector<PackingCase> row_cases() {
-  const PackingCase plain{.bond_damping = 0.1, .fibers = 200, .side = 0.05, .duration = 0.4, .periodic = true};
+  const PackingCase plain{.bond_damping = 0.1, .fibers = 100, .side = 0.05, .duration = 0.3, .periodic = true};
   std::vector<PackingCase> cases;
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     PackingCase c = plain;
     c.seed = seed;
     cases.push_back(c);
     c.bond_damping = 1, cases.push_back(c), c.bond_damping = plain.bond_damping;
-    c.rolling_friction = 1, cases.push_back(c), c.rolling_friction = 0;
-    c.step_ratio = 0.5, cases.push_back(c);
+    c.rolling_friction = 1, cases.push_back(c);
   }
   cases.push_back(plain);
   cases.back().stiffness = 20;
@@ -172,7 +171,7 @@ std::vector<PackingCase> row_cases() {
 }
 
 std::vector<MatrixRow> packing_rows(const ValidationInput& input) {
-  return packing_statements(input, run_packings(row_cases(), {.samples = 80}, input.jobs));
+  return packing_statements(input, run_packings(row_cases(), {.samples = 60}, input.jobs));
 }
 
 }  // namespace fiberchain::compare

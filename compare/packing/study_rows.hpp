@@ -11,7 +11,7 @@ namespace fiberchain::compare {
 /// friction, stiff fibers, half the step. What the runs do not have is left out.
 std::vector<MatrixRow> packing_statements(const ValidationInput& input, const std::vector<PackingRun>& runs);
 
-/// Small packings of three seeds for that.
+/// Small packings of three seeds for that, none at half the step: seconds, not minutes. `tables packing` has them all.
 std::vector<PackingCase> row_cases();
 
 }  // namespace fiberchain::compare
