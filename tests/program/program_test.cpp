@@ -41,7 +41,7 @@ const Command kJsonCommands[] = {
     {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"tables", "shear", "--spheres", "2,7", "--interacting", "5", "--stresslets", "3"},
     {"tables", "shear", "--part", "stiffness,buckling"},
-    {"tables", "packing", "--fibers", "500", "--seeds", "2", "--bond-damping", "0.1,0.2", "--friction",
+    {"tables", "packing", "--fibers", "500", "--seeds", "0", "--bond-damping", "0.1", "--friction",
      "1", "--stiffness", "2", "--duration", "0.005", "--samples", "20"},
     {"run", kScenes + "flow-shear.yaml"},
     {"run", kScenes + "flow-flexible.yaml"},
