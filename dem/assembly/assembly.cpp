@@ -140,6 +140,7 @@ std::vector<BondState> Assembly::bonds(int group, int fiber) const {
 
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 std::vector<ContactState> Assembly::contacts() const { return state_->contacts.states(state_->rows, state_->time()); }
+StepTimes Assembly::times() const { return state_->watch.times; }
 EnergyBalance Assembly::energy() const { return state_->energy(); }
 
 double total(const EnergyBalance& e) {

@@ -25,6 +25,7 @@ struct AssemblyOptions {
   BondForm form = BondForm::incremental;
   Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
   int threads = 1;
+  bool time_parts = false;                ///< measure where the time goes (StepTimes)
   bool book_energy = false;               ///< sum what each mechanism dissipates
   bool orientations = true;               ///< follow the orientations of spheres where the bonds do not need them (incremental form)
   InstructionSet instruction_set = best_instruction_set();
@@ -38,6 +39,11 @@ struct EnergyBalance {
   double fluid;                              ///< taken by the fluid (negative where it drives)
   double wall_work;                          ///< given by walls that move
   double inserted;                           ///< that fibers brought with them
+};
+
+/// Where the time of the steps went [s], by the clock on the wall.
+struct StepTimes {
+  double bonds_and_motion, contacts, search;
 };
 
 /// Stored, and taken less what was given [J]: constant but for errors of the step.
@@ -89,6 +95,7 @@ class Assembly {
   std::int64_t touching() const;  ///< contacts now
   std::vector<ContactState> contacts() const;
   EnergyBalance energy() const;
+  StepTimes times() const;  ///< since the start; zero unless asked for
 
   /// The whole state, to go on from to the bit.
   std::vector<double> saved() const;

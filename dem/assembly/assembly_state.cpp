@@ -53,8 +53,8 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   for (const FiberGroup& group : groups) {
     const Physics physics = physics_of(group.chain, surroundings, options);
     const int number = static_cast<int>(kinds.size());
-    kinds.push_back(fiber_kind(group.chain, physics, surroundings, step, options.instruction_set));
-    const FiberKind& kind = kinds.back();
+    kinds.push_back(fiber_kind(group.chain, group.fibers.size(), physics, surroundings, step, options.instruction_set));
+    FiberKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
     contacts.add(group.chain.fiber, fibers.back());
@@ -62,7 +62,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
       const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
-      blocks.emplace_back(kind, number, row, lanes, options.book_energy, rows);
+      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes, options.book_energy, rows);
       row = blocks.back().end(kind);
     }
     if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
@@ -141,6 +141,7 @@ double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
 
 void Assembly::State::march_some(int count) {
   const int n_blocks = static_cast<int>(blocks.size()), n_stripes = contacts.stripes();
+  watch.lap(nullptr);
   bool list = false, touch = false;  // touch: contacts of the last step are still to be worked out
   for (int n = 0; n < count || touch;) {
     double fastest = 0;
@@ -152,6 +153,8 @@ void Assembly::State::march_some(int count) {
         for (int k = 0; k < n_stripes; ++k) contacts.work_out(k, rows, now);
 #pragma omp for schedule(static)
         for (int k = 0; k < n_stripes; ++k) contacts.gather_loads(k, rows);
+#pragma omp single nowait
+        watch.lap(&StepTimes::contacts);
       }
       if (n >= count) break;
 #pragma omp for schedule(static) reduction(max : fastest)
@@ -163,6 +166,7 @@ void Assembly::State::march_some(int count) {
         list = must_list(std::sqrt(fastest));
         fastest = 0;
         touch = true;
+        watch.lap(&StepTimes::bonds_and_motion);
       }
       if (list) break;
     }
@@ -173,6 +177,7 @@ void Assembly::State::march_some(int count) {
       } catch (const InvalidInput&) {  // not finite: looked for by the caller
         return;
       }
+      watch.lap(&StepTimes::search);
       list = false;
       touch = true;
     }

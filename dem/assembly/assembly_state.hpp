@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
@@ -7,6 +8,22 @@
 #include "dem/assembly/fiber_block.hpp"
 
 namespace fiberchain::dem {
+
+/// Adds the time since the last lap to a part.
+struct StopWatch {
+  using Clock = std::chrono::steady_clock;
+
+  bool on = false;
+  StepTimes times{};
+  Clock::time_point last = Clock::now();
+
+  void lap(double StepTimes::*part) {
+    if (!on) return;
+    const Clock::time_point now = Clock::now();
+    if (part != nullptr) times.*part += std::chrono::duration<double>(now - last).count();
+    last = now;
+  }
+};
 
 /// The inside of an assembly: rows of spheres, blocks of fibers that move them, contacts between them.
 struct Assembly::State {
@@ -23,10 +40,13 @@ struct Assembly::State {
   LaneArray gradient;               ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;   ///< one a thread
   double room = 0;                  ///< what spheres may move before their distance from where they were listed is looked at [m]
+  StopWatch watch;
   double inserted = 0;              ///< energy that fibers brought with them [J]
 
   State(Surroundings around, AssemblyOptions how, double dt)
-      : surroundings(std::move(around)), options(std::move(how)), step(dt), contacts(surroundings, options, step) {}
+      : surroundings(std::move(around)), options(std::move(how)), step(dt), contacts(surroundings, options, step) {
+    watch.on = options.time_parts;
+  }
 
   double time() const { return static_cast<double>(steps) * step; }
   std::int64_t first_sphere(int group, int fiber) const;

@@ -1,7 +1,8 @@
 #include "dem/assembly/contact_parameters.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "dem/contact/restitution.hpp"
@@ -20,18 +21,21 @@ struct Effective {
 double joined(double a, double b) { return 1 / (1 / a + 1 / b); }
 
 Effective effective(const ContactBody& a, const ContactBody& b) {
-  const auto flat = [](const ContactBody& x) { return x.youngs_modulus / (1 - x.poisson_ratio * x.poisson_ratio); };
+  const auto flat = [](const ContactBody& x) {
+    return x.youngs_modulus / (1 - x.poisson_ratio * x.poisson_ratio);
+  };
   const auto along = [](const ContactBody& x) {
     return x.youngs_modulus / (2 * (1 + x.poisson_ratio) * (2 - x.poisson_ratio));
   };
-  return {joined(flat(a), flat(b)), joined(along(a), along(b)), joined(a.radius, b.radius), joined(a.mass, b.mass),
-          joined(a.inertia, b.inertia)};
+  return {joined(flat(a), flat(b)), joined(along(a), along(b)), joined(a.radius, b.radius),
+          joined(a.mass, b.mass), joined(a.inertia, b.inertia)};
 }
 
 void check(const ContactRules& rules) {
   const auto require = [](const char* what, double value, bool allowed) {
     if (!allowed || !std::isfinite(value)) {
-      throw InvalidInput(fmt::format("{} = {} is not allowed: it must be finite and 0 or greater", what, value));
+      throw InvalidInput(
+          fmt::format("{} = {} is not allowed: it must be finite and 0 or greater", what, value));
     }
   };
   require("friction", rules.friction, rules.friction >= 0);
@@ -41,8 +45,8 @@ void check(const ContactRules& rules) {
 }  // namespace
 
 ContactBody sphere_body(const Fiber& fiber) {
-  return {fiber.material.youngs_modulus, poisson_ratio(fiber.material), sphere_radius(fiber), sphere_mass(fiber),
-          sphere_inertia(fiber)};
+  return {fiber.material.youngs_modulus, poisson_ratio(fiber.material), sphere_radius(fiber),
+          sphere_mass(fiber), sphere_inertia(fiber)};
 }
 
 ContactBody wall_body(const Surroundings& surroundings) {
@@ -50,8 +54,8 @@ ContactBody wall_body(const Surroundings& surroundings) {
   return {E > 0 ? E : infinite, surroundings.wall_poisson_ratio, infinite, infinite, infinite};
 }
 
-ContactParameters<double> contact_parameters(const ContactBody& a, const ContactBody& b, const ContactRules& rules,
-                                             double step) {
+ContactParameters<double> contact_parameters(const ContactBody& a, const ContactBody& b,
+                                             const ContactRules& rules, double step) {
   check(rules);
   const Effective e = effective(a, b);
   const double zeta = damping_ratio_for(rules.restitution);
@@ -67,13 +71,19 @@ ContactParameters<double> contact_parameters(const ContactBody& a, const Contact
   return p;
 }
 
-double contact_step_limit(const ContactBody& a, const ContactBody& b, const ContactRules& rules, double overlap,
-                          int neighbors) {
+ContactRates contact_rates(const ContactBody& a, const ContactBody& b, const ContactRules& rules,
+                           double overlap, int neighbors) {
   const Effective e = effective(a, b);
-  const double stiffness = 2 * e.youngs_modulus * std::sqrt(e.radius * overlap) * neighbors;
-  const double zeta = damping_ratio_for(rules.restitution) * std::sqrt(5.0 / 6 * neighbors);
-  // m a = -k x - c v, c at the lagged velocity: w dt < 2 (sqrt(1 + zeta^2) - zeta)
-  return 2 * (std::sqrt(1 + zeta * zeta) - zeta) * std::sqrt(e.mass / stiffness);
+  const double root = std::sqrt(e.radius * overlap), zeta = damping_ratio_for(rules.restitution);
+  const double normal = 2 * e.youngs_modulus * root,
+               along = rules.friction > 0 ? 8 * e.shear_modulus * root : 0;
+  const auto dashpot = [&](double stiffness) { return 2 * zeta * std::sqrt(5.0 / 6 * e.mass * stiffness); };
+  const auto about_sphere = [&](double across, double tangential) {
+    return std::max(
+               {neighbors * (across + 2 * tangential) / 3, neighbors * 5.0 / 3 * tangential, 2 * across}) /
+           e.mass;
+  };
+  return {about_sphere(normal, along), about_sphere(dashpot(normal), 0.5 * dashpot(along))};
 }
 
 }  // namespace fiberchain::dem

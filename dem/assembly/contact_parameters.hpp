@@ -19,14 +19,29 @@ struct ContactBody {
 ContactBody sphere_body(const Fiber& fiber);
 ContactBody wall_body(const Surroundings& surroundings);
 
-/// 1/E* = sum (1 - nu^2)/E, 1/G* = sum (2 - nu)/G, 1/R* = sum 1/R, 1/m* = sum 1/m; damping from the coefficient of
-/// restitution with the end of contact at zero force (restitution.hpp), the same ratio along the surface. `step` [s] sets
-/// the limit of rolling friction. Throws InvalidInput for a coefficient of restitution outside (0, 1], negative friction.
-ContactParameters<double> contact_parameters(const ContactBody& a, const ContactBody& b, const ContactRules& rules,
-                                             double step);
+/// 1/E* = sum (1 - nu^2)/E, 1/G* = sum (2 - nu)/G, 1/R* = sum 1/R, 1/m* = sum 1/m; damping from the
+/// coefficient of restitution with the end of contact at zero force (restitution.hpp), the same ratio along
+/// the surface. `step` [s] sets the limit of rolling friction. Throws InvalidInput for a coefficient of
+/// restitution outside (0, 1], negative friction.
+ContactParameters<double> contact_parameters(const ContactBody& a, const ContactBody& b,
+                                             const ContactRules& rules, double step);
 
-/// Largest stable step [s] of the contact, pressed in by `overlap` [m], with its dashpot at the lagged velocity and
-/// `neighbors` such contacts about a sphere.
-double contact_step_limit(const ContactBody& a, const ContactBody& b, const ContactRules& rules, double overlap, int neighbors);
+/// How stiff and how damped contacts make a sphere, for the largest stable step.
+struct ContactRates {
+  double stiffness;  ///< largest eigenvalue of stiffness over inertia [1/s^2]
+  double dashpots;   ///< of normal dashpots and half the tangential ones over inertia [1/s]
+
+  /// Part of what stability allows that contacts use up at a step: dt^2 stiffness / 4 + dt dashpots. The mode
+  /// that grows first changes sign every step. There the extrapolated normal dashpots
+  /// (ContactParameters::ahead = 1/2) see 3/2 + 1/2 = 2 times the velocity of the step before, the tangential
+  /// ones see it once: stability needs 4 M - dt^2 K - 4 dt C_n - 2 dt C_t positive definite.
+  double used(double dt) const { return 0.25 * dt * dt * stiffness + dt * dashpots; }
+};
+
+/// Of `neighbors` contacts about a sphere, in all directions alike, each pressed in by `overlap` [m]: the
+/// larger of translation, (K_n + 2 K_t) / 3 a contact over m*, and rolling all in one sense, 2/3 K_t a
+/// contact over J* / R^2 = 2/5 m*; at least two that face each other. The dashpots alike.
+ContactRates contact_rates(const ContactBody& a, const ContactBody& b, const ContactRules& rules,
+                           double overlap, int neighbors);
 
 }  // namespace fiberchain::dem

@@ -42,17 +42,19 @@ BondHistory<double, 3> strain_of(const Chain<3>& chain, const Poses<3>& poses, i
 
 }  // namespace
 
-FiberKind fiber_kind(const Chain<3>& chain, const Physics& physics, const Surroundings& surroundings, double step,
+FiberKind fiber_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Surroundings& surroundings, double step,
                      InstructionSet set) {
   const Fiber& fiber = chain.fiber;
-  FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
+  FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
   kind.weight = kind.mass * surroundings.gravity;
   if (surroundings.fluid) kind.drag = stokes_drag(*surroundings.fluid, fiber);
   kind.parameters.bond = bond_parameters(fiber);
   kind.parameters.inverse_length = 1 / bond_length(fiber);
   kind.parameters.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
   set_step(kind.parameters, fiber, kind.drag, step);
-  const std::size_t width = kind.kernel->width, ends = numbers_of<NaturalEnds<double, 3>>;
+  const std::size_t width = kind.kernel->width;
+  kind.histories = LaneArray((fibers + width - 1) / width * kind.history_size());
+  const std::size_t ends = numbers_of<NaturalEnds<double, 3>>;
   kind.lane_parameters = LaneArray(numbers_of<MarchParameters<double, 3>> * width);
   kind.lane_natural = LaneArray(chain.natural.size() * ends * width);
   for (std::size_t lane = 0; lane < width; ++lane) {
@@ -62,11 +64,11 @@ FiberKind fiber_kind(const Chain<3>& chain, const Physics& physics, const Surrou
   return kind;
 }
 
-FiberBlock::FiberBlock(const FiberKind& kind, int group, std::int64_t first, const std::vector<ChainState<3>>& fibers,
+FiberBlock::FiberBlock(FiberKind& kind, int group, int number, std::int64_t first, const std::vector<ChainState<3>>& fibers,
                        bool booked, SphereRows& rows)
-    : group_(group), lanes_(static_cast<int>(fibers.size())) {
+    : group_(group), lanes_(static_cast<int>(fibers.size())), history_(kind.histories.data() + number * kind.history_size()),
+      history_size_(kind.history_size()) {
   const int width = kind.kernel->width, bonds = kind.chain.fiber.aspect_ratio;
-  history_ = LaneArray(bonds * numbers_of<BondHistory<double, 3>> * width);
   workspace_ = LaneArray(kind.kernel->workspace(bonds) * width);
   const bool books = booked && kind.kernel->book != nullptr;
   kept_ = LaneArray(books ? static_cast<std::size_t>(bonds) * book_numbers * width : 0);
@@ -75,7 +77,8 @@ FiberBlock::FiberBlock(const FiberKind& kind, int group, std::int64_t first, con
     const int fiber = std::min(lane, lanes_ - 1);
     first_.push_back(first + static_cast<std::int64_t>(fiber) * kind.spheres());
     for (int i = 0; i < bonds; ++i) {
-      history_.put(strain_of(kind.chain, fibers[fiber].poses, i), i * numbers_of<BondHistory<double, 3>> * width + lane, width);
+      kind.histories.put(strain_of(kind.chain, fibers[fiber].poses, i),
+                         number * history_size_ + i * numbers_of<BondHistory<double, 3>> * width + lane, width);
     }
   }
   for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
@@ -88,7 +91,7 @@ RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& sc
           rows.motion.data(),
           rows.load.data(),
           rows.oriented() ? rows.orientation.data() : nullptr,
-          history_.data(),
+          history_,
           kind.lane_natural.data(),
           kind.lane_parameters.data(),
           workspace_.data(),
@@ -102,7 +105,7 @@ RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& sc
 double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient,
                         const FiberBlock* next) {
   RowBlock block = view(kind, rows, scratch, gradient);
-  if (next != nullptr) block.next_history = next->history_.data();
+  if (next != nullptr) block.next_history = next->history_;
   const double fastest = kind.kernel->step(block);
   std::fill(rows.load.data() + first_[0] * load_numbers, rows.load.data() + end(kind) * load_numbers, 0.0);
   led_ = kind.parameters.step;
@@ -115,8 +118,8 @@ void FiberBlock::book(const FiberKind& kind, SphereRows& rows, LaneArray& scratc
 }
 
 BlockLook FiberBlock::look(const FiberKind& kind, const SphereRows& rows, const double* gradient) const {
-  BlockLook look{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_.size())};
-  std::copy_n(history_.data(), history_.size(), look.history.data());
+  BlockLook look{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_size_)};
+  std::copy_n(history_, history_size_, look.history.data());
   LaneArray workspace(workspace_.size());
   std::copy_n(workspace_.data(), workspace_.size(), workspace.data());
   // what a look writes are its own copies
@@ -159,18 +162,21 @@ double FiberBlock::bond_friction() const {
   return sum_of_lanes(taken_.data() + taken_.size() / taken_numbers, lanes_);
 }
 
-std::size_t FiberBlock::saved_size() const { return 2 + history_.size() + workspace_.size() + kept_.size() + taken_.size(); }
+std::size_t FiberBlock::saved_size() const { return 2 + history_size_ + workspace_.size() + kept_.size() + taken_.size(); }
 
 void FiberBlock::save(std::vector<double>& to) const {
   to.push_back(led_);
   to.push_back(fluid_taken_);
-  for (const LaneArray* a : {&history_, &workspace_, &kept_, &taken_}) to.insert(to.end(), a->data(), a->data() + a->size());
+  to.insert(to.end(), history_, history_ + history_size_);
+  for (const LaneArray* a : {&workspace_, &kept_, &taken_}) to.insert(to.end(), a->data(), a->data() + a->size());
 }
 
 const double* FiberBlock::restore(const double* from) {
   led_ = *from++;
   fluid_taken_ = *from++;
-  for (LaneArray* a : {&history_, &workspace_, &kept_, &taken_}) {
+  std::copy_n(from, history_size_, history_);
+  from += history_size_;
+  for (LaneArray* a : {&workspace_, &kept_, &taken_}) {
     std::copy_n(from, a->size(), a->data());
     from += a->size();
   }

@@ -16,15 +16,20 @@ struct FiberKind {
   Physics physics;
   const RowKernel* kernel;
   MarchParameters<double, 3> parameters;
+  LaneArray histories;  ///< of the bonds, block after block
   LaneArray lane_parameters, lane_natural;  ///< parameters and natural ends of the chain, the same in every lane
   StokesDrag drag;          ///< zero without fluid
   Vec<double, 3> weight;    ///< of a sphere [N]
   double mass, inertia;     ///< of a sphere [kg], [kg m^2]
 
   int spheres() const { return chain.fiber.aspect_ratio + 1; }
+  /// Numbers of a block's history.
+  std::size_t history_size() const {
+    return chain.fiber.aspect_ratio * numbers_of<BondHistory<double, 3>> * static_cast<std::size_t>(kernel->width);
+  }
 };
 
-FiberKind fiber_kind(const Chain<3>& chain, const Physics& physics, const Surroundings& surroundings, double step,
+FiberKind fiber_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Surroundings& surroundings, double step,
                      InstructionSet set);
 
 /// A block's spheres at this moment: forces of bonds, contacts and weight with them, the bonds' strains moved on to now.
@@ -35,8 +40,8 @@ struct BlockLook {
 /// Up to `width` fibers of one kind side by side: what their bonds remember. Their spheres lie in rows.
 class FiberBlock {
  public:
-  /// Fibers with consecutive rows from `first` on, which are set from the states.
-  FiberBlock(const FiberKind& kind, int group, std::int64_t first, const std::vector<ChainState<3>>& fibers, bool booked,
+  /// Block `number` of its kind: fibers with consecutive rows from `first` on, which are set from the states.
+  FiberBlock(FiberKind& kind, int group, int number, std::int64_t first, const std::vector<ChainState<3>>& fibers, bool booked,
              SphereRows& rows);
 
   int group() const { return group_; }
@@ -70,9 +75,11 @@ class FiberBlock {
   RowBlock view(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient);
 
   int group_, lanes_;
+  double* history_;  ///< in the kind's histories
+  std::size_t history_size_;
   double led_ = 0, fluid_taken_ = 0;
   std::vector<std::int64_t> first_;
-  LaneArray history_, workspace_, kept_, taken_;
+  LaneArray workspace_, kept_, taken_;
 };
 
 }  // namespace fiberchain::dem

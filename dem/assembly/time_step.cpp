@@ -1,30 +1,69 @@
 #include <algorithm>
+#include <cmath>
 
 #include "dem/assembly/assembly.hpp"
 #include "dem/assembly/contact_parameters.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
+namespace {
 
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings) {
-  constexpr double part = 0.8;     // of the largest stable step
+/// Part of what stability allows that the bonds use up at a step: dt^2 K / 4 + dt C / 2 of their worst wave,
+/// whose limits without and with dashpots are known.
+double used_by_bonds(double undamped, double damped, double dt) {
+  const double stiff = dt / undamped;
+  return stiff * stiff + dt * (1 / damped - damped / (undamped * undamped));
+}
+
+/// Where a rising function that is 0 at 0 reaches 1; not above `high`.
+template <class Used>
+double step_that_uses_all(const Used& used, double high) {
+  double low = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (used(middle) < 1 ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The stiffest and the most damped contacts that spheres of a group take part in.
+ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGroup>& groups,
+                            const Surroundings& surroundings) {
   constexpr double pressed = 0.1;  // overlap over the radius that contacts are expected to stay below
-  constexpr int neighbors = 6;     // of a sphere, at most
-  StepChoice choice{0, "", 1e300, 1e300, 1e300};
+  constexpr int neighbors = 6;     // of a sphere, so pressed
+  const ContactBody body = sphere_body(group.chain.fiber);
+  ContactRates worst{};
+  const auto meet = [&](const ContactBody& other) {
+    const double overlap = pressed * std::min(body.radius, other.radius);
+    const ContactRates rates = contact_rates(body, other, surroundings.contacts, overlap, neighbors);
+    worst = {std::max(worst.stiffness, rates.stiffness), std::max(worst.dashpots, rates.dashpots)};
+  };
+  for (const FiberGroup& other : groups) meet(sphere_body(other.chain.fiber));
+  if (!surroundings.walls.empty()) meet(wall_body(surroundings));
+  return worst;
+}
+
+}  // namespace
+
+// Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
+// (contact_parameters.hpp). K and C are sums over bonds and contacts: what each uses up alone, in its own
+// worst mode, adds up to no less than what both do.
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings) {
+  constexpr double part = 0.9;  // of the largest stable step
+  StepChoice choice{1e300, "", 1e300, 1e300, 1e300};
   for (const FiberGroup& group : groups) {
-    const Fiber& fiber = group.chain.fiber;
-    choice.bonds = std::min(choice.bonds, undamped_time_step(fiber));
-    choice.damped_bonds = std::min(choice.damped_bonds, stable_time_step(fiber));
-    const ContactBody body = sphere_body(fiber);
-    for (const FiberGroup& other : groups) {
-      choice.contacts = std::min(choice.contacts, contact_step_limit(body, sphere_body(other.chain.fiber),
-                                                                     surroundings.contacts, pressed * body.radius, neighbors));
-    }
-    choice.contacts = std::min(choice.contacts, contact_step_limit(body, wall_body(surroundings), surroundings.contacts,
-                                                                   pressed * body.radius, neighbors));
+    const double undamped = undamped_time_step(group.chain.fiber),
+                 damped = stable_time_step(group.chain.fiber);
+    const ContactRates contacts = worst_contacts(group, groups, surroundings);
+    choice.bonds = std::min(choice.bonds, undamped);
+    choice.damped_bonds = std::min(choice.damped_bonds, damped);
+    choice.contacts = std::min(
+        choice.contacts,
+        step_that_uses_all([&](double dt) { return contacts.used(dt); }, 4 / std::sqrt(contacts.stiffness)));
+    const auto used = [&](double dt) { return used_by_bonds(undamped, damped, dt) + contacts.used(dt); };
+    choice.step = std::min(choice.step, part * step_that_uses_all(used, damped));
   }
   const double least = std::min({choice.bonds, choice.damped_bonds, choice.contacts});
-  choice.step = part * least;
   choice.set_by = least == choice.contacts ? "contacts" : least == choice.bonds ? "bonds" : "bond damping";
   return choice;
 }

@@ -63,7 +63,8 @@ Vec<Real, 3> tangential(const Vec<Real, 3>& u, const Vec<Real, 3>& normal) {
 /// (2013) 30), a dashpot beside it, both together at most mu F_n. Where they slide, the spring moves on as
 /// the dashpot lets it under mu F_n: spring and dashpot stretch alike, a slider in series, which never gives
 /// energy that it was not given. A resting contact carries what Hertz's spring does, whatever the step.
-template <class Real>
+/// `rolls`: with rolling friction.
+template <bool rolls = true, class Real>
 ContactAction<Real> contact_action(const ContactParameters<Real>& p, const TouchingPair<Real>& pair,
                                    const Real& dt, ContactHistory<Real>& history) {
   using std::max;
@@ -92,10 +93,12 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   const Real share = stiffness / max(stiffness + dashpot, Real(1e-300));
   history = {before + share * (drag - before), pair.overlap, opening};
 
+  const Vec<Real, 3> force = drag - push * pair.normal;
+  if constexpr (!rolls) return {force, {Real(0.0), Real(0.0), Real(0.0)}};
   const Vec<Real, 3> rolling = tangential(pair.spin, pair.normal);
   const Real rate = sqrt(max(dot(rolling, rolling), Real(1e-300)));
   const Vec<Real, 3> moment = min(p.rolling_limit, p.rolling * push / rate) * rolling;
-  return {drag - push * pair.normal, moment};
+  return {force, moment};
 }
 
 }  // namespace fiberchain::dem

@@ -192,7 +192,6 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
     for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.at[k]] * view.kinds + view.kind[j.at[k]];
     p = gather_parameters<Real>(view.parameters, entry);
   }
-  if constexpr (!P.rolling) p.rolling = p.rolling_limit = Real(0.0);
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Real arm_i = share * distance, arm_j = distance - arm_i;
   TouchingPair<Real> pair;
@@ -205,7 +204,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
   for (int k = 0; k < lanes; ++k) memory.at[k] = view.memory + static_cast<std::ptrdiff_t>(pairs[k]) * memory_numbers;
   ContactHistory<Real> history = remembered<Real>(memory, view.touched, pairs);
   [[maybe_unused]] const ContactHistory<Real> before = history;
-  const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
+  const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.booked) book(p, pair, before, history, action, Real(view.step), count, task.book);
   keep<Real>(history, memory);
   for (int k = 0; k < count; ++k) view.touched[pairs[k]] = 1;

@@ -51,8 +51,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       for (int k = 0; k < lanes; ++k) kind[k] = view.kind[i.at[k]];
       p = gather_parameters<Real>(wall.parameters, kind);
     }
-    if constexpr (!P.rolling) p.rolling = p.rolling_limit = Real(0.0);
-    const Motions<Real> motion = motions_at<Real>(view, i.at);
+      const Motions<Real> motion = motions_at<Real>(view, i.at);
     const Vec<Real, 3>&v = motion.velocity, &w = motion.spin;
     TouchingPair<Real> pair;
     pair.normal = seen.normal;
@@ -64,7 +63,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     for (int k = 0; k < lanes; ++k) memory.at[k] = wall.memory + static_cast<std::ptrdiff_t>(n + k) * memory_numbers;
     ContactHistory<Real> history = remembered<Real>(memory, wall.touched, entry);
     const ContactHistory<Real> before = history;
-    const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
+    const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
     const Vec<Real, 3> moment = seen.distance * cross(seen.normal, action.force) + action.moment;
     keep<Real>(history, memory);
     LoadRows<Real> loads;

@@ -41,16 +41,17 @@ class LaneArray {
   }
 
  private:
-  /// From here on memory comes in whole large pages [bytes], so that walking through it does not wait for page tables.
+  /// Arrays of a quarter of it [bytes] and more get whole large pages, so that walking through them does not wait for page
+  /// tables.
   static constexpr std::size_t large_page = std::size_t{1} << 21;
 
   static double* take(std::size_t size) {
     const std::size_t bytes = std::max<std::size_t>(size, 1) * sizeof(double);
-    const std::size_t alignment = bytes >= large_page ? large_page : lane_alignment;
+    const std::size_t alignment = 4 * bytes >= large_page ? large_page : lane_alignment;
     void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-    if (bytes >= large_page) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: nothing is lost where it is not met
+    if (alignment == large_page) madvise(memory, (bytes + alignment - 1) / alignment * alignment, MADV_HUGEPAGE);  // a wish: nothing is lost where it is not met
 #endif
     return static_cast<double*>(memory);
   }
