@@ -50,9 +50,10 @@ compare::Table statements_of(const Runs& runs, const Arguments& arguments) {
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
   std::vector<PackingRun> judged = runs.spread;
-  std::ranges::copy_if(runs.figures, std::back_inserter(judged), [](const PackingRun& run) { return run.asked.booked; });
-  return to_table(
-      compare::packing_statements({compare::read_all_published(compare::find_data_directory(data)), 1}, judged));
+  std::ranges::copy_if(runs.figures, std::back_inserter(judged),
+                       [](const PackingRun& run) { return run.asked.booked; });
+  return to_table(compare::packing_statements(
+      {compare::read_all_published(compare::find_data_directory(data)), 1}, judged));
 }
 
 Results results_of(const Runs& runs) {
@@ -102,10 +103,11 @@ int run(const Arguments& arguments, Context& context) {
   }
   Results results = results_of(runs);
   results.more_files = std::move(pictures);
-  if (!runs.spread.empty()) results.more_tables.emplace_back("packing-statements", statements_of(runs, arguments));
-  const compare::Table shown =
-      results.table.select({"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
-                            "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});
+  if (!runs.spread.empty())
+    results.more_tables.emplace_back("packing-statements", statements_of(runs, arguments));
+  const compare::Table shown = results.table.select(
+      {"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
+       "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});
   deliver(results, shown, output, directory, context);
   return status_of(runs, context);
 }
@@ -113,22 +115,27 @@ int run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command tables_packing_command() {
-  return {.name = "tables packing",
-          .description = "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
-          .footer = std::string("The packings of one seed are run with --fibers, those of several seeds with --seed-fibers on a\n"
-                    "smaller floor with periodic sides, as deep.\n"
-                    "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --bond-damping 0.1,1\n") +
-                    kListHelp,
-          .options = with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
-                                  {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
-                                  {"--seed-fibers", "N", "of each packing of these [500]"},
-                                  {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
-                                  {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
-                                  {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
-                                  {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
-                                  {"--duration", "SECONDS", "simulated [0.6]"},
-                                  {"--samples", "N", "intervals of the histories [140]"}}),
-          .run = &run};
+  return {
+      .name = "tables packing",
+      .description =
+          "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
+      .footer =
+          std::string("The packings of one seed are run with --fibers, those of several seeds with "
+                      "--seed-fibers on a\n"
+                      "smaller floor with periodic sides, as deep.\n"
+                      "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --bond-damping 0.1,1\n") +
+          kListHelp,
+      .options =
+          with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
+                       {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
+                       {"--seed-fibers", "N", "of each packing of these [500]"},
+                       {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
+                       {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
+                       {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
+                       {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
+                       {"--duration", "SECONDS", "simulated [0.6]"},
+                       {"--samples", "N", "intervals of the histories [140]"}}),
+      .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -7,14 +7,14 @@ namespace {
 
 using Runs = std::vector<const PackingRun*>;
 
-Series curve(const PackingRun& run, double PackingSample::* of, std::string label, int color) {
+Series curve(const PackingRun& run, double PackingSample::*of, std::string label, int color) {
   Series s{std::move(label), {}, {}, Mark::line, Dash::solid, color};
   for (const PackingSample& sample : run.history) s.x.push_back(sample.time), s.y.push_back(sample.*of);
   return s;
 }
 
 /// Least and most over the runs at each sample, where all have it.
-std::pair<Series, Series> band(const Runs& runs, double PackingSample::* of, int color) {
+std::pair<Series, Series> band(const Runs& runs, double PackingSample::*of, int color) {
   Series low{"", {}, {}, Mark::line, Dash::dotted, color}, high = low;
   std::size_t samples = runs.front()->history.size();
   for (const PackingRun* run : runs) samples = std::min(samples, run->history.size());
@@ -38,14 +38,15 @@ bool of_friction(const PackingCase& c, const PackingCase& first) {
 }
 
 /// Fig 12 for the cases that are chosen: a curve each, and the seeds' least and most where there are several.
-Figure bending_figure(const std::vector<PackingRun>& runs, bool (*chosen)(const PackingCase&, const PackingCase&),
-                      std::string title) {
+Figure bending_figure(const std::vector<PackingRun>& runs,
+                      bool (*chosen)(const PackingCase&, const PackingCase&), std::string title) {
   Figure figure{std::move(title), {"time (s)"}, {"mean bending angle of a bond (rad)"}, {}};
   int color = 0;
   for (const SeedGroup& group : seed_groups(runs)) {
     if (!chosen(group.asked, runs.front().asked)) continue;
     if (group.runs.size() == 1) {
-      figure.series.push_back(curve(*group.runs[0], &PackingSample::bending_angle, label_of(group.asked), color++));
+      figure.series.push_back(
+          curve(*group.runs[0], &PackingSample::bending_angle, label_of(group.asked), color++));
       continue;
     }
     auto [low, high] = band(group.runs, &PackingSample::bending_angle, color++);
@@ -79,7 +80,10 @@ Figure density_figure(const std::vector<PackingRun>& runs) {
 }
 
 Figure orientation_figure(const std::vector<PackingRun>& runs) {
-  Figure figure{"Directions of the bonds", {"angle against the vertical (degrees)"}, {"share over that of isotropic bonds"}, {}};
+  Figure figure{"Directions of the bonds",
+                {"angle against the vertical (degrees)"},
+                {"share over that of isotropic bonds"},
+                {}};
   const auto add = [&](const std::vector<double>& profile, std::string label, Dash dash, int color) {
     Series s{std::move(label), {}, {}, Mark::line_and_points, dash, color};
     const double width = 90 / static_cast<double>(profile.size());
@@ -91,7 +95,8 @@ Figure orientation_figure(const std::vector<PackingRun>& runs) {
   int color = 0;
   add(runs.front().start.against_isotropic, "at the start", Dash::dashed, color++);
   for (const PackingRun& run : runs) {
-    if (run.status == "finished") add(run.end.orientation.against_isotropic, label_of(run.asked), Dash::solid, color++);
+    if (run.status == "finished")
+      add(run.end.orientation.against_isotropic, label_of(run.asked), Dash::solid, color++);
   }
   return figure;
 }
@@ -104,12 +109,14 @@ Figure energy_figure(const PackingRun& booked) {
       {"kinetic", [](const dem::EnergyBalance& e) { return e.kinetic; }},
       {"bonds", [](const dem::EnergyBalance& e) { return e.bonds; }},
       {"taken by contacts, normal", [](const dem::EnergyBalance& e) { return e.contact_normal; }},
-      {"taken by contacts, along the surface", [](const dem::EnergyBalance& e) { return e.contact_tangential; }},
+      {"taken by contacts, along the surface",
+       [](const dem::EnergyBalance& e) { return e.contact_tangential; }},
       {"taken by bonds", [](const dem::EnergyBalance& e) { return e.bond_damping + e.bond_friction; }}};
   int color = 0;
   for (const auto& [label, part] : parts) {
     Series s{label, {}, {}, Mark::line, Dash::solid, color++};
-    for (const PackingSample& sample : booked.history) s.x.push_back(sample.time), s.y.push_back(part(sample.energy));
+    for (const PackingSample& sample : booked.history)
+      s.x.push_back(sample.time), s.y.push_back(part(sample.energy));
     figure.series.push_back(std::move(s));
   }
   return figure;
@@ -125,9 +132,11 @@ std::vector<std::pair<std::string, Figure>> packing_figures(const std::vector<Pa
   };
   add("fig-12-damping", bending_figure(figure_runs, of_damping, "Fig 12: bond damping"));
   add("fig-12-friction", bending_figure(figure_runs, of_friction, "Fig 12: rolling friction of the bonds"));
-  add("fig-12-damping-seeds", bending_figure(spread_runs, of_damping, "Fig 12: bond damping, least and most of the seeds"));
+  add("fig-12-damping-seeds",
+      bending_figure(spread_runs, of_damping, "Fig 12: bond damping, least and most of the seeds"));
   add("fig-12-friction-seeds",
-      bending_figure(spread_runs, of_friction, "Fig 12: rolling friction of the bonds, least and most of the seeds"));
+      bending_figure(spread_runs, of_friction,
+                     "Fig 12: rolling friction of the bonds, least and most of the seeds"));
   if (figure_runs.empty()) return figures;
   add("packing-height", height_figure(figure_runs));
   add("packing-density", density_figure(figure_runs));

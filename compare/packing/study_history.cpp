@@ -13,8 +13,8 @@ namespace {
 
 using History = std::span<const PackingSample>;
 
-/// First sample from `from` on where the mean height stops to fall (sign 1) or to rise (sign -1). The last one is none:
-/// it may go on.
+/// First sample from `from` on where the mean height stops to fall (sign 1) or to rise (sign -1). The last
+/// one is none: it may go on.
 std::optional<std::size_t> first_turn(History h, std::size_t from, double sign) {
   for (std::size_t i = from; i + 1 < h.size(); ++i) {
     if (sign * (h[i + 1].mean_height - h[i].mean_height) > 0) return i;
@@ -64,7 +64,8 @@ BendingParts bending_parts(History history) {
     least = std::min(least, sample.bending_angle), most = std::max(most, sample.bending_angle);
   }
   const double plateau = sum / count;
-  return {peak->bending_angle, peak->time, trough->bending_angle, trough->time, plateau, (most - least) / 2 / plateau};
+  return {peak->bending_angle, peak->time, trough->bending_angle,
+          trough->time,        plateau,    (most - least) / 2 / plateau};
 }
 
 Spread spread_of(std::span<const double> values) {

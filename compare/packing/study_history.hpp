@@ -36,7 +36,8 @@ inline constexpr PackingStage kPackingStages[] = {PackingStage::reaching, Packin
 std::string_view name(PackingStage stage);
 
 /// Samples of the stages by these rules, each looked for after the one before:
-/// - reaching the bottom: the mean vertical velocity is lowest, so that from here on the floor carries more than the weight;
+/// - reaching the bottom: the mean vertical velocity is lowest, so that from here on the floor carries more
+/// than the weight;
 /// - densest: the first lowest mean height, where the mean vertical velocity turns upward;
 /// - expanded: the first highest mean height after that;
 /// - at rest: the last sample.
@@ -48,7 +49,7 @@ struct BendingParts {
   double peak, peak_time;      ///< largest mean bending angle [rad], [s]
   double trough, trough_time;  ///< smallest after it
   double plateau;              ///< mean over the last fifth of the time
-  double unrest;               ///< half the distance of the largest from the smallest in that fifth, over the plateau
+  double unrest;  ///< half the distance of the largest from the smallest in that fifth, over the plateau
 };
 
 /// Throws InputError for fewer than 10 samples.

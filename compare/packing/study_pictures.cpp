@@ -13,7 +13,8 @@ namespace {
 void lower_the_top(std::vector<std::pair<char, dem::io::Frame>>& frames) {
   double top = 0;
   for (const auto& [letter, frame] : frames) {
-    for (std::size_t i = 0; i < frame.position.size(); ++i) top = std::max(top, frame.position[i][2] + frame.radius[i]);
+    for (std::size_t i = 0; i < frame.position.size(); ++i)
+      top = std::max(top, frame.position[i][2] + frame.radius[i]);
   }
   for (auto& [letter, frame] : frames) frame.high[2] = top;
 }
@@ -23,7 +24,8 @@ std::vector<std::pair<char, dem::io::Frame>> stage_frames(const PackingRun& run)
   char letter = 'a';
   for (const PackingStage stage : kPackingStages) {
     const auto sample = find_stage(run.history, stage);
-    if (sample && *sample < run.pictures.size()) frames.emplace_back(letter, frame_of(run.pictures[*sample], run.asked));
+    if (sample && *sample < run.pictures.size())
+      frames.emplace_back(letter, frame_of(run.pictures[*sample], run.asked));
     ++letter;
   }
   lower_the_top(frames);

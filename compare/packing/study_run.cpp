@@ -102,8 +102,8 @@ PackingEnd end_of(const dem::Assembly& assembly, const States& states, double fl
   return end;
 }
 
-void follow(const dem::io::PackingScene& scene, const PackingWatch& watch, const std::function<void()>& advance,
-            PackingRun& run) {
+void follow(const dem::io::PackingScene& scene, const PackingWatch& watch,
+            const std::function<void()>& advance, PackingRun& run) {
   dem::io::PackingStart start = dem::io::packing_start(scene, watch.threads);
   const std::vector<std::int32_t> fiber_of_sphere = dem::fiber_numbers(start.groups);
   const double floor = floor_area(scene);
@@ -144,7 +144,8 @@ dem::io::Frame frame_of(const PackingPicture& picture, const PackingCase& asked)
   return frame;
 }
 
-PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch, const std::function<void()>& advance) {
+PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch,
+                       const std::function<void()>& advance) {
   PackingRun run{};
   run.asked = asked;
   const auto begin = std::chrono::steady_clock::now();
@@ -158,17 +159,16 @@ PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch, cons
   return run;
 }
 
-std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, const PackingWatch& watch, int jobs,
-                                     const std::function<void()>& advance) {
+std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, const PackingWatch& watch,
+                                     int jobs, const std::function<void()>& advance) {
   std::vector<std::size_t> order(cases.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<double> work;
   for (const PackingCase& c : cases) work.push_back(c.fibers / packing_scene(c).step.value());
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return work[i]; });
   std::vector<PackingRun> runs(cases.size());
-  parallel_for(cases.size(), jobs, [&](std::size_t i) {
-    runs[order[i]] = run_packing(cases[order[i]], watch, advance);
-  });
+  parallel_for(cases.size(), jobs,
+               [&](std::size_t i) { runs[order[i]] = run_packing(cases[order[i]], watch, advance); });
   return runs;
 }
 

@@ -60,11 +60,12 @@ struct PackingWatch {
 };
 
 /// A run that blows up ends early, with its reason as status.
-PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch, const std::function<void()>& advance = {});
+PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch,
+                       const std::function<void()>& advance = {});
 
-/// All of them, the longest first; given back in the order asked for. `advance` is called after every sample, maybe
-/// from several threads at once.
-std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, const PackingWatch& watch, int jobs,
-                                     const std::function<void()>& advance = {});
+/// All of them, the longest first; given back in the order asked for. `advance` is called after every sample,
+/// maybe from several threads at once.
+std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, const PackingWatch& watch,
+                                     int jobs, const std::function<void()>& advance = {});
 
 }  // namespace fiberchain::compare

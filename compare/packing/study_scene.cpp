@@ -12,9 +12,9 @@ namespace {
 
 using Vec3 = dem::Vec<double, 3>;
 
-constexpr double kLowest = 0.02;  // of the fibers at the start [m]
+constexpr double kLowest = 0.02;                       // of the fibers at the start [m]
 constexpr double kColumn = 2000 / (0.1 * 0.1 * 0.36);  // fibers in a volume then [1/m^3]
-constexpr double kSpeed = 1;     // downward [m/s]
+constexpr double kSpeed = 1;                           // downward [m/s]
 
 dem::Fiber fiber_of(const PackingCase& asked) {
   dem::Fiber fiber{dem::isotropic_material(asked.stiffness * 2.6e6, 0.3, 1000), 0.002, 20};
@@ -42,7 +42,8 @@ dem::Surroundings room_of(double side, const PackingCase& asked) {
   return around;
 }
 
-/// Of the limits that bonds and contacts set. Fibers pressed into a corner are stable below 0.8 of the contacts' only.
+/// Of the limits that bonds and contacts set. Fibers pressed into a corner are stable below 0.8 of the
+/// contacts' only.
 double step_of(const dem::io::PackingScene& scene) {
   const dem::FiberGroup group{dem::straight_chain<3>(scene.kinds.front().fiber), {}};
   const dem::StepChoice choice = dem::assembly_time_step({group}, scene.surroundings);

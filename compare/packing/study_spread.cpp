@@ -12,7 +12,8 @@ namespace {
 
 /// What is asked but for the seed.
 auto key(const PackingCase& c) {
-  return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.bond_damping, c.rolling_friction, c.step_ratio);
+  return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.bond_damping, c.rolling_friction,
+                    c.step_ratio);
 }
 
 bool finished(const PackingRun& run) { return run.status == "finished"; }
@@ -23,7 +24,7 @@ std::vector<PackingCase> kinds_of(const PackingPlan& plan, int fibers) {
   plain.side *= std::sqrt(fibers / static_cast<double>(plain.fibers));
   plain.fibers = fibers, plain.duration = plan.duration, plain.bond_damping = plan.bond_dampings.front();
   std::vector<PackingCase> kinds;
-  const auto add = [&](double PackingCase::* what, const std::vector<double>& values) {
+  const auto add = [&](double PackingCase::*what, const std::vector<double>& values) {
     for (const double value : values) {
       kinds.push_back(plain);
       kinds.back().*what = value;
@@ -79,10 +80,11 @@ BendingSpread bending_spread(const SeedGroup& group) {
   return {spread_of(peak), spread_of(trough), spread_of(plateau)};
 }
 
-Spread paired_difference(const SeedGroup& a, const SeedGroup& b, double BendingParts::* part) {
+Spread paired_difference(const SeedGroup& a, const SeedGroup& b, double BendingParts::*part) {
   std::vector<double> differences;
   for (const PackingRun* first : a.runs) {
-    const auto second = std::ranges::find(b.runs, first->asked.seed, [](const PackingRun* r) { return r->asked.seed; });
+    const auto second =
+        std::ranges::find(b.runs, first->asked.seed, [](const PackingRun* r) { return r->asked.seed; });
     if (second == b.runs.end() || !finished(*first) || !finished(**second)) continue;
     differences.push_back(bending_parts(first->history).*part - bending_parts((*second)->history).*part);
   }

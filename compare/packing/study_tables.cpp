@@ -14,8 +14,8 @@ std::vector<std::string> joined(std::vector<std::string> first, const std::vecto
   return first;
 }
 
-const std::vector<std::string> kAsked = {"bond_damping", "rolling_friction", "stiffness", "fibers", "side", "sides",
-                                         "seed",         "step_factor"};
+const std::vector<std::string> kAsked = {
+    "bond_damping", "rolling_friction", "stiffness", "fibers", "side", "sides", "seed", "step_factor"};
 
 NamedRow asked_row(const PackingCase& c) {
   return {{"bond_damping", c.bond_damping},
@@ -36,8 +36,9 @@ NamedRow with(NamedRow row, const NamedRow& rest) {
 NamedRow bending_row(const PackingRun& run) {
   if (run.status != "finished") return {};
   const BendingParts p = bending_parts(run.history);
-  return {{"bending_peak", p.peak},       {"bending_peak_time", p.peak_time}, {"bending_trough", p.trough},
-          {"bending_trough_time", p.trough_time}, {"bending_plateau", p.plateau},   {"bending_unrest", p.unrest}};
+  return {{"bending_peak", p.peak},       {"bending_peak_time", p.peak_time},
+          {"bending_trough", p.trough},   {"bending_trough_time", p.trough_time},
+          {"bending_plateau", p.plateau}, {"bending_unrest", p.unrest}};
 }
 
 NamedRow end_row(const PackingRun& run) {
@@ -68,18 +69,33 @@ NamedRow sample_row(const PackingSample& s) {
           {"kinetic_energy", s.energy.kinetic}};
 }
 
-const std::vector<std::string> kSample = {"simulated_time", "bending_mean",   "bending_angle",  "mean_height",
-                                          "height",         "vertical_speed", "speed",          "solid_fraction",
-                                          "coordination",   "order_along_up", "kinetic_energy"};
+const std::vector<std::string> kSample = {
+    "simulated_time", "bending_mean",   "bending_angle", "mean_height",    "height",        "vertical_speed",
+    "speed",          "solid_fraction", "coordination",  "order_along_up", "kinetic_energy"};
 
 }  // namespace
 
 Table run_table(const std::vector<PackingRun>& runs) {
-  Table table(joined(kAsked, {"bending_peak", "bending_peak_time", "bending_trough", "bending_trough_time",
-                              "bending_plateau", "bending_unrest", "height", "solid_fraction", "coordination",
-                              "contacts_per_fiber", "neighbors_per_fiber", "wall_contacts_per_fiber",
-                              "overlap_largest", "order_parameter", "order_along_up", "time_step", "step_set_by",
-                              "steps", "run_time", "status"}));
+  Table table(joined(kAsked, {"bending_peak",
+                              "bending_peak_time",
+                              "bending_trough",
+                              "bending_trough_time",
+                              "bending_plateau",
+                              "bending_unrest",
+                              "height",
+                              "solid_fraction",
+                              "coordination",
+                              "contacts_per_fiber",
+                              "neighbors_per_fiber",
+                              "wall_contacts_per_fiber",
+                              "overlap_largest",
+                              "order_parameter",
+                              "order_along_up",
+                              "time_step",
+                              "step_set_by",
+                              "steps",
+                              "run_time",
+                              "status"}));
   for (const PackingRun& run : runs) {
     NamedRow row = with(with(asked_row(run.asked), bending_row(run)), end_row(run));
     table.append(with(std::move(row), {{"time_step", run.step},
@@ -106,7 +122,8 @@ Table stage_table(const std::vector<PackingRun>& runs) {
 Table history_table(const std::vector<PackingRun>& runs) {
   Table table(joined(kAsked, kSample));
   for (const PackingRun& run : runs) {
-    for (const PackingSample& sample : run.history) table.append(with(asked_row(run.asked), sample_row(sample)));
+    for (const PackingSample& sample : run.history)
+      table.append(with(asked_row(run.asked), sample_row(sample)));
   }
   return table;
 }
@@ -142,8 +159,9 @@ Table orientation_table(const std::vector<PackingRun>& runs) {
 
 Table energy_table(const PackingRun& booked) {
   Table table({"simulated_time", "kinetic_energy", "energy_bonds", "energy_contacts", "energy_gravity",
-               "taken_bond_damping", "taken_bond_friction", "taken_contact_normal", "taken_contact_tangential",
-               "taken_contact_rolling", "taken_fluid", "given_walls", "given_inserted", "energy_total"});
+               "taken_bond_damping", "taken_bond_friction", "taken_contact_normal",
+               "taken_contact_tangential", "taken_contact_rolling", "taken_fluid", "given_walls",
+               "given_inserted", "energy_total"});
   for (const PackingSample& sample : booked.history) {
     const dem::EnergyBalance& e = sample.energy;
     table.append({{"simulated_time", sample.time},
@@ -166,18 +184,16 @@ Table energy_table(const PackingRun& booked) {
 
 namespace {
 
-const std::vector<std::string> kSpread = {"seeds", "mean", "half_width", "standard_deviation", "least", "most"};
+const std::vector<std::string> kSpread = {"seeds", "mean", "half_width", "standard_deviation",
+                                          "least", "most"};
 
 NamedRow spread_row(const Spread& s) {
-  return {{"seeds", static_cast<std::int64_t>(s.count)},
-          {"mean", s.mean},
-          {"half_width", half_width(s)},
-          {"standard_deviation", s.deviation},
-          {"least", s.least},
-          {"most", s.most}};
+  return {{"seeds", static_cast<std::int64_t>(s.count)}, {"mean", s.mean},   {"half_width", half_width(s)},
+          {"standard_deviation", s.deviation},           {"least", s.least}, {"most", s.most}};
 }
 
-const std::vector<std::string> kGroup = {"bond_damping", "rolling_friction", "stiffness", "fibers", "side", "sides", "step_factor"};
+const std::vector<std::string> kGroup = {"bond_damping", "rolling_friction", "stiffness", "fibers", "side",
+                                         "sides",        "step_factor"};
 
 NamedRow group_row(const PackingCase& c) {
   NamedRow row = asked_row(c);

@@ -31,14 +31,16 @@ double bending_at(double t, double peak, double trough, double plateau) {
   return t < 0.6 ? trough + (plateau - trough) * (t - 0.5) / 0.1 : plateau;
 }
 
-PackingRun made_up(compare::PackingCase asked, double peak, double trough, double plateau, double highest = 0.07) {
+PackingRun made_up(compare::PackingCase asked, double peak, double trough, double plateau,
+                   double highest = 0.07) {
   PackingRun run{};
   run.asked = asked, run.status = "finished";
   const double dt = 0.01;
   for (int i = 0; i <= 100; ++i) {
     const double t = i * dt;
     compare::PackingSample s{};
-    s.time = t, s.bending_angle = bending_at(t, peak, trough, plateau), s.mean_height = height_at(t, 0.04, highest);
+    s.time = t, s.bending_angle = bending_at(t, peak, trough, plateau),
+    s.mean_height = height_at(t, 0.04, highest);
     s.vertical_speed = (height_at(t + 1e-6, 0.04, highest) - height_at(t - 1e-6, 0.04, highest)) / 2e-6;
     s.solid_fraction = 0.2;
     run.history.push_back(s);
@@ -47,12 +49,13 @@ PackingRun made_up(compare::PackingCase asked, double peak, double trough, doubl
 }
 
 const compare::ValidationInput& input() {
-  static const compare::ValidationInput in{compare::read_all_published(std::string(FIBERCHAIN_SOURCE_DIR) + "/data"), 2};
+  static const compare::ValidationInput in{
+      compare::read_all_published(std::string(FIBERCHAIN_SOURCE_DIR) + "/data"), 2};
   return in;
 }
 
-/// Three seeds each of least damping, most damping, friction and half the step, one of stiff fibers; plateaus as given, 2 %
-/// apart between seeds.
+/// Three seeds each of least damping, most damping, friction and half the step, one of stiff fibers; plateaus
+/// as given, 2 % apart between seeds.
 std::vector<PackingRun> made_up_runs(double damped_plateau, double friction_plateau, double stiff_highest) {
   std::vector<PackingRun> runs;
   for (const std::uint64_t seed : {1, 2, 3}) {
@@ -80,7 +83,9 @@ compare::Verdict verdict_of(const std::vector<compare::MatrixRow>& rows, std::st
 
 BOOST_AUTO_TEST_CASE(stages_are_found_where_the_history_has_them) {
   const PackingRun run = made_up({}, 0.03, 0.007, 0.01);
-  const auto time = [&](PackingStage stage) { return run.history[find_stage(run.history, stage).value()].time; };
+  const auto time = [&](PackingStage stage) {
+    return run.history[find_stage(run.history, stage).value()].time;
+  };
   const auto fastest = std::ranges::min_element(run.history, {}, &compare::PackingSample::vertical_speed);
   BOOST_TEST(time(PackingStage::reaching) == fastest->time);
   BOOST_TEST(std::abs(time(PackingStage::densest) - 0.3) < 0.011);
@@ -123,7 +128,8 @@ BOOST_AUTO_TEST_CASE(a_spread_is_that_of_its_values) {
   BOOST_TEST(std::abs(s.deviation - 2) < 1e-12);
   BOOST_TEST(s.least == 3);
   BOOST_TEST(s.most == 7);
-  BOOST_TEST(std::abs(compare::half_width(s) - 4.302653 * 2 / std::sqrt(3.0)) < 1e-5);  // t of 2 degrees of freedom
+  BOOST_TEST(std::abs(compare::half_width(s) - 4.302653 * 2 / std::sqrt(3.0)) <
+             1e-5);  // t of 2 degrees of freedom
   const std::vector<double> single{4};
   BOOST_TEST(std::isnan(compare::half_width(compare::spread_of(single))));
   BOOST_CHECK_THROW(compare::spread_of({}), compare::InputError);
@@ -169,12 +175,13 @@ BOOST_AUTO_TEST_CASE(a_history_without_a_trough_or_a_step_that_matters_fails) {
       for (auto& s : run.history) s.bending_angle *= 1.1;
     }
   }
-  BOOST_TEST((verdict_of(compare::packing_statements(input(), coarse), "packing-half-step") == compare::Verdict::fails));
+  BOOST_TEST((verdict_of(compare::packing_statements(input(), coarse), "packing-half-step") ==
+              compare::Verdict::fails));
 }
 
 BOOST_AUTO_TEST_CASE(the_scene_file_holds_the_packing_of_fig_11) {
-  const auto scene = std::get<dem::io::PackingScene>(
-      dem::io::parse_scene(dem::io::read_scene_text(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/packing.yaml")));
+  const auto scene = std::get<dem::io::PackingScene>(dem::io::parse_scene(
+      dem::io::read_scene_text(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/packing.yaml")));
   const auto own = compare::packing_scene(compare::figure_cases({}).front());
   const dem::Fiber &a = scene.kinds.at(0).fiber, &b = own.kinds.at(0).fiber;
   BOOST_TEST(scene.kinds.size() == 1u);
@@ -195,15 +202,21 @@ BOOST_AUTO_TEST_CASE(the_scene_file_holds_the_packing_of_fig_11) {
   BOOST_TEST(std::abs(scene.filling.gap - own.filling.gap) < 1e-12);
   BOOST_TEST(scene.filling.seed == own.filling.seed);
   BOOST_TEST(scene.surroundings.walls.size() == own.surroundings.walls.size());
-  BOOST_TEST(std::abs(scene.surroundings.wall_youngs_modulus / own.surroundings.wall_youngs_modulus - 1) < 1e-12);
+  BOOST_TEST(std::abs(scene.surroundings.wall_youngs_modulus / own.surroundings.wall_youngs_modulus - 1) <
+             1e-12);
   BOOST_TEST(scene.surroundings.contacts.restitution == own.surroundings.contacts.restitution);
   BOOST_TEST(scene.surroundings.contacts.friction == own.surroundings.contacts.friction);
   BOOST_TEST(std::abs(scene.duration - own.duration) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(a_small_packing_goes_as_the_paper_says_and_keeps_its_energy) {
-  const compare::PackingCase asked{
-      .bond_damping = 0.1, .fibers = 60, .side = 0.05, .seed = 5, .duration = 0.25, .booked = true, .pictured = true};
+  const compare::PackingCase asked{.bond_damping = 0.1,
+                                   .fibers = 60,
+                                   .side = 0.05,
+                                   .seed = 5,
+                                   .duration = 0.25,
+                                   .booked = true,
+                                   .pictured = true};
   const PackingRun run = compare::run_packing(asked, {.samples = 50});
   BOOST_TEST_REQUIRE(run.status == "finished");
   BOOST_TEST(run.history.size() == 51u);
@@ -213,7 +226,8 @@ BOOST_AUTO_TEST_CASE(a_small_packing_goes_as_the_paper_says_and_keeps_its_energy
   BOOST_TEST(parts.peak_time < parts.trough_time);
   BOOST_TEST(parts.plateau < 0.7 * parts.peak);
   BOOST_TEST(parts.plateau > 0.1 * parts.peak);
-  for (const PackingStage stage : compare::kPackingStages) BOOST_TEST(find_stage(run.history, stage).has_value());
+  for (const PackingStage stage : compare::kPackingStages)
+    BOOST_TEST(find_stage(run.history, stage).has_value());
   BOOST_TEST(compare::energy_drift(run) < 0.05);  // an error of the step: of first order
   BOOST_TEST(compare::energy_drift(run) > 1e-9);
 
