@@ -41,7 +41,7 @@ std::vector<OutputFile> stage_pictures(const PackingRun& run, int threads, const
     const std::vector<double> shades = shade_of(frame, Shade::vertical_speed);
     speeds.insert(speeds.end(), shades.begin(), shades.end());
   }
-  const PictureOptions options{.range = range_of(speeds), .width = 1280, .height = 1000, .threads = threads};
+  const PictureOptions options{.range = range_of(speeds), .width = 1600, .height = 1000, .threads = threads};
   std::vector<OutputFile> files;
   for (const auto& [letter, frame] : frames) {
     files.push_back({fmt::format("fig-11-{}.png", letter), draw(frame, options, provenance).png});
