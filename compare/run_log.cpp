@@ -18,22 +18,15 @@
 namespace fiberchain::compare {
 namespace {
 
-Table empty_table() {
-  return Table({"step", "simulated_time", "contacts", "kinetic_energy", "height", "step_rate", "time_left"});
-}
-
-/// Comments and header.
-std::string head(const Provenance& provenance) { return to_csv(empty_table(), provenance); }
-
 /// The line of the header.
-std::string header_line() {
-  const std::string text = to_csv(empty_table(), {});
+std::string header_line(const Table& empty) {
+  const std::string text = to_csv(empty, {});
   return text.substr(text.rfind('\n', text.size() - 2) + 1);
 }
 
 /// The text as far as it belongs to steps up to `last_step`.
-std::string kept(const std::filesystem::path& path, const std::string& text, std::int64_t last_step) {
-  const std::string header = header_line();
+std::string kept(const std::filesystem::path& path, const std::string& text, const std::string& header,
+                 std::int64_t last_step) {
   const std::size_t at = text.find(header);
   if (at == std::string::npos) throw InputError(path.string() + ": is no log of a run");
   std::size_t end = at + header.size();
@@ -48,40 +41,36 @@ std::string kept(const std::filesystem::path& path, const std::string& text, std
 
 }  // namespace
 
-RunLog::RunLog(std::filesystem::path path) : path_(std::move(path)) {
+RunLog::RunLog(std::filesystem::path path, std::vector<std::string> columns)
+    : path_(std::move(path)), columns_(std::move(columns)) {
   file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (file_ < 0) throw OutputError(path_, std::strerror(errno));
 }
 
-RunLog::RunLog(const std::filesystem::path& path, const Provenance& provenance)
-    : RunLog((dem::io::replace_file(path, head(provenance)), path)) {}
+RunLog::RunLog(const std::filesystem::path& path, const Table& empty, const Provenance& provenance)
+    : RunLog((dem::io::replace_file(path, to_csv(empty, provenance)), path), empty.columns()) {}
 
-RunLog RunLog::resume(const std::filesystem::path& path, const Provenance& provenance,
+RunLog RunLog::resume(const std::filesystem::path& path, const Table& empty, const Provenance& provenance,
                       std::int64_t last_step) {
   std::ifstream before(path, std::ios::binary);
-  if (!before) return RunLog(path, provenance);
+  if (!before) return RunLog(path, empty, provenance);
   const std::string text{std::istreambuf_iterator<char>(before), {}};
-  dem::io::replace_file(path, kept(path, text, last_step));
-  return RunLog(path);
+  dem::io::replace_file(path, kept(path, text, header_line(empty), last_step));
+  return RunLog(path, empty.columns());
 }
 
 RunLog::RunLog(RunLog&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+    : path_(std::move(other.path_)),
+      columns_(std::move(other.columns_)),
+      file_(std::exchange(other.file_, -1)) {}
 
 RunLog::~RunLog() {
   if (file_ >= 0) ::close(file_);
 }
 
-void RunLog::append(const RunStatus& status) {
-  Table table = empty_table();
-  table.append({{"step", status.step},
-                {"simulated_time", status.time},
-                {"contacts", status.contacts},
-                {"kinetic_energy", status.kinetic_energy},
-                {"height", status.height},
-                {"step_rate", status.step_rate},
-                {"time_left", status.time_left}});
-  const std::string line = to_csv(table, {}).substr(head({}).size());
+void RunLog::append(const Table& rows) {
+  const Table same = rows.select(columns_);
+  const std::string line = to_csv(same, {}).substr(to_csv(Table(columns_), {}).size());
   errno = 0;
   const ssize_t written = ::write(file_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;

@@ -34,7 +34,8 @@ const std::vector<ValidationStep>& validation_steps() {
                                                  {"damped vibration", damping_rows},
                                                  {"rolling friction", rolling_rows},
                                                  {"stability", stability_rows},
-                                                 {"fibers in flows", flow_rows}};
+                                                 {"fibers in flows", flow_rows},
+                                                 {"packing", packing_rows}};
   return steps;
 }
 

@@ -32,6 +32,9 @@ std::vector<MatrixRow> stability_rows(const ValidationInput& input);
 /// Fibers in flows: Jeffery's orbits, the paper's statements on Fig 5, interactions, buckling, inertia.
 std::vector<MatrixRow> flow_rows(const ValidationInput& input);
 
+/// Packings: the paper's statements on Figs 11 and 12, energy, half the step.
+std::vector<MatrixRow> packing_rows(const ValidationInput& input);
+
 /// A piece of the matrix that is worked out on its own.
 struct ValidationStep {
   std::string_view feature;

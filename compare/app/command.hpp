@@ -34,6 +34,7 @@ struct Option {
   std::string type;  ///< "LIST", "DIR", ... as help shows it
   std::string help;
   OptionKind kind = OptionKind::text;
+  std::string alias = {};  ///< another name for the same
 };
 
 struct Command {

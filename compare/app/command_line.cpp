@@ -20,11 +20,12 @@ struct Registered {
 };
 
 void add_option(Registered& entry, const Option& option) {
+  const std::string names = option.alias.empty() ? option.name : option.name + "," + option.alias;
   if (option.kind == OptionKind::flag) {
-    entry.app->add_flag(option.name, entry.flags[option.name], option.help);
+    entry.app->add_flag(names, entry.flags[option.name], option.help);
     return;
   }
-  CLI::Option* added = entry.app->add_option(option.name, entry.texts[option.name], option.help);
+  CLI::Option* added = entry.app->add_option(names, entry.texts[option.name], option.help);
   added->type_name(option.type)->required(option.kind == OptionKind::required);
 }
 

@@ -16,6 +16,7 @@ Command run_command();             ///< one scene
 Command stability_command();       ///< largest stable step, theory and runs
 Command tables_damping_command();  ///< damping of the fiber by that of the bonds, Figs 6 to 9
 Command tables_friction_command();  ///< rolling friction of the bonds, Fig 10
+Command tables_packing_command();  ///< many fibers fall and pack, Figs 11 and 12
 Command tables_shear_command();    ///< fibers in flows: orbits, flexible fibers, buckling, Fig 5
 Command tables_static_command();   ///< departure of the chain from the Elastica, its causes, Figs 3 and 4
 Command validate_command();        ///< the validation matrix
@@ -30,7 +31,7 @@ struct Group {
 /// All of them, in the order of the help.
 inline std::vector<Command> all_commands() {
   return {columns_command(),        run_command(),             render_command(),       tables_static_command(),
-          tables_damping_command(), tables_friction_command(), tables_shear_command(), fit_command(),
+          tables_damping_command(), tables_friction_command(), tables_shear_command(), tables_packing_command(), fit_command(),
           calibrate_command(),      stability_command(),       bench_command(),
           validate_command()};
 }

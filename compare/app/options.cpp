@@ -27,7 +27,7 @@ std::vector<Option> with_output(std::vector<Option> options) {
   options.push_back(json_option());
   options.push_back(
       {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"});
-  options.push_back({"--jobs", "N", "threads [all cores]"});
+  options.push_back({"--jobs", "N", "threads [all cores]", OptionKind::text, "--threads"});
   return options;
 }
 

@@ -89,7 +89,7 @@ Command render_command() {
       .name = "render",
       .description = "draw a frame of a trajectory to PNG, without a display",
       .footer =
-          "Example:\n  fiberchain render results/fibers.h5 --frame last --color vertical_speed --range -0.5,0.5",
+          "Example:\n  fiberchain render packing/packing.h5 --frame last --color vertical_speed --range -0.5,0.5",
       .options = {{"FILE", "", "trajectory (H5MD), also of a run in progress", OptionKind::required},
                   {"--frame", "N", "number of the frame from 0, or last [last]"},
                   {"--color", "NAME", "vertical_speed or bending_angle [vertical_speed]"},

@@ -40,6 +40,7 @@ void deliver(const Results& results, const compare::Table& shown, const OutputOp
     for (const auto& [name, figure] : results.figures) {
       for (auto& file : figure_files(name, figure, provenance)) files.push_back(std::move(file));
     }
+    files.insert(files.end(), results.more_files.begin(), results.more_files.end());
     directory->write(files);
     for (const auto& file : files) context.log->info("wrote {}", (directory->path() / file.name).string());
   }

@@ -21,6 +21,7 @@ struct Results {
   std::string notes = {};  ///< paragraphs of Markdown that go with the table
   std::vector<std::pair<std::string, compare::Table>> more_tables = {};  ///< as NAME.csv and key of the JSON, by name
   std::vector<std::pair<std::string, compare::Figure>> figures = {};     ///< by name: NAME.svg, NAME.png
+  std::vector<compare::OutputFile> more_files = {};  ///< pictures, as they are
 };
 
 /// The directory the results will go to, made now so that a run does not end in vain; nothing if the

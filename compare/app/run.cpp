@@ -1,7 +1,9 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/run_packing.hpp"
 #include "compare/cantilever.hpp"
 #include "compare/csv.hpp"
+#include "compare/errors.hpp"
 #include "compare/flow/scene_report.hpp"
 #include "compare/release_report.hpp"
 #include "dem/errors.hpp"
@@ -65,15 +67,27 @@ Outcome outcome_of(const dem::io::FlowScene& scene, const std::string& name) {
   return {std::move(results), std::move(shown), history.record.failure};
 }
 
+/// Of a scene that is one fiber.
+Outcome outcome_of(const dem::io::Scene& scene, const std::string& name) {
+  if (const auto* cantilever = std::get_if<dem::io::CantileverScene>(&scene)) return outcome_of(*cantilever, name);
+  if (const auto* release = std::get_if<dem::io::ReleaseScene>(&scene)) return outcome_of(*release, name);
+  return outcome_of(std::get<dem::io::FlowScene>(scene), name);
+}
+
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
   const dem::io::SceneText text = dem::io::read_scene_text(path);
   const dem::io::Scene scene = dem::io::parse_scene(text);
   context.provenance = with_scene(context.provenance, path, text.text);
+  if (const auto* packing = std::get_if<dem::io::PackingScene>(&scene)) {
+    return run_packing(text, *packing, arguments, context);
+  }
+  for (const char* option : {"--resume", "--force"}) {
+    if (arguments.has(option)) throw compare::InputError(std::string(option) + ": is of use only with scene: packing");
+  }
   const auto directory = open_output(output);
-  const std::string name = path.stem().string();
-  const Outcome outcome = std::visit([&](const auto& kind) { return outcome_of(kind, name); }, scene);
+  const Outcome outcome = outcome_of(scene, path.stem().string());
   deliver(outcome.results, outcome.shown, output, directory, context);
   if (!outcome.failure.empty()) throw dem::Diverged(outcome.failure);
   return kSuccess;
@@ -84,8 +98,15 @@ int run(const Arguments& arguments, Context& context) {
 Command run_command() {
   return {.name = "run",
           .description = "run one scene",
-          .footer = "Example:\n  fiberchain run data/scenes/cantilever.yaml --out results",
-          .options = with_output({{"SCENE", "", "scene file (YAML)", OptionKind::required}}),
+          .footer =
+              "Example:\n  fiberchain run data/scenes/cantilever.yaml --out results\n"
+              "  fiberchain run data/scenes/packing.yaml --out packing\n"
+              "Packings write as they go. SIGINT (Ctrl-C) and SIGTERM stop them at a checkpoint, with status 130 and\n"
+              "143; --resume goes on from there, as after a crash, and ends in the same state.",
+          .options = with_output(
+              {{"SCENE", "", "scene file (YAML)", OptionKind::required},
+               {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
+               {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag}}),
           .run = &run};
 }
 

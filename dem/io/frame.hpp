@@ -24,6 +24,10 @@ struct Frame {
   std::vector<double> radius;                      ///< [m]
   std::vector<std::int32_t> fiber;                 ///< number of the fiber
   std::vector<FrameBond> bonds;
+  std::int64_t absent = 0;  ///< spheres at the end that are not there yet: they stand anywhere, at rest
 };
+
+/// The frame without the spheres that are not there, and their bonds.
+Frame present_part(Frame frame);
 
 }  // namespace fiberchain::dem::io

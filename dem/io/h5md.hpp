@@ -12,7 +12,8 @@
 //
 //   /h5md                                    version, author, creator
 //   /particles/fibers/{position,velocity}    step, time, value[frame][sphere][3] in m and m/s
-//   /particles/fibers/{radius,fiber,id}      fixed: [m], number of the fiber, number of the sphere
+//   /particles/fibers/{radius,fiber,id}      fixed: [m], number of the fiber, number of the sphere; where
+//                                            fibers come later id is in time, -1 for those not there yet
 //   /particles/fibers/box/{edges,origin}     in time; origin is the low corner, which H5MD does not know
 //   /connectivity/bonds                      fixed: pairs of spheres
 //   /observables/fibers/{bond_force,bending_angle}   in time, a row a bond: on its first sphere [N]; [rad]
@@ -32,6 +33,7 @@ struct TrajectoryHeader {
   std::string author;           ///< H5MD asks for one
   std::string creator_version;  ///< of the program
   Entries provenance;           ///< attributes, by name
+  bool growing = false;         ///< frames have absent spheres, which come later
 };
 
 /// Appends frames to a file, whole or not at all: each frame opens the file, brings it to the disk in one
@@ -78,7 +80,7 @@ class TrajectoryReader {
   /// Provenance of the run that began the file.
   const Entries& provenance() const { return provenance_; }
 
-  /// Frame `n`, from 0.
+  /// Frame `n`, from 0: the spheres that are there.
   /// @throws ReadError if there is none such or it cannot be read
   Frame read(std::int64_t n) const;
 

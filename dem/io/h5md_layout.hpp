@@ -20,6 +20,7 @@ inline constexpr const char* kEdges = "particles/fibers/box/edges";
 inline constexpr const char* kOrigin = "particles/fibers/box/origin";
 inline constexpr const char* kBondForce = "observables/fibers/bond_force";
 inline constexpr const char* kBendingAngle = "observables/fibers/bending_angle";
+inline constexpr const char* kId = "particles/fibers/id";
 inline constexpr const char* kBonds = "connectivity/bonds";
 inline constexpr std::array kElements = {kPosition, kVelocity, kEdges, kOrigin, kBondForce, kBendingAngle};
 
@@ -34,6 +35,9 @@ inline std::vector<std::string> scalar_names(hid_t file) {
   std::erase(names, "fibers");
   return names;
 }
+
+/// Whether the numbers of the spheres are in time.
+inline bool has_growing_id(hid_t file) { return hdf5::has(file, value_of(kId)); }
 
 enum class Access { create, change, read };
 

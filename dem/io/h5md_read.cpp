@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "dem/io/file_error.hpp"
 #include "dem/io/h5md_layout.hpp"
 
@@ -88,6 +91,18 @@ void read_bonds(hid_t file, std::int64_t n, Frame& frame) {
 
 }  // namespace
 
+Frame present_part(Frame frame) {
+  if (frame.absent == 0) return frame;
+  const std::size_t present = frame.position.size() - static_cast<std::size_t>(frame.absent);
+  frame.position.resize(present);
+  frame.velocity.resize(present);
+  frame.radius.resize(present);
+  frame.fiber.resize(present);
+  std::erase_if(frame.bonds, [&](const FrameBond& bond) { return bond.first >= static_cast<std::int64_t>(present); });
+  frame.absent = 0;
+  return frame;
+}
+
 TrajectoryReader::TrajectoryReader(std::filesystem::path path) : path_(std::move(path)) {
   with_file(path_, [&](hid_t file) {
     steps_ = whole<std::int64_t>(file, "particles/fibers/position/step", H5T_NATIVE_INT64, 1);
@@ -114,7 +129,8 @@ Frame TrajectoryReader::read(std::int64_t n) const {
     frame.high = frame.low + vectors(entry(file, kEdges, n, {3})).front();
     read_boundary(file, frame);
     read_bonds(file, n, frame);
-    return frame;
+    if (has_growing_id(file)) frame.absent = std::ranges::count(entry(file, kId, n, {spheres}), -1.0);
+    return present_part(std::move(frame));
   });
 }
 

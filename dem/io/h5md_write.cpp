@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <ranges>
 
 #include "dem/errors.hpp"
@@ -77,15 +78,21 @@ void write_box(hid_t group, const Frame& frame) {
   hdf5::set_attribute(box, "boundary", boundary);
 }
 
+/// Numbers of the spheres; -1 for those that are not there.
+std::vector<std::int32_t> ids(const Frame& frame) {
+  std::vector<std::int32_t> id(frame.position.size());
+  std::iota(id.begin(), id.end(), 0);
+  std::fill(id.end() - frame.absent, id.end(), -1);
+  return id;
+}
+
 /// What does not change: radius, number of the fiber, number of the sphere, bonds.
-void write_fixed(hid_t file, hid_t group, const Frame& frame) {
+void write_fixed(hid_t file, hid_t group, const Frame& frame, bool growing) {
   const hsize_t spheres = frame.position.size();
-  std::vector<std::int32_t> id(spheres);
-  for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
   const hdf5::Stored integer{H5T_NATIVE_INT32, H5T_STD_I32LE};
   hdf5::write_array(group, "radius", kDouble, {spheres}, frame.radius.data(), true);
   hdf5::write_array(group, "fiber", integer, {spheres}, frame.fiber.data(), true);
-  hdf5::write_array(group, "id", integer, {spheres}, id.data(), true);
+  if (!growing) hdf5::write_array(group, "id", integer, {spheres}, ids(frame).data(), true);
   std::vector<std::int64_t> pairs;
   for (const FrameBond& bond : frame.bonds) {
     pairs.push_back(bond.first);
@@ -118,15 +125,17 @@ void write_layout(hid_t file, const TrajectoryHeader& header, const Frame& frame
   make_element(file, kOrigin, H5T_IEEE_F64LE, {3}, "", false);
   make_element(file, kBondForce, H5T_IEEE_F32LE, {bonds, 3}, "N", true);
   make_element(file, kBendingAngle, H5T_IEEE_F32LE, {bonds}, "rad", true);
+  if (header.growing) make_element(file, kId, H5T_STD_I32LE, {spheres}, "", true);
   for (const auto& [name, value] : scalars)
     make_element(file, "observables/" + name, H5T_IEEE_F64LE, {}, "", false);
-  write_fixed(file, fibers, frame);
+  write_fixed(file, fibers, frame, header.growing);
 }
 
 /// Every series of the file, once.
 std::vector<std::string> all_series(hid_t file) {
   std::vector<std::string> all = {std::string(kPosition) + "/step", std::string(kPosition) + "/time"};
   for (const char* element : kElements) all.push_back(value_of(element));
+  if (has_growing_id(file)) all.push_back(value_of(kId));
   for (const std::string& name : scalar_names(file)) all.push_back(value_of("observables/" + name));
   return all;
 }
@@ -184,6 +193,7 @@ void write_frame(hid_t file, hsize_t n, const Frame& frame, const Scalars& scala
     put(value_of(kBondForce), H5T_NATIVE_DOUBLE, force.data());
     put(value_of(kBendingAngle), H5T_NATIVE_DOUBLE, angle.data());
   }
+  if (has_growing_id(file)) put(value_of(kId), H5T_NATIVE_INT32, ids(frame).data());
   for (const auto& [name, value] : scalars) put(value_of("observables/" + name), H5T_NATIVE_DOUBLE, &value);
 }
 
@@ -195,6 +205,8 @@ void check_frame(const Frame& frame) {
   if (spheres == 0) throw InvalidInput("a frame without spheres");
   if (frame.velocity.size() != spheres || frame.radius.size() != spheres || frame.fiber.size() != spheres)
     throw InvalidInput("a frame's positions, velocities, radii and fibers differ in number");
+  if (frame.absent < 0 || frame.absent > static_cast<std::int64_t>(spheres))
+    throw InvalidInput("a frame lacks more spheres than it has");
   if (std::ranges::any_of(frame.bonds, outside)) throw InvalidInput("a frame's bond has no such spheres");
 }
 
@@ -224,6 +236,7 @@ TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, Trajectory
 
 void TrajectoryWriter::append(const Frame& frame, const Scalars& scalars) {
   check_frame(frame);
+  if (frame.absent > 0 && !header_.growing) throw InvalidInput("a frame lacks spheres in a file that does not grow");
   if (!times_.empty() && frame.step <= last_step_)
     throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, last_step_));
   const bool first = times_.empty();

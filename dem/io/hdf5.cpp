@@ -33,7 +33,12 @@ Handle space_of(const std::vector<hsize_t>& size, const hsize_t* largest = nullp
           "make a dataspace"};
 }
 
-Handle creation() { return {H5Pcreate(H5P_DATASET_CREATE), &H5Pclose, "make a property list"}; }
+/// Without the times of changes, so that the same content gives the same bytes.
+Handle creation() {
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), &H5Pclose, "make a property list");
+  check(H5Pset_obj_track_times(properties, false), "leave out times");
+  return properties;
+}
 
 /// Bytes in the same place of successive numbers stand together: exponents compress, the last digits hardly.
 void compress(hid_t creation) {

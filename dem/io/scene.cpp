@@ -61,15 +61,15 @@ CantileverScene read_cantilever(const Section& top) {
 
 }  // namespace
 
-SceneText read_scene_text(const std::filesystem::path& path) {
+SceneText read_scene_text(const std::filesystem::path& path, std::size_t largest) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  std::string text(kLargestScene + 1, '\0');
+  std::string text(largest + 1, '\0');
   const std::size_t size = file ? std::fread(text.data(), 1, text.size(), file.get()) : 0;
   if (!file || std::ferror(file.get())) {
     throw SceneError(fmt::format("{}: cannot read this scene: {}", path.string(), std::strerror(errno)));
   }
-  if (size > kLargestScene) {
-    throw SceneError(fmt::format("{}: is no scene: more than {} bytes", path.string(), kLargestScene));
+  if (size > largest) {
+    throw SceneError(fmt::format("{}: is no scene: more than {} bytes", path.string(), largest));
   }
   text.resize(size);
   return {path.string(), std::move(text)};
@@ -77,10 +77,11 @@ SceneText read_scene_text(const std::filesystem::path& path) {
 
 Scene parse_scene(const SceneText& scene) {
   const Section top(scene.text, scene.name);
-  switch (top.choice("scene", {"cantilever", "release", "flow"})) {
+  switch (top.choice("scene", {"cantilever", "release", "flow", "packing"})) {
     case 0: return read_cantilever(top);
     case 1: return read_release(top);
-    default: return read_flow(top);
+    case 2: return read_flow(top);
+    default: return read_packing(top);
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -9,7 +8,9 @@
 #include "dem/equilibrium/march.hpp"
 #include "dem/fiber.hpp"
 #include "dem/flow/follow.hpp"
+#include "dem/io/packing_scene.hpp"
 #include "dem/io/scene_error.hpp"
+#include "dem/io/scene_text.hpp"
 #include "dem/vibration/release.hpp"
 
 /// Scenes as values, and their reader: YAML, quantities with units, nothing guessed.
@@ -71,22 +72,9 @@ struct FlowScene {
   FlowOptions motion = {};
 };
 
-using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene>;
+using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, PackingScene>;
 
-/// A scene file as read: what the messages call it, and its text.
-struct SceneText {
-  std::string name;
-  std::string text;
-};
-
-/// Largest scene file [bytes]. Long data belong in files the scene names.
-inline constexpr std::size_t kLargestScene = 256 * 1024;
-
-/// Reads the file.
-/// @throws SceneError if there is none, it is a directory, it cannot be read, or it is too large
-SceneText read_scene_text(const std::filesystem::path& path);
-
-/// The scene in a text.
+/// The scene in a text. Files that it names are looked for from the directory of its own.
 /// @throws SceneError naming file, line, key, value and what is allowed
 Scene parse_scene(const SceneText& scene);
 

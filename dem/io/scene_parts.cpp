@@ -16,9 +16,9 @@ std::array<double, 3> read_direction(const Section& section, const char* key, Di
   return direction;
 }
 
-Fiber read_fiber(const Section& top) {
-  const Section section = top.section(
-      "fiber", {"diameter", "aspect_ratio", "youngs_modulus", "poisson_ratio", "shear_modulus", "density"});
+Fiber read_fiber(const Section& top) { return read_fiber_keys(top.section("fiber", kFiberKeys)); }
+
+Fiber read_fiber_keys(const Section& section) {
   Fiber fiber{};
   fiber.diameter = section.quantity("diameter", "m", kPositive);
   fiber.aspect_ratio = section.integer("aspect_ratio", {.low = 1, .high = 1e6});
@@ -33,15 +33,15 @@ Fiber read_fiber(const Section& top) {
   return fiber;
 }
 
-void check_fiber(const Section& top, const Fiber& fiber) {
+void check_fiber(const Section& section, const Fiber& fiber, const char* key) {
   try {
     check(fiber);
   } catch (const InvalidInput& error) {
-    top.fail("fiber", error.what());
+    section.fail(key, error.what());
   }
   if (!std::isnormal(sphere_inertia(fiber)) || !std::isnormal(bending_stiffness(fiber)) ||
       !std::isnormal(load_force(fiber, 1.0))) {
-    top.fail("fiber", "is too small or too large for the numbers of a computer");
+    section.fail(key, "is too small or too large for the numbers of a computer");
   }
 }
 

@@ -69,6 +69,9 @@ Section::Section(const Section& parent, const std::string& key)
       name_(parent.name_),
       units_(parent.units_) {}
 
+Section::Section(const Section& parent, const YAML::Node& node, const std::string& path)
+    : node_(node), mark_(node.Mark()), path_(path), name_(parent.name_), units_(parent.units_) {}
+
 void Section::allow(const std::vector<std::string>& keys) const {
   std::set<std::string> seen;
   for (const auto& entry : node_) {
@@ -89,14 +92,45 @@ Section Section::section(const std::string& key, const std::vector<std::string>&
   return found;
 }
 
-double Section::quantity(const std::string& key, std::string_view unit, const Interval& allowed) const {
-  const std::string typed = text(key);
-  double number = 0;
+std::vector<Section> Section::sections(const std::string& key, const std::vector<std::string>& keys) const {
+  const YAML::Node list = value(key);
+  const std::string what = fmt::format("must be a list of mappings with keys of {}", fmt::join(keys, ", "));
+  if (!list.IsSequence() || list.size() == 0) fail(key, what);
+  std::vector<Section> found;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Section one(*this, list[i], fmt::format("{}{}[{}].", path_, key, i));
+    if (!one.node_.IsMap()) one.fail("", what);
+    one.allow(keys);
+    found.push_back(one);
+  }
+  return found;
+}
+
+double Section::to_si(const std::string& key, const std::string& typed, std::string_view unit) const {
   try {
-    number = units_->to_si(typed, unit);
+    return units_->to_si(typed, unit);
   } catch (const UnitError& error) {
     fail(key, fmt::format("'{}' {}", printable(typed), error.what()));
   }
+}
+
+std::vector<double> Section::quantities(const std::string& key, std::string_view unit, std::size_t count) const {
+  const YAML::Node list = value(key);
+  const std::string what =
+      fmt::format("must be a list of {} finite numbers{}", count, unit == "1" ? "" : fmt::format(" in {}", unit));
+  if (!list.IsSequence() || list.size() != count) fail(key, what);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!list[i].IsScalar()) fail(key, what);
+    numbers.push_back(to_si(key, list[i].Scalar(), unit));
+    if (!std::isfinite(numbers.back())) fail(key, what);
+  }
+  return numbers;
+}
+
+double Section::quantity(const std::string& key, std::string_view unit, const Interval& allowed) const {
+  const std::string typed = text(key);
+  const double number = to_si(key, typed, unit);
   if (!allowed.holds(number)) {
     fail(key, fmt::format("'{}' is out of range; allowed: a number {}{}", printable(typed), describe(allowed),
                           unit == "1" ? "" : fmt::format(", in {}", unit)));

@@ -28,16 +28,28 @@ class Section {
   /// The mapping under this key, only `keys` allowed in it.
   Section section(const std::string& key, const std::vector<std::string>& keys) const;
 
+  /// The mappings of the sequence under this key, at least one, only `keys` allowed in each.
+  std::vector<Section> sections(const std::string& key, const std::vector<std::string>& keys) const;
+
   /// A number, alone or with a unit, in the SI unit `unit`.
   double quantity(const std::string& key, std::string_view unit, const Interval& allowed) const;
 
   /// A number without dimension.
   double number(const std::string& key, const Interval& allowed) const { return quantity(key, "1", allowed); }
 
+  /// So many finite numbers, each alone or with a unit.
+  std::vector<double> quantities(const std::string& key, std::string_view unit, std::size_t count) const;
+
   int integer(const std::string& key, const Interval& allowed) const;
 
   /// One of the words; its place among them.
   std::size_t choice(const std::string& key, const std::vector<std::string>& words) const;
+
+  /// A text that is not empty.
+  std::string word(const std::string& key) const { return text(key); }
+
+  /// true or false.
+  bool flag(const std::string& key) const { return choice(key, {"false", "true"}) == 1; }
 
   /// Three finite numbers.
   std::array<double, 3> vector(const std::string& key) const;
@@ -48,11 +60,16 @@ class Section {
   /// Exactly one of these keys must be there; its name.
   std::string one_of(const std::vector<std::string>& keys) const;
 
+  /// What messages call the file.
+  const std::string& file() const { return name_; }
+
   /// A SceneError about a key of this section ("" for the section itself).
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
 
  private:
   Section(const Section& parent, const std::string& key);
+  Section(const Section& parent, const YAML::Node& node, const std::string& path);
+  double to_si(const std::string& key, const std::string& typed, std::string_view unit) const;
   std::string text(const std::string& key) const;
   YAML::Node value(const std::string& key) const;
   YAML::Mark mark_of(const std::string& key) const;  ///< of the key; of the section if it has none such

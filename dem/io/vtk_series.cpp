@@ -42,8 +42,9 @@ void VtkSeries::append(const Frame& frame) {
   std::error_code error;
   std::filesystem::create_directories(place, error);
   if (error) throw WriteError(place, error.message());
-  replace_file(place / file_name("spheres", frame.step), vtp_spheres(frame, provenance_));
-  replace_file(place / file_name("lines", frame.step), vtp_lines(frame, provenance_));
+  const Frame present = present_part(frame);
+  replace_file(place / file_name("spheres", frame.step), vtp_spheres(present, provenance_));
+  replace_file(place / file_name("lines", frame.step), vtp_lines(present, provenance_));
   entries_.push_back({frame.step, frame.time});
   try {
     write_series();

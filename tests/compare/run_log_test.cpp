@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "compare/csv.hpp"
+#include "compare/run_status.hpp"
 #include "compare/errors.hpp"
 #include "tests/dem/io/files.hpp"
 
@@ -19,6 +20,23 @@ RunStatus status(std::int64_t step) {
   return {
       step,  4e-6 * static_cast<double>(step),        3 * step, 1.5e-4 / static_cast<double>(step), 0.0625,
       812.5, std::numeric_limits<double>::quiet_NaN()};
+}
+
+Table empty_table() {
+  return Table({"step", "simulated_time", "contacts", "kinetic_energy", "height", "step_rate", "time_left"});
+}
+
+Table row(std::int64_t step) {
+  const RunStatus now = status(step);
+  Table table = empty_table();
+  table.append({{"step", now.step},
+                {"simulated_time", now.time},
+                {"contacts", now.contacts},
+                {"kinetic_energy", now.kinetic_energy},
+                {"height", now.height},
+                {"step_rate", now.step_rate},
+                {"time_left", now.time_left}});
+  return table;
 }
 
 std::vector<std::int64_t> steps(const std::filesystem::path& path) {
@@ -43,10 +61,10 @@ const Provenance kProvenance{.version = "1",
 BOOST_AUTO_TEST_CASE(every_line_is_there_at_once) {
   const Scratch scratch;
   const auto path = scratch.path / "log.csv";
-  RunLog log(path, kProvenance);
+  RunLog log(path, empty_table(), kProvenance);
   BOOST_TEST(steps(path).empty());
   for (const std::int64_t step : {7, 11, 30}) {
-    log.append(status(step));
+    log.append(row(step));
     const CsvDocument document = read_csv(path);
     const std::size_t last = document.table.rows().size() - 1;
     BOOST_TEST(steps(path).back() == step);
@@ -64,38 +82,38 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_is_later_and_what_was_cut_off) {
   const Scratch scratch;
   const auto path = scratch.path / "log.csv";
   {
-    RunLog log(path, kProvenance);
-    for (const std::int64_t step : {7, 11, 30}) log.append(status(step));
+    RunLog log(path, empty_table(), kProvenance);
+    for (const std::int64_t step : {7, 11, 30}) log.append(row(step));
   }
   std::ofstream(path, std::ios::app) << "40,0.00";
   {
-    RunLog log = RunLog::resume(path, kProvenance, 100);
-    log.append(status(50));
+    RunLog log = RunLog::resume(path, empty_table(), kProvenance, 100);
+    log.append(row(50));
   }
   BOOST_TEST(steps(path) == (std::vector<std::int64_t>{7, 11, 30, 50}), boost::test_tools::per_element());
-  RunLog log = RunLog::resume(path, kProvenance, 29);
-  log.append(status(31));
+  RunLog log = RunLog::resume(path, empty_table(), kProvenance, 29);
+  log.append(row(31));
   BOOST_TEST(steps(path) == (std::vector<std::int64_t>{7, 11, 31}), boost::test_tools::per_element());
-  RunLog fresh = RunLog::resume(scratch.path / "other.csv", kProvenance, 100);
-  fresh.append(status(8));
+  RunLog fresh = RunLog::resume(scratch.path / "other.csv", empty_table(), kProvenance, 100);
+  fresh.append(row(8));
   BOOST_TEST(steps(scratch.path / "other.csv") == (std::vector<std::int64_t>{8}),
              boost::test_tools::per_element());
   std::ofstream(scratch.path / "foreign.csv") << "a,b\n1,2\n";
-  BOOST_CHECK_THROW(RunLog::resume(scratch.path / "foreign.csv", kProvenance, 1), InputError);
+  BOOST_CHECK_THROW(RunLog::resume(scratch.path / "foreign.csv", empty_table(), kProvenance, 1), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_whole_lines) {
   const Scratch scratch;
   const auto path = scratch.path / "log.csv";
-  RunLog log(path, kProvenance);
-  log.append(status(7));
+  RunLog log(path, empty_table(), kProvenance);
+  log.append(row(7));
   const std::string before = content(path);
   {
     const SizeLimit full(before.size() + 10);
-    BOOST_CHECK_THROW(log.append(status(8)), OutputError);
+    BOOST_CHECK_THROW(log.append(row(8)), OutputError);
   }
   BOOST_TEST(content(path) == before);
-  log.append(status(9));
+  log.append(row(9));
   BOOST_TEST(steps(path).back() == 9);
 }
 

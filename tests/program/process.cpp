@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -56,16 +57,32 @@ fs::path Scratch::file(const std::string& name, const std::string& content) cons
   return path / name;
 }
 
-Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
-  const Scratch streams;
-  const fs::path out = circumstances.standard_output.value_or(streams.path / "out");
-  const fs::path error = streams.path / "error";
-  const pid_t child = ::fork();
-  if (child == 0) become_program(arguments, circumstances, out, error);
+Started::Started(const std::vector<std::string>& arguments, const Circumstances& circumstances)
+    : out_(circumstances.standard_output.value_or(streams_.path / "out")),
+      error_(streams_.path / "error"),
+      kept_(!circumstances.standard_output),
+      child_(::fork()) {
+  if (child_ == 0) become_program(arguments, circumstances, out_, error_);
+}
+
+Started::~Started() {
+  if (child_ <= 0) return;
+  ::kill(child_, SIGKILL);
+  ::waitpid(child_, nullptr, 0);
+}
+
+void Started::send(int signal) const { ::kill(child_, signal); }
+
+Outcome Started::finish() {
   int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child) throw std::runtime_error("the program was lost");
+  if (child_ < 0 || ::waitpid(child_, &status, 0) != child_) throw std::runtime_error("the program was lost");
+  child_ = -1;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, circumstances.standard_output ? "" : content(out), content(error)};
+  return {code, kept_ ? content(out_) : "", content(error_)};
+}
+
+Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
+  return Started(arguments, circumstances).finish();
 }
 
 std::string content(const fs::path& path) {

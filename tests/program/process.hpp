@@ -38,6 +38,24 @@ struct Outcome {
 /// Runs the program with these arguments.
 Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
 
+/// The program at work, to be stopped.
+class Started {
+ public:
+  explicit Started(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+  Started(const Started&) = delete;
+  Started& operator=(const Started&) = delete;
+  ~Started();  ///< kills it if it is still at work
+
+  void send(int signal) const;
+  Outcome finish();  ///< waits for its end
+
+ private:
+  Scratch streams_;
+  std::filesystem::path out_, error_;
+  bool kept_;  ///< standard output is kept
+  int child_;
+};
+
 /// The whole content of a file; "" if there is none.
 std::string content(const std::filesystem::path& path);
 

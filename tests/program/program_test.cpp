@@ -22,7 +22,7 @@ using Command = std::vector<std::string>;
 const Command kCommands[] = {{},         {"columns"},          {"run"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
                              {"tables", "friction"},           {"tables", "shear"},
-                             {"fit"},
+                             {"tables", "packing"},            {"fit"},
                              {"calibrate"},                    {"stability"},
                              {"bench"},                        {"validate"}};
 
@@ -41,6 +41,8 @@ const Command kJsonCommands[] = {
     {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"tables", "shear", "--spheres", "2,7", "--interacting", "5", "--stresslets", "3"},
     {"tables", "shear", "--part", "stiffness,buckling"},
+    {"tables", "packing", "--fibers", "500", "--seeds", "0", "--bond-damping", "0.1", "--friction",
+     "1", "--stiffness", "2", "--duration", "0.005", "--samples", "20"},
     {"run", kScenes + "flow-shear.yaml"},
     {"run", kScenes + "flow-flexible.yaml"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},

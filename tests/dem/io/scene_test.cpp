@@ -62,7 +62,7 @@ const Fault kFaults[] = {
     {"method: march", "method: march\nmethod: march", "test.yaml:13: key 'method' comes twice"},
     {"  density: 1.2 g/cm^3\n", "", "test.yaml:4: fiber: key 'density' is missing"},
     {"scene: cantilever\n", "", "test.yaml:2: key 'scene' is missing"},
-    {"cantilever", "packing", "test.yaml:2: scene: 'packing' is not allowed; allowed: cantilever"},
+    {"cantilever", "pudding", "test.yaml:2: scene: 'pudding' is not allowed; allowed: cantilever"},
     {"3 mm", "3 kg", "test.yaml:5: fiber.diameter: '3 kg' has a unit of another dimension; allowed: m"},
     {"3 mm", "-3 mm",
      "test.yaml:5: fiber.diameter: '-3 mm' is out of range; allowed: a number above 0, in m"},

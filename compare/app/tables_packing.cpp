@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/packing/study.hpp"
+#include "compare/packing/study_pictures.hpp"
+#include "compare/packing/study_rows.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+using compare::PackingCase;
+using compare::PackingRun;
+
+compare::PackingPlan plan_of(const Arguments& arguments) {
+  compare::PackingPlan plan;
+  read_number(arguments, "--fibers", {.low = 0, .high = 100000}, plan.fibers);
+  read_number(arguments, "--seeds", {.low = 0, .high = 100}, plan.seeds);
+  read_number(arguments, "--seed-fibers", {.low = 500, .high = 100000}, plan.spread_fibers);
+  read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.duration);
+  read_list(arguments, "--bond-damping", {.low = 0}, plan.bond_dampings);
+  read_list(arguments, "--friction", {.low = 0, .low_open = true}, plan.rolling_frictions);
+  read_list(arguments, "--stiffness", {.low = 1, .low_open = true}, plan.stiffnesses);
+  read_number(arguments, "--samples", {.low = 20, .high = 10000}, plan.samples);
+  return plan;
+}
+
+/// All runs together, so that no thread waits while any is left.
+struct Runs {
+  std::vector<PackingRun> figures, spread;
+};
+
+Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context) {
+  std::vector<PackingCase> cases = compare::figure_cases(plan);
+  const auto figures = static_cast<std::ptrdiff_t>(cases.size());
+  std::ranges::copy(compare::spread_cases(plan), std::back_inserter(cases));
+  const compare::PackingWatch watch{.samples = plan.samples};
+  const auto progress = context.progress(cases.size() * static_cast<std::size_t>(watch.samples + 1));
+  std::vector<PackingRun> all = compare::run_packings(cases, watch, jobs, [&] { progress->advance(); });
+  Runs runs;
+  std::ranges::move(all.begin(), all.begin() + figures, std::back_inserter(runs.figures));
+  std::ranges::move(all.begin() + figures, all.end(), std::back_inserter(runs.spread));
+  return runs;
+}
+
+/// What the paper says, judged by the runs of several seeds and the energy of the one that is booked.
+compare::Table statements_of(const Runs& runs, const Arguments& arguments) {
+  std::optional<std::filesystem::path> data;
+  if (arguments.has("--data")) data = arguments.text("--data");
+  std::vector<PackingRun> judged = runs.spread;
+  std::ranges::copy_if(runs.figures, std::back_inserter(judged),
+                       [](const PackingRun& run) { return run.asked.booked; });
+  return to_table(compare::packing_statements(
+      {compare::read_all_published(compare::find_data_directory(data)), 1}, judged));
+}
+
+Results results_of(const Runs& runs) {
+  std::vector<PackingRun> all = runs.figures;
+  std::ranges::copy(runs.spread, std::back_inserter(all));
+  Results results{.name = "packing",
+                  .heading = "Packings of flexible fibers, Figs 11 and 12",
+                  .table = compare::run_table(all),
+                  .notes = compare::packing_notes(runs.figures, runs.spread)};
+  const auto add = [&](const char* name, compare::Table table) {
+    if (!table.rows().empty()) results.more_tables.emplace_back(name, std::move(table));
+  };
+  add("packing-stages", compare::stage_table(all));
+  add("packing-spread", compare::spread_table(runs.spread));
+  add("packing-differences", compare::comparison_table(runs.spread));
+  add("packing-history", compare::history_table(all));
+  add("packing-density", compare::density_table(runs.figures));
+  add("packing-orientation", compare::orientation_table(runs.figures));
+  for (const PackingRun& run : runs.figures) {
+    if (run.asked.booked) add("packing-energy", compare::energy_table(run));
+  }
+  results.figures = compare::packing_figures(runs.figures, runs.spread);
+  return results;
+}
+
+int status_of(const Runs& runs, const Context& context) {
+  int failed = 0;
+  for (const auto* part : {&runs.figures, &runs.spread}) {
+    for (const PackingRun& run : *part) failed += run.status != "finished";
+  }
+  if (failed == 0) return kSuccess;
+  context.log->error("error: {} packings did not finish, see column status", failed);
+  return kRunFailed;
+}
+
+int run(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const compare::PackingPlan plan = plan_of(arguments);
+  const auto directory = open_output(output);
+  Runs runs = runs_of(plan, output.jobs, context);
+  std::vector<compare::OutputFile> pictures;
+  for (PackingRun& packing : runs.figures) {
+    if (directory && !packing.pictures.empty()) {
+      pictures = compare::stage_pictures(packing, output.jobs, context.provenance);
+    }
+    packing.pictures.clear();  // many, and runs are copied below
+  }
+  Results results = results_of(runs);
+  results.more_files = std::move(pictures);
+  if (!runs.spread.empty())
+    results.more_tables.emplace_back("packing-statements", statements_of(runs, arguments));
+  const compare::Table shown = results.table.select(
+      {"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
+       "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});
+  deliver(results, shown, output, directory, context);
+  return status_of(runs, context);
+}
+
+}  // namespace
+
+Command tables_packing_command() {
+  return {
+      .name = "tables packing",
+      .description =
+          "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
+      .footer =
+          std::string("The packings of one seed are run with --fibers, those of several seeds with "
+                      "--seed-fibers on a\n"
+                      "smaller floor with periodic sides, as deep.\n"
+                      "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --bond-damping 0.1,1\n") +
+          kListHelp,
+      .options =
+          with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
+                       {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
+                       {"--seed-fibers", "N", "of each packing of these [500]"},
+                       {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
+                       {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
+                       {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
+                       {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
+                       {"--duration", "SECONDS", "simulated [0.6]"},
+                       {"--samples", "N", "intervals of the histories [140]"}}),
+      .run = &run};
+}
+
+}  // namespace fiberchain::app

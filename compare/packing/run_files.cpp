@@ -1,0 +1,92 @@
+#include "compare/packing/run_files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "compare/errors.hpp"
+#include "dem/io/overlay_file.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All that a run may leave.
+std::vector<fs::path> all_files(const RunFiles& files) {
+  const fs::path trajectory = files.trajectory(), checkpoint = files.checkpoint();
+  return {checkpoint,    dem::io::previous_checkpoint(checkpoint), files.at(".checkpoint.bad"),
+          trajectory,    dem::io::journal_of(trajectory),          files.at(".xmf"),
+          files.log(),   files.at(".pvd"),                         files.at("-lines.pvd"),
+          files.at(""),  files.at(".csv"),                         files.at(".md"),
+          files.at("-bending.svg"), files.at("-bending.png"),      files.at("-energy.svg"),
+          files.at("-energy.png")};
+}
+
+dem::io::Checkpoint checkpoint_of(const fs::path& path, const std::string& scene_sha256) {
+  return dem::io::read_checkpoint(path, scene_sha256);
+}
+
+/// One that this program can go on from.
+dem::io::Checkpoint ours(dem::io::Checkpoint checkpoint, const fs::path& path, const std::string& program) {
+  if (checkpoint.program == program) return checkpoint;
+  throw InputError(fmt::format("{}: was written by another program ({}; this is {}), which need not end in the same bits",
+                               path.string(), checkpoint.program, program));
+}
+
+}  // namespace
+
+std::vector<fs::path> files_there(const RunFiles& files) {
+  std::vector<fs::path> there;
+  for (const fs::path& path : all_files(files)) {
+    if (fs::exists(path)) there.push_back(path);
+  }
+  return there;
+}
+
+void remove_files(const RunFiles& files) {
+  for (const fs::path& path : files_there(files)) {
+    std::error_code error;
+    fs::remove_all(path, error);
+    if (error) throw OutputError(path, error.message());
+  }
+}
+
+std::optional<dem::io::Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
+                                                   const std::string& program, const Say& say) {
+  const fs::path last = files.checkpoint(), previous = dem::io::previous_checkpoint(last);
+  if (!fs::exists(last) && !fs::exists(previous)) return std::nullopt;
+  std::string reason;
+  try {
+    return ours(checkpoint_of(last, scene_sha256), last, program);
+  } catch (const dem::io::ReadError& error) {
+    reason = error.what();
+  }
+  try {
+    dem::io::Checkpoint before = ours(checkpoint_of(previous, scene_sha256), previous, program);
+    say(fmt::format("{}; going on from the one before, of step {}", reason, before.step));
+    std::error_code ignored;  // absent: nothing to put aside
+    fs::rename(last, files.at(".checkpoint.bad"), ignored);
+    return before;
+  } catch (const dem::io::ReadError& error) {
+    throw InputError(fmt::format("no checkpoint to go on from: {}; {}", reason, error.what()));
+  }
+}
+
+DirectoryLock::DirectoryLock(const fs::path& directory)
+    : directory_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (directory_ >= 0 && ::flock(directory_, LOCK_EX | LOCK_NB) == 0) return;
+  const int reason = errno;
+  if (directory_ >= 0) ::close(directory_);
+  throw OutputError(directory, reason == EWOULDBLOCK ? "another run is at work in this directory"
+                                                     : std::strerror(reason));
+}
+
+DirectoryLock::~DirectoryLock() { ::close(directory_); }
+
+}  // namespace fiberchain::compare

@@ -1,0 +1,71 @@
+#include "compare/packing/run_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberchain::compare {
+namespace {
+
+std::vector<double> column(const Table& log, std::string_view name) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < log.rows().size(); ++row) values.push_back(log.number(row, name));
+  return values;
+}
+
+Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
+
+std::string status_of(const PackingEndState& end) {
+  if (!end.failure.empty()) return end.failure;
+  return end.finished() ? "finished" : "stopped";
+}
+
+}  // namespace
+
+Table packing_run_table(const PackingJob& job, const PackingEndState& end) {
+  Table table({"fibers", "spheres", "seed", "time_step", "step_set_by", "steps", "simulated_time", "contacts",
+               "coordination", "height", "bending_mean", "kinetic_energy", "run_time", "status"});
+  table.append({{"fibers", dem::io::fibers_in(job.scene)},
+                {"spheres", dem::io::spheres_in(job.scene)},
+                {"seed", static_cast<std::int64_t>(job.scene.filling.seed)},
+                {"time_step", end.step},
+                {"step_set_by", job.scene.step ? std::string("scene") : std::string(end.choice.set_by)},
+                {"steps", end.last.step},
+                {"simulated_time", end.last.time},
+                {"contacts", end.last.contacts},
+                {"coordination", known(end.coordination)},
+                {"height", end.last.height},
+                {"bending_mean", end.last.bending_mean},
+                {"kinetic_energy", end.last.energy.kinetic},
+                {"run_time", end.run_time},
+                {"status", status_of(end)}});
+  return table;
+}
+
+std::vector<std::pair<std::string, Figure>> packing_run_figures(const PackingJob& job, const Table& log) {
+  const std::vector<double> time = column(log, "simulated_time");
+  Figure bending{"Mean bending angle per bond", {"time [s]"}, {"angle [rad]"}, {}};
+  bending.series.push_back({"", time, column(log, "bending_mean"), Mark::line});
+  Figure energy{"Energy", {"time [s]"}, {"energy [J]"}, {}};
+  std::vector<std::pair<const char*, const char*>> parts = {{"kinetic_energy", "kinetic"},
+                                                            {"energy_bonds", "elastic, bonds"},
+                                                            {"energy_contacts", "elastic, contacts"},
+                                                            {"energy_gravity", "of height"}};
+  if (job.scene.book_energy) {
+    parts.insert(parts.end(), {{"taken_bond_damping", "taken by bond damping"},
+                               {"taken_bond_friction", "taken by bond friction"},
+                               {"taken_contact_normal", "taken by contacts, normal"},
+                               {"taken_contact_tangential", "taken by contacts, tangential"},
+                               {"taken_contact_rolling", "taken by contacts, rolling"},
+                               {"taken_fluid", "taken by the fluid"},
+                               {"given_walls", "given by walls"},
+                               {"energy_total", "total"}});
+  }
+  for (const auto& [name, label] : parts) {
+    std::vector<double> values = column(log, name);
+    const bool nothing = std::ranges::all_of(values, [](double v) { return v == 0; });
+    if (!nothing) energy.series.push_back({label, time, std::move(values), Mark::line});
+  }
+  return {{"-bending", std::move(bending)}, {"-energy", std::move(energy)}};
+}
+
+}  // namespace fiberchain::compare
