@@ -127,12 +127,14 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& be
   return taken;
 }
 
-double Assembly::State::step_block(FiberBlock& block, LaneArray& own_scratch) {
+double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
+  FiberBlock& block = blocks[number];
+  const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
   const FiberKind& kind = kinds[block.group()];
   if (options.book_energy) block.book(kind, rows, own_scratch);
-  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_scratch, gradient.data());
+  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_scratch, gradient.data(), next);
   const BlockLook before = block.look(kind, rows, gradient.data());
-  const double fastest = block.step(kind, rows, own_scratch, gradient.data());
+  const double fastest = block.step(kind, rows, own_scratch, gradient.data(), next);
   block.add_fluid_taken(fluid_taken(block, before));
   return fastest;
 }
@@ -153,7 +155,7 @@ void Assembly::State::march_some(int count) {
       }
       if (n >= count) break;
 #pragma omp for schedule(static) reduction(max : fastest)
-      for (int b = 0; b < n_blocks; ++b) fastest = std::max(fastest, step_block(blocks[b], scratch[omp_get_thread_num()]));
+      for (int b = 0; b < n_blocks; ++b) fastest = std::max(fastest, step_block(b, scratch[omp_get_thread_num()]));
 #pragma omp single
       {
         ++steps, ++n;

@@ -53,7 +53,7 @@ struct Assembly::State {
  private:
   void march_some(int count);
   bool must_list(double fastest);
-  double step_block(FiberBlock& block, LaneArray& own_scratch);
+  double step_block(std::size_t number, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
   std::int64_t broken() const;
   [[noreturn]] void fail(std::int64_t sphere, std::int64_t from) const;

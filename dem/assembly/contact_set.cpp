@@ -80,17 +80,20 @@ void ContactSet::pad(SphereRows& rows) {
 }
 
 void ContactMemory::reset(std::size_t size) {
-  for (auto* numbers : {&spring[0], &spring[1], &spring[2], &overlap, &opening}) numbers->assign(size, 0.0);
+  touched.assign(size, 0);
+  if (rows.size() < size * memory_numbers + row_overhang) rows = LaneArray(2 * size * memory_numbers + row_overhang);
 }
 
 KeptContact ContactMemory::at(std::size_t i, std::int64_t first, std::int64_t second) const {
-  return {first, second, {spring[0][i], spring[1][i], spring[2][i]}, overlap[i], opening[i]};
+  const double* n = rows.data() + i * memory_numbers;
+  return {first, second, {n[0], n[1], n[2]}, n[3], n[4]};
 }
 
-void ContactMemory::put(std::size_t i, const KeptContact& contact) {
-  for (int c = 0; c < 3; ++c) spring[c][i] = contact.spring[c];
-  overlap[i] = contact.overlap;
-  opening[i] = contact.opening;
+void ContactMemory::put(std::size_t i, const KeptContact& c) {
+  double* n = rows.data() + i * memory_numbers;
+  for (int k = 0; k < 3; ++k) n[k] = c.spring[k];
+  n[3] = c.overlap, n[4] = c.opening;
+  touched[i] = 1;
 }
 
 void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time) {
@@ -164,12 +167,11 @@ ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
   view.first = stripe.first.data();
   view.second = stripe.second.data();
   for (int c = 0; c < 3; ++c) {
-    view.spring[c] = stripe.memory.spring[c].data();
     view.period[c] = surroundings_.period[c];
     view.inverse_period[c] = view.period[c] > 0 ? 1 / view.period[c] : 0;
   }
-  view.overlap = stripe.memory.overlap.data();
-  view.opening = stripe.memory.opening.data();
+  view.memory = stripe.memory.rows.data();
+  view.touched = stripe.memory.touched.data();
   view.parameters = pair_parameters_.data();
   view.kinds = static_cast<std::int32_t>(bodies_.size());
   view.step = step_;
@@ -192,13 +194,12 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
     view.point[c] = point[c] + time * wall.velocity[c];
     view.direction[c] = direction[c];
     view.velocity[c] = wall.velocity[c];
-    view.spring[c] = near.memory.spring[c].data();
   }
   view.slots = near.slots.data();
   view.begin = 0;
   view.end = static_cast<std::int32_t>(near.slots.size());
-  view.overlap = near.memory.overlap.data();
-  view.opening = near.memory.opening.data();
+  view.memory = near.memory.rows.data();
+  view.touched = near.memory.touched.data();
   view.parameters = wall_parameters_.data();
   return view;
 }
@@ -340,12 +341,12 @@ std::vector<KeptContact> ContactSet::kept_in(int k) const {
   const Stripe& stripe = stripes_[k];
   std::vector<KeptContact> own;
   for (std::size_t p = 0; p < pairs_[k].size(); ++p) {
-    if (stripe.memory.overlap[p] > 0) own.push_back(stripe.memory.at(p, stripe.first[p], stripe.second[p]));
+    if (stripe.memory.touched[p] != 0) own.push_back(stripe.memory.at(p, stripe.first[p], stripe.second[p]));
   }
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     const NearWall& near = stripe.walls[w];
     for (std::size_t n = 0; n < near.slots.size() && near.slots[n] < spheres(); ++n) {
-      if (near.memory.overlap[n] > 0) own.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
+      if (near.memory.touched[n] != 0) own.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
     }
   }
   std::ranges::sort(own, before);

@@ -19,9 +19,10 @@ struct KeptContact {
   double overlap, opening;
 };
 
-/// The same of many contacts, number by number.
+/// The same of many contacts, row by row.
 struct ContactMemory {
-  std::vector<double> spring[3], overlap, opening;
+  LaneArray rows;
+  std::vector<std::uint8_t> touched;
 
   /// That many contacts that do not touch.
   void reset(std::size_t size);

@@ -45,13 +45,20 @@ BondHistory<double, 3> strain_of(const Chain<3>& chain, const Poses<3>& poses, i
 FiberKind fiber_kind(const Chain<3>& chain, const Physics& physics, const Surroundings& surroundings, double step,
                      InstructionSet set) {
   const Fiber& fiber = chain.fiber;
-  FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
+  FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
   kind.weight = kind.mass * surroundings.gravity;
   if (surroundings.fluid) kind.drag = stokes_drag(*surroundings.fluid, fiber);
   kind.parameters.bond = bond_parameters(fiber);
   kind.parameters.inverse_length = 1 / bond_length(fiber);
   kind.parameters.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
   set_step(kind.parameters, fiber, kind.drag, step);
+  const std::size_t width = kind.kernel->width, ends = numbers_of<NaturalEnds<double, 3>>;
+  kind.lane_parameters = LaneArray(numbers_of<MarchParameters<double, 3>> * width);
+  kind.lane_natural = LaneArray(chain.natural.size() * ends * width);
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    kind.lane_parameters.put(kind.parameters, lane, width);
+    for (std::size_t i = 0; i < chain.natural.size(); ++i) kind.lane_natural.put(chain.natural[i], i * ends * width + lane, width);
+  }
   return kind;
 }
 
@@ -60,8 +67,6 @@ FiberBlock::FiberBlock(const FiberKind& kind, int group, std::int64_t first, con
     : group_(group), lanes_(static_cast<int>(fibers.size())) {
   const int width = kind.kernel->width, bonds = kind.chain.fiber.aspect_ratio;
   history_ = LaneArray(bonds * numbers_of<BondHistory<double, 3>> * width);
-  natural_ = LaneArray(kind.chain.natural.size() * numbers_of<NaturalEnds<double, 3>> * width);
-  parameters_ = LaneArray(numbers_of<MarchParameters<double, 3>> * width);
   workspace_ = LaneArray(kind.kernel->workspace(bonds) * width);
   const bool books = booked && kind.kernel->book != nullptr;
   kept_ = LaneArray(books ? static_cast<std::size_t>(bonds) * book_numbers * width : 0);
@@ -69,12 +74,8 @@ FiberBlock::FiberBlock(const FiberKind& kind, int group, std::int64_t first, con
   for (int lane = 0; lane < width; ++lane) {
     const int fiber = std::min(lane, lanes_ - 1);
     first_.push_back(first + static_cast<std::int64_t>(fiber) * kind.spheres());
-    parameters_.put(kind.parameters, lane, width);
     for (int i = 0; i < bonds; ++i) {
       history_.put(strain_of(kind.chain, fibers[fiber].poses, i), i * numbers_of<BondHistory<double, 3>> * width + lane, width);
-    }
-    for (std::size_t i = 0; i < kind.chain.natural.size(); ++i) {
-      natural_.put(kind.chain.natural[i], i * numbers_of<NaturalEnds<double, 3>> * width + lane, width);
     }
   }
   for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
@@ -88,17 +89,21 @@ RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& sc
           rows.load.data(),
           rows.oriented() ? rows.orientation.data() : nullptr,
           history_.data(),
-          natural_.data(),
-          parameters_.data(),
+          kind.lane_natural.data(),
+          kind.lane_parameters.data(),
           workspace_.data(),
           scratch.data(),
           {kind.weight[0], kind.weight[1], kind.weight[2]},
           gradient,
+          nullptr,
           led_};
 }
 
-double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient) {
-  const double fastest = kind.kernel->step(view(kind, rows, scratch, gradient));
+double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient,
+                        const FiberBlock* next) {
+  RowBlock block = view(kind, rows, scratch, gradient);
+  if (next != nullptr) block.next_history = next->history_.data();
+  const double fastest = kind.kernel->step(block);
   std::fill(rows.load.data() + first_[0] * load_numbers, rows.load.data() + end(kind) * load_numbers, 0.0);
   led_ = kind.parameters.step;
   return fastest;

@@ -16,6 +16,7 @@ struct FiberKind {
   Physics physics;
   const RowKernel* kernel;
   MarchParameters<double, 3> parameters;
+  LaneArray lane_parameters, lane_natural;  ///< parameters and natural ends of the chain, the same in every lane
   StokesDrag drag;          ///< zero without fluid
   Vec<double, 3> weight;    ///< of a sphere [N]
   double mass, inertia;     ///< of a sphere [kg], [kg m^2]
@@ -46,8 +47,8 @@ class FiberBlock {
   /// Velocities were those of the start's moment: half a step back they go.
   void start(const FiberKind& kind, SphereRows& rows, const double* gradient, const Gradient& A);
 
-  /// One step; takes the rows' loads. Returns the square of the largest speed.
-  double step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient);
+  /// One step; takes the rows' loads. Returns the square of the largest speed. `next` is stepped after it, if any.
+  double step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient, const FiberBlock* next);
   /// Before a step: books what the bonds took in the last one.
   void book(const FiberKind& kind, SphereRows& rows, LaneArray& scratch);
 
@@ -71,7 +72,7 @@ class FiberBlock {
   int group_, lanes_;
   double led_ = 0, fluid_taken_ = 0;
   std::vector<std::int64_t> first_;
-  LaneArray history_, natural_, parameters_, workspace_, kept_, taken_;
+  LaneArray history_, workspace_, kept_, taken_;
 };
 
 }  // namespace fiberchain::dem

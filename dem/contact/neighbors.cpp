@@ -28,6 +28,12 @@ struct Grid {
     return cell[order[0]] + count[order[0]] * (cell[order[1]] + count[order[1]] * cell[order[2]]);
   }
 
+  bool inside(const int* cell) const {
+    bool all = true;
+    for (int c = 0; c < 3; ++c) all = all && cell[c] > 0 && cell[c] < count[c] - 1;
+    return all;
+  }
+
   int cells() const { return count[0] * count[1] * count[2]; }
 };
 
@@ -60,9 +66,24 @@ Grid grid_for(const SphereSet& spheres, double edge) {
   return grid;
 }
 
+/// Where the runs of the neighbors of a cell begin, seen from it, for cells that are no boundary of a periodic side: three
+/// cells along the fastest axis each.
+struct Stencil {
+  int run[9];
+
+  explicit Stencil(const Grid& grid) {
+    const int row = grid.count[grid.order[0]], layer = row * grid.count[grid.order[1]];
+    for (int k = 0; k < 9; ++k) run[k] = (k / 3 - 1) * layer + (k % 3 - 1) * row - 1;
+  }
+};
+
 /// Slots of the cells next to and at `cell`, in nine runs or, across a periodic side, a few more.
 class Neighborhood {
  public:
+  Neighborhood(const Stencil& stencil, const std::vector<std::int32_t>& cell_begin, int cell) {
+    for (const int run : stencil.run) add(cell_begin[cell + run], cell_begin[cell + run + 3]);
+  }
+
   Neighborhood(const Grid& grid, const std::vector<std::int32_t>& cell_begin, const int* cell) {
     const int fast = grid.order[0];
     for (int a = -1; a <= 1; ++a) {
@@ -113,7 +134,7 @@ class Neighborhood {
 /// Everything about the spheres in cell order that the search reads.
 struct Sorted {
   std::vector<double> x[3], radius;
-  std::vector<std::int32_t> fiber, sphere, cell_begin;
+  std::vector<std::int32_t> fiber, sphere, cell_begin, cell_of;
 };
 
 /// Lanes of the widest vector.
@@ -121,8 +142,9 @@ constexpr std::size_t widest = 8;
 
 Sorted sorted_by_cell(const Grid& grid, const SphereSet& spheres) {
   const auto n = static_cast<std::int32_t>(spheres.position.size());
-  std::vector<std::int32_t> cell_of(n);
   Sorted sorted;
+  std::vector<std::int32_t>& cell_of = sorted.cell_of;
+  cell_of.resize(n);
   sorted.cell_begin.assign(grid.cells() + 1, 0);
   for (std::int32_t s = 0; s < n; ++s) {
     const auto& x = spheres.position[s];
@@ -163,18 +185,19 @@ std::vector<ClosePair> search_run(const Grid& grid, const Sorted& sorted, const 
   std::vector<ClosePair> pairs;
   std::vector<std::int32_t> found;
   int last_cell = -1;
+  const Stencil stencil(grid);
   std::optional<Neighborhood> near;
   for (std::int32_t i = begin; i < end; ++i) {
     const Vec<double, 3>& x = spheres.position[i];
-    const int cell[3] = {grid.cell_along(0, x[0]), grid.cell_along(1, x[1]), grid.cell_along(2, x[2])};
-    if (grid.index(cell) != last_cell) {
-      near.emplace(grid, sorted.cell_begin, cell);
-      last_cell = grid.index(cell);
+    if (const int own_cell = sorted.cell_of[i]; own_cell != last_cell) {
+      const int cell[3] = {grid.cell_along(0, x[0]), grid.cell_along(1, x[1]), grid.cell_along(2, x[2])};
+      grid.inside(cell) ? near.emplace(stencil, sorted.cell_begin, own_cell) : near.emplace(grid, sorted.cell_begin, cell);
+      last_cell = own_cell;
       if (found.size() < static_cast<std::size_t>(near->spheres())) found.resize(near->spheres());
     }
     const Asking own{{x[0], x[1], x[2]}, spheres.radius[i], i, spheres.fiber[i]};
     const int count = kernel.near(view, near->ranges(), near->count(), own, found.data());
-    std::sort(found.begin(), found.begin() + count);
+    if (count > 1) std::sort(found.begin(), found.begin() + count);
     for (int n = 0; n < count; ++n) pairs.push_back({i, found[n]});
   }
   return pairs;

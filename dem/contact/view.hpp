@@ -31,9 +31,8 @@ struct ContactView {
   const std::int32_t* kind;  ///< of each slot
   const std::int32_t* first;
   const std::int32_t* second;
-  double* spring[3];
-  double* overlap;
-  double* opening;
+  double* memory;            ///< a row a pair, where it touched a step before
+  std::uint8_t* touched;     ///< whether each pair did
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
   double period[3], inverse_period[3];
@@ -54,9 +53,8 @@ struct WallView {
   double velocity[3];
   const std::int32_t* slots;
   std::int32_t begin, end;  ///< padded to whole vectors
-  double* spring[3];
-  double* overlap;
-  double* opening;
+  double* memory;           ///< as of pairs
+  std::uint8_t* touched;
   const ContactParameters<double>* parameters;  ///< of each kind
 };
 

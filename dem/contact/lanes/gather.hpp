@@ -61,6 +61,20 @@ unsigned less_mask(const Real& a, const Real& b) {
   }
 }
 
+/// Bit k is flag k, each 0 or 1.
+template <class Real>
+unsigned flag_mask(const std::uint8_t* flags) {
+  if constexpr (contact_lanes<Real> == 8) {
+    std::uint64_t bytes;
+    __builtin_memcpy(&bytes, flags, 8);
+    return static_cast<unsigned>((bytes * 0x0102040810204080ull) >> 56);
+  } else {
+    unsigned mask = 0;
+    for (int k = 0; k < contact_lanes<Real>; ++k) mask |= static_cast<unsigned>(flags[k]) << k;
+    return mask;
+  }
+}
+
 inline double nearest(double x) { return __builtin_nearbyint(x); }
 template <class T, class A>
 xsimd::batch<T, A> nearest(const xsimd::batch<T, A>& x) {

@@ -63,22 +63,32 @@ Vec<Real, 3> nearest_image(const ContactView& view, Vec<Real, 3> r) {
   return r;
 }
 
-/// Pairs of the task that touch go into its list; the history of those that no longer do is wiped.
+/// Fetches a row ahead of its use: which rows pairs need is known long before, but not to the processor.
+template <int N>
+inline __attribute__((always_inline)) void fetch_row(const double* rows, std::ptrdiff_t row) {
+  __builtin_prefetch(rows + row * N, 1, 3);
+  if constexpr (N % 8 != 0 && 8 % N != 0) __builtin_prefetch(rows + row * N + N - 1, 1, 3);
+}
+
+/// Numbers of pairs ahead that rows are fetched.
+inline constexpr int pairs_ahead = 48, touching_ahead = 24;
+
+/// Pairs of the task that touch go into its list; those that no longer do are marked.
 template <ContactPhysics P, class Real>
 int find_touching(const ContactView& view, ContactTask& task) {
   constexpr int lanes = contact_lanes<Real>;
   int count = 0;
   for (std::int32_t p = task.begin; p < task.end; p += lanes) {
+    if (p + pairs_ahead + lanes <= task.end) {
+      for (int k = 0; k < lanes; ++k) fetch_row<position_numbers>(view.position, view.second[p + pairs_ahead + k]);
+    }
     const Balls<Real> a = balls_at<Real>(view, view.first + p), b = balls_at<Real>(view, view.second + p);
     const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
     const Real reach = P.uniform ? Real(2.0 * view.position[3]) : a.radius + b.radius;
     unsigned touching = less_mask(dot(r, r), reach * reach);
-    unsigned ended = less_mask(Real(0.0), load_lanes<Real>(view.overlap + p)) & ~touching;
+    unsigned ended = flag_mask<Real>(view.touched + p) & ~touching;
     for (; touching != 0; touching &= touching - 1) task.touching[count++] = p + __builtin_ctz(touching);
-    for (; ended != 0; ended &= ended - 1) {
-      const std::int32_t pair = p + __builtin_ctz(ended);
-      view.overlap[pair] = view.spring[0][pair] = view.spring[1][pair] = view.spring[2][pair] = 0;
-    }
+    for (; ended != 0; ended &= ended - 1) view.touched[p + __builtin_ctz(ended)] = 0;
   }
   return count;
 }
@@ -140,6 +150,27 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
   book.rolling += summed<Real>(dt * dot(action.moment, pair.spin), count);
 }
 
+/// What contacts remember; nothing of those that did not touch a step before.
+template <class Real>
+ContactHistory<Real> remembered(const RowStarts<Real>& memory, const std::uint8_t* touched, const std::int32_t* entries) {
+  double on[contact_lanes<Real>];
+  for (int k = 0; k < contact_lanes<Real>; ++k) on[k] = touched[entries[k]];
+  const Real was = load_lanes<Real>(on);
+  Real n[memory_numbers];
+  load_rows<memory_numbers>(memory, 0, n);
+  const auto held = was > Real(0.0);
+  const Real zero(0.0);
+  return {{select(held, n[0], zero), select(held, n[1], zero), select(held, n[2], zero)}, select(held, n[3], zero),
+          select(held, n[4], zero)};
+}
+
+template <class Real>
+void keep(const ContactHistory<Real>& history, const RowStarts<Real>& memory) {
+  const Real n[memory_numbers] = {history.spring[0], history.spring[1], history.spring[2], history.overlap, history.opening,
+                                  Real(0.0)};
+  store_rows<memory_numbers>(n, memory, 0);
+}
+
 /// The law for the pairs touching[0 ... lanes - 1], of which `count` count.
 template <ContactPhysics P, class Real>
 PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const Slots<Real>& i,
@@ -170,50 +201,73 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
   pair.velocity = motion_j.velocity - motion_i.velocity - cross(arm_i * motion_i.spin + arm_j * motion_j.spin, pair.normal);
   pair.spin = motion_j.spin - motion_i.spin;
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
-  ContactHistory<Real> history{{gather_lanes<Real>(view.spring[0], pairs), gather_lanes<Real>(view.spring[1], pairs),
-                                gather_lanes<Real>(view.spring[2], pairs)},
-                               gather_lanes<Real>(view.overlap, pairs),
-                               gather_lanes<Real>(view.opening, pairs)};
+  RowStarts<Real> memory;
+  for (int k = 0; k < lanes; ++k) memory.at[k] = view.memory + static_cast<std::ptrdiff_t>(pairs[k]) * memory_numbers;
+  ContactHistory<Real> history = remembered<Real>(memory, view.touched, pairs);
   [[maybe_unused]] const ContactHistory<Real> before = history;
   const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
   if constexpr (P.booked) book(p, pair, before, history, action, Real(view.step), count, task.book);
-  double numbers[5][lanes];
-  for (int c = 0; c < 3; ++c) store_lanes(history.spring[c], numbers[c]);
-  store_lanes(history.overlap, numbers[3]);
-  store_lanes(history.opening, numbers[4]);
-  for (int k = 0; k < count; ++k) {
-    for (int c = 0; c < 3; ++c) view.spring[c][pairs[k]] = numbers[c][k];
-    view.overlap[pairs[k]] = numbers[3][k];
-    view.opening[pairs[k]] = numbers[4][k];
-  }
+  keep<Real>(history, memory);
+  for (int k = 0; k < count; ++k) view.touched[pairs[k]] = 1;
   const Vec<Real, 3> turn = cross(pair.normal, action.force);
   return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};
 }
 
+/// Force and moment as rows.
 template <class Real>
-void store_vector(const Vec<Real, 3>& v, double (*target)[contact_lanes<Real>]) {
-  for (int c = 0; c < 3; ++c) store_lanes(v[c], target[c]);
+struct LoadRows {
+  alignas(64) double at[contact_lanes<Real>][8];
+};
+
+template <class Real>
+void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Real>& rows) {
+  RowStarts<Real> starts;
+  for (int k = 0; k < contact_lanes<Real>; ++k) starts.at[k] = rows.at[k];
+  const Real n[load_numbers] = {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
+  store_rows<load_numbers>(n, starts, 0);
 }
 
-/// Adds a pair's loads to its spheres in the order of the pairs.
+/// target += row; on AVX-512 in one go.
+template <class Real>
+inline __attribute__((always_inline)) void add_row(const double* row, double* target) {
+#ifdef __AVX512F__
+  if constexpr (contact_lanes<Real> == 8) {
+    const __m512d sum = _mm512_add_pd(_mm512_loadu_pd(target), _mm512_load_pd(row));
+    _mm512_mask_storeu_pd(target, (1u << load_numbers) - 1u, sum);
+    return;
+  }
+#endif
+  for (int c = 0; c < load_numbers; ++c) target[c] += row[c];
+}
+
+/// Adds pairs' loads to their spheres in the order of the pairs.
 template <class Real>
 void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j,
                int count, ContactTask& task) {
-  constexpr int lanes = contact_lanes<Real>;
-  double numbers[9][lanes];
-  store_vector(loads.force, numbers);
-  store_vector(loads.first_moment, numbers + 3);
-  store_vector(loads.second_moment, numbers + 6);
+  LoadRows<Real> first, second;
+  to_rows(loads.force, loads.first_moment, first);
+  to_rows(-loads.force, loads.second_moment, second);
   for (int k = 0; k < count; ++k) {
-    double* first = view.force + i.at[k] * load_numbers;
-    for (int c = 0; c < 6; ++c) first[c] += numbers[c][k];
+    add_row<Real>(first.at[k], view.force + static_cast<std::ptrdiff_t>(i.at[k]) * load_numbers);
     if (j.at[k] < task.slots_end) {
-      double* second = view.force + j.at[k] * load_numbers;
-      for (int c = 0; c < 3; ++c) second[c] -= numbers[c][k], second[3 + c] += numbers[6 + c][k];
+      add_row<Real>(second.at[k], view.force + static_cast<std::ptrdiff_t>(j.at[k]) * load_numbers);
     } else {
       DeferredForce& later = task.deferred[task.deferred_count++];
-      for (int c = 0; c < 3; ++c) later.load[c] = -numbers[c][k], later.load[3 + c] = numbers[6 + c][k];
+      for (int c = 0; c < load_numbers; ++c) later.load[c] = second.at[k][c];
       later.slot = j.at[k];
+    }
+  }
+}
+
+/// What the touching pairs n ... n + lanes - 1 need.
+template <class Real>
+void fetch_touching(const ContactView& view, const ContactTask& task, int n, int touching) {
+  for (int k = n; k < n + contact_lanes<Real> && k < touching; ++k) {
+    const std::int32_t pair = task.touching[k], i = view.first[pair], j = view.second[pair];
+    fetch_row<memory_numbers>(view.memory, pair);
+    for (const std::int32_t sphere : {i, j}) {
+      fetch_row<motion_numbers>(view.motion, sphere);
+      fetch_row<load_numbers>(view.force, sphere);
     }
   }
 }
@@ -223,7 +277,9 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
   constexpr int lanes = contact_lanes<Real>;
   const int touching = find_touching<P, Real>(view, task);
   task.contacts += touching;
+  for (int n = 0; n < touching_ahead; n += lanes) fetch_touching<Real>(view, task, n, touching);
   for (int n = 0; n < touching; n += lanes) {
+    fetch_touching<Real>(view, task, n + touching_ahead, touching);
     std::int32_t pairs[lanes];
     const int count = touching - n < lanes ? touching - n : lanes;
     for (int k = 0; k < lanes; ++k) pairs[k] = task.touching[n + (k < count ? k : 0)];

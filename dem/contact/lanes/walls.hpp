@@ -41,8 +41,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     const WallSight<Real> seen = sight(wall, ball.center);
     const Real radius = ball.radius;
     const unsigned touching = less_mask(seen.distance, radius);
-    const Real last = load_lanes<Real>(wall.overlap + n);
-    const unsigned ended = less_mask(Real(0.0), last) & ~touching;
+    const unsigned ended = flag_mask<Real>(wall.touched + n) & ~touching;
     if ((touching | ended) == 0) continue;
     ContactParameters<Real> p;
     if constexpr (P.uniform) {
@@ -61,31 +60,21 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     pair.velocity = wall_velocity - v - cross(seen.distance * w, seen.normal);
     pair.spin = -w;
     pair.mean_spin = Real(0.5) * w;
-    ContactHistory<Real> history{{load_lanes<Real>(wall.spring[0] + n), load_lanes<Real>(wall.spring[1] + n),
-                                  load_lanes<Real>(wall.spring[2] + n)},
-                                 last, load_lanes<Real>(wall.opening + n)};
+    RowStarts<Real> memory;
+    for (int k = 0; k < lanes; ++k) memory.at[k] = wall.memory + static_cast<std::ptrdiff_t>(n + k) * memory_numbers;
+    ContactHistory<Real> history = remembered<Real>(memory, wall.touched, entry);
     const ContactHistory<Real> before = history;
     const ContactAction<Real> action = contact_action(p, pair, Real(view.step), history);
     const Vec<Real, 3> moment = seen.distance * cross(seen.normal, action.force) + action.moment;
-    double numbers[11][lanes];
-    store_vector(action.force, numbers);
-    store_vector(moment, numbers + 3);
-    store_vector(history.spring, numbers + 6);
-    store_lanes(history.overlap, numbers[9]);
-    store_lanes(history.opening, numbers[10]);
+    keep<Real>(history, memory);
+    LoadRows<Real> loads;
+    to_rows(action.force, moment, loads);
     for (int k = 0; k < lanes; ++k) {
-      const std::int32_t at = n + k;
-      if (touching >> k & 1u) {
-        double* own = view.force + i.at[k] * load_numbers;
-        for (int c = 0; c < 6; ++c) own[c] += numbers[c][k];
-        for (int c = 0; c < 3; ++c) wall.spring[c][at] = numbers[6 + c][k];
-        wall.overlap[at] = numbers[9][k];
-        wall.opening[at] = numbers[10][k];
-        ++task.contacts;
-      } else if (ended >> k & 1u) {
-        for (int c = 0; c < 3; ++c) wall.spring[c][at] = 0;
-        wall.overlap[at] = 0;
-      }
+      const bool here = (touching >> k & 1u) != 0;
+      wall.touched[n + k] = here ? 1 : 0;
+      if (!here) continue;
+      add_row<Real>(loads.at[k], view.force + static_cast<std::ptrdiff_t>(i.at[k]) * load_numbers);
+      ++task.contacts;
     }
     if constexpr (P.booked) {
       const Real on = select(seen.distance < radius, Real(1.0), Real(0.0));

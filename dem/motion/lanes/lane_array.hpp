@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <new>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #include "dem/motion/lanes/kernel.hpp"
 
@@ -17,12 +21,7 @@ inline constexpr std::size_t numbers_of = sizeof(Value) / sizeof(double);
 class LaneArray {
  public:
   LaneArray() = default;
-  explicit LaneArray(std::size_t size)
-      : data_(static_cast<double*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(double),
-                                                    std::align_val_t{lane_alignment}))),
-        size_(size) {
-    std::fill_n(data_.get(), size, 0.0);
-  }
+  explicit LaneArray(std::size_t size) : data_(take(size)), size_(size) { std::fill_n(data_.get(), size, 0.0); }
 
   std::size_t size() const { return size_; }
   double* data() { return data_.get(); }
@@ -42,8 +41,22 @@ class LaneArray {
   }
 
  private:
+  /// From here on memory comes in whole large pages [bytes], so that walking through it does not wait for page tables.
+  static constexpr std::size_t large_page = std::size_t{1} << 21;
+
+  static double* take(std::size_t size) {
+    const std::size_t bytes = std::max<std::size_t>(size, 1) * sizeof(double);
+    const std::size_t alignment = bytes >= large_page ? large_page : lane_alignment;
+    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+#ifdef __linux__
+    if (bytes >= large_page) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: nothing is lost where it is not met
+#endif
+    return static_cast<double*>(memory);
+  }
+
   struct Free {
-    void operator()(double* p) const { ::operator delete[](p, std::align_val_t{lane_alignment}); }
+    void operator()(double* p) const { std::free(p); }
   };
   std::unique_ptr<double[], Free> data_;
   std::size_t size_ = 0;

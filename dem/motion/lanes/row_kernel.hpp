@@ -34,6 +34,7 @@ struct RowBlock {
   double* scratch;            ///< room for `scratch` doubles
   double weight[3];           ///< of a sphere [N]
   const double* gradient;     ///< fluid: A now, lane by lane
+  const double* next_history; ///< of the block that comes next, to be fetched ahead; null if none
   double led;                 ///< the step that led here: dt, or 0 before the first [s]
 };
 

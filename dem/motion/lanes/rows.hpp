@@ -82,6 +82,23 @@ class BlockRows {
   bool oriented_;
 };
 
+/// Fetches what the next block, whose rows lie behind this one's, needs for its sphere `i`: the rows are larger than the
+/// caches, and the processor does not see them coming.
+template <class Real>
+inline __attribute__((always_inline)) void fetch_ahead(const RowBlock& block, std::ptrdiff_t i) {
+  constexpr std::ptrdiff_t lanes = row_lanes<Real>, line = 8;
+  if (block.next_history == nullptr) return;
+  const std::ptrdiff_t row = block.first[lanes - 1] + block.bonds + 1 + i * lanes;
+  const auto fetch = [&](const double* from, std::ptrdiff_t numbers) {
+    for (std::ptrdiff_t n = 0; n < numbers; n += line) __builtin_prefetch(from + n, 1, 2);
+  };
+  fetch(block.position + row * position_numbers, lanes * position_numbers);
+  fetch(block.motion + row * motion_numbers, lanes * motion_numbers);
+  fetch(block.load + row * load_numbers, lanes * load_numbers);
+  constexpr std::ptrdiff_t history = sizeof(BondHistory<Real, 3>) / sizeof(double);
+  fetch(block.next_history + i * history, history);
+}
+
 /// Position, and orientation where it is followed.
 template <class Real>
 void drift_row(const BlockRows<Real>& rows, MovingSphere<Real, 3>& s, const Real& dt) {
@@ -119,6 +136,7 @@ Real sweep_rows(const RowBlock& block) {
   };
   MovingSphere<Real, 3> before = rows.read(0);
   for (int i = 1; i <= block.bonds; ++i) {
+    fetch_ahead<Real>(block, i - 1);
     MovingSphere<Real, 3> sphere = rows.read(i);
     add_bond<P, Real>(chain, i - 1, before, sphere, led);
     move(i - 1, before);
