@@ -14,8 +14,9 @@ Chain<3> arc_chain(const Fiber& fiber, double angle) {
   Chain<3> chain = straight_chain<3>(fiber);
   const double largest = 2 * std::numbers::pi / std::max(fiber.aspect_ratio + 1, 3);
   if (!(std::abs(angle) <= largest)) {
-    throw InvalidInput(fmt::format(
-        "an arc of {:.6g} rad a bond is not allowed: at most {:.6g}, or the fiber meets itself", angle, largest));
+    throw InvalidInput(
+        fmt::format("an arc of {:.6g} rad a bond is not allowed: at most {:.6g}, or the fiber meets itself",
+                    angle, largest));
   }
   if (angle == 0) return chain;
   Vec<double, 3> place{};

@@ -100,9 +100,9 @@ Command run_command() {
           .description = "run one scene",
           .footer =
               "Example:\n  fiberchain run data/scenes/cantilever.yaml --out results\n"
-              "  fiberchain run data/scenes/packing.yaml --out packing\n"
-              "Packings write as they go. SIGINT (Ctrl-C) and SIGTERM stop them at a checkpoint, with status 130 and\n"
-              "143; --resume goes on from there, as after a crash, and ends in the same state.",
+              "Packings (data/scenes/packing.yaml, packing-small.yaml) write as they go. SIGINT (Ctrl-C) and SIGTERM\n"
+              "stop them at a checkpoint, with status 130 and 143; --resume goes on from there, as after a crash, and\n"
+              "ends in the same state. One run at a time in a directory.",
           .options = with_output(
               {{"SCENE", "", "scene file (YAML)", OptionKind::required},
                {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},

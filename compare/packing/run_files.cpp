@@ -20,11 +20,21 @@ namespace fs = std::filesystem;
 /// All that a run may leave.
 std::vector<fs::path> all_files(const RunFiles& files) {
   const fs::path trajectory = files.trajectory(), checkpoint = files.checkpoint();
-  return {checkpoint,    dem::io::previous_checkpoint(checkpoint), files.at(".checkpoint.bad"),
-          trajectory,    dem::io::journal_of(trajectory),          files.at(".xmf"),
-          files.log(),   files.at(".pvd"),                         files.at("-lines.pvd"),
-          files.at(""),  files.at(".csv"),                         files.at(".md"),
-          files.at("-bending.svg"), files.at("-bending.png"),      files.at("-energy.svg"),
+  return {checkpoint,
+          dem::io::previous_checkpoint(checkpoint),
+          files.at(".checkpoint.bad"),
+          trajectory,
+          dem::io::journal_of(trajectory),
+          files.at(".xmf"),
+          files.log(),
+          files.at(".pvd"),
+          files.at("-lines.pvd"),
+          files.at(""),
+          files.at(".csv"),
+          files.at(".md"),
+          files.at("-bending.svg"),
+          files.at("-bending.png"),
+          files.at("-energy.svg"),
           files.at("-energy.png")};
 }
 
@@ -35,8 +45,9 @@ dem::io::Checkpoint checkpoint_of(const fs::path& path, const std::string& scene
 /// One that this program can go on from.
 dem::io::Checkpoint ours(dem::io::Checkpoint checkpoint, const fs::path& path, const std::string& program) {
   if (checkpoint.program == program) return checkpoint;
-  throw InputError(fmt::format("{}: was written by another program ({}; this is {}), which need not end in the same bits",
-                               path.string(), checkpoint.program, program));
+  throw InputError(
+      fmt::format("{}: was written by another program ({}; this is {}), which need not end in the same bits",
+                  path.string(), checkpoint.program, program));
 }
 
 }  // namespace
@@ -83,8 +94,8 @@ DirectoryLock::DirectoryLock(const fs::path& directory)
   if (directory_ >= 0 && ::flock(directory_, LOCK_EX | LOCK_NB) == 0) return;
   const int reason = errno;
   if (directory_ >= 0) ::close(directory_);
-  throw OutputError(directory, reason == EWOULDBLOCK ? "another run is at work in this directory"
-                                                     : std::strerror(reason));
+  throw OutputError(
+      directory, reason == EWOULDBLOCK ? "another run is at work in this directory" : std::strerror(reason));
 }
 
 DirectoryLock::~DirectoryLock() { ::close(directory_); }

@@ -31,8 +31,8 @@ std::vector<std::filesystem::path> files_there(const RunFiles& files);
 /// @throws OutputError
 void remove_files(const RunFiles& files);
 
-/// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside as
-/// NAME.checkpoint.bad; nothing if there is none at all.
+/// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside
+/// as NAME.checkpoint.bad; nothing if there is none at all.
 /// @throws InputError if no checkpoint can be used, or it belongs to another scene or program
 std::optional<dem::io::Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
                                                    const std::string& program, const Say& say);

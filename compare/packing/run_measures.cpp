@@ -31,12 +31,13 @@ double bending_mean(const dem::Assembly& assembly) {
 
 Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
 
-const std::vector<std::string> kColumns = {"step",         "simulated_time", "contacts",        "height",
-                                           "bending_mean", "kinetic_energy", "energy_bonds",    "energy_contacts",
-                                           "energy_gravity"};
-const std::vector<std::string> kBooked = {"taken_bond_damping",       "taken_bond_friction",   "taken_contact_normal",
-                                          "taken_contact_tangential", "taken_contact_rolling", "taken_fluid",
-                                          "given_walls",              "given_inserted",        "energy_total"};
+const std::vector<std::string> kColumns = {"step",         "simulated_time",  "contacts",
+                                           "height",       "bending_mean",    "kinetic_energy",
+                                           "energy_bonds", "energy_contacts", "energy_gravity"};
+const std::vector<std::string> kBooked = {
+    "taken_bond_damping",    "taken_bond_friction", "taken_contact_normal", "taken_contact_tangential",
+    "taken_contact_rolling", "taken_fluid",         "given_walls",          "given_inserted",
+    "energy_total"};
 
 /// A fiber with all its spheres at one place, at rest: it comes later.
 void add_absent(dem::io::Frame& frame, const dem::Fiber& fiber, const V& place) {
@@ -77,12 +78,9 @@ V upward(const PackingScene& scene) {
 
 RunMoment measure(const dem::Assembly& assembly, const PackingScene& scene) {
   const V up = upward(scene);
-  return {assembly.steps(),
-          assembly.time(),
-          assembly.touching(),
-          dem::heights(assembly.placed(), up).quantile - floor_of(scene, up),
-          bending_mean(assembly),
-          assembly.energy()};
+  return {assembly.steps(),       assembly.time(),
+          assembly.touching(),    dem::heights(assembly.placed(), up).quantile - floor_of(scene, up),
+          bending_mean(assembly), assembly.energy()};
 }
 
 Table run_log_table(const PackingScene& scene) {
@@ -94,17 +92,11 @@ Table run_log_table(const PackingScene& scene) {
 
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left) {
   const dem::EnergyBalance& e = moment.energy;
-  NamedRow row = {{"step", moment.step},
-                  {"simulated_time", moment.time},
-                  {"contacts", moment.contacts},
-                  {"height", moment.height},
-                  {"bending_mean", moment.bending_mean},
-                  {"kinetic_energy", e.kinetic},
-                  {"energy_bonds", e.bonds},
-                  {"energy_contacts", e.contacts},
-                  {"energy_gravity", e.gravity},
-                  {"step_rate", known(step_rate)},
-                  {"time_left", known(time_left)}};
+  NamedRow row = {
+      {"step", moment.step},           {"simulated_time", moment.time},       {"contacts", moment.contacts},
+      {"height", moment.height},       {"bending_mean", moment.bending_mean}, {"kinetic_energy", e.kinetic},
+      {"energy_bonds", e.bonds},       {"energy_contacts", e.contacts},       {"energy_gravity", e.gravity},
+      {"step_rate", known(step_rate)}, {"time_left", known(time_left)}};
   if (scene.book_energy) {
     row.insert(row.end(), {{"taken_bond_damping", e.bond_damping},
                            {"taken_bond_friction", e.bond_friction},

@@ -26,7 +26,8 @@ RunMoment measure(const dem::Assembly& assembly, const dem::io::PackingScene& sc
 Table run_log_table(const dem::io::PackingScene& scene);
 
 /// A line of it.
-Table run_log_row(const RunMoment& moment, const dem::io::PackingScene& scene, double step_rate, double time_left);
+Table run_log_row(const RunMoment& moment, const dem::io::PackingScene& scene, double step_rate,
+                  double time_left);
 
 /// All spheres, with room for those that come later.
 dem::io::Frame frame_of(const dem::Assembly& assembly, const dem::io::PackingScene& scene);

@@ -10,13 +10,12 @@ namespace fiberchain::compare {
 /// Steps that divide a run into so many intervals, equal but for one step: 0, ..., steps.
 class EvenSteps {
  public:
-  EvenSteps(std::int64_t steps, int intervals) : steps_(steps), intervals_(std::min<std::int64_t>(intervals, steps)) {}
+  EvenSteps(std::int64_t steps, int intervals)
+      : steps_(steps), intervals_(std::min<std::int64_t>(intervals, steps)) {}
 
   bool holds(std::int64_t step) const { return at(index_of(step)) == step; }
   /// The first after this one; none after the last.
-  std::int64_t after(std::int64_t step) const {
-    return step >= steps_ ? steps_ : at(index_of(step) + 1);
-  }
+  std::int64_t after(std::int64_t step) const { return step >= steps_ ? steps_ : at(index_of(step) + 1); }
 
  private:
   std::int64_t at(std::int64_t n) const { return n * steps_ / intervals_; }
@@ -32,7 +31,9 @@ class EvenSteps {
 /// When a run does what.
 struct RunSchedule {
   RunSchedule(const dem::io::PackingOutput& output, std::int64_t steps)
-      : samples(steps, output.samples), frames(steps, output.frames), checkpoints(steps, output.checkpoints) {}
+      : samples(steps, output.samples),
+        frames(steps, output.frames),
+        checkpoints(steps, output.checkpoints) {}
 
   std::int64_t after(std::int64_t step) const {
     return std::min({samples.after(step), frames.after(step), checkpoints.after(step)});

@@ -26,11 +26,11 @@ constexpr std::int64_t kStride = 64;
 
 /// What set the step.
 std::string step_words(const dem::StepChoice& choice, const dem::io::PackingScene& scene) {
-  const std::string limits =
-      fmt::format("stable: bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s", choice.bonds, choice.damped_bonds,
-                  choice.contacts);
+  const std::string limits = fmt::format("stable: bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
+                                         choice.bonds, choice.damped_bonds, choice.contacts);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; {}", choice.step, limits);
-  return fmt::format("0.8 of what {} allow{}; {}", choice.set_by, choice.set_by == "bond damping" ? "s" : "", limits);
+  return fmt::format("0.8 of what {} allow{}; {}", choice.set_by, choice.set_by == "bond damping" ? "s" : "",
+                     limits);
 }
 
 /// The files of a run as they grow.
@@ -44,9 +44,8 @@ class RunWriter {
         trajectory_(resumed ? TrajectoryWriter::resume(job.files.trajectory(), header(job), done)
                             : TrajectoryWriter(job.files.trajectory(), header(job))) {
     if (!job.scene.output.vtk) return;
-    vtk_ = resumed
-               ? VtkSeries::resume(job.files.directory, job.files.name, entries(job.provenance), done)
-               : VtkSeries(job.files.directory, job.files.name, entries(job.provenance));
+    vtk_ = resumed ? VtkSeries::resume(job.files.directory, job.files.name, entries(job.provenance), done)
+                   : VtkSeries(job.files.directory, job.files.name, entries(job.provenance));
   }
 
   void write_line(const RunMoment& moment, const Pace& pace) {
@@ -111,8 +110,8 @@ class Session {
       assembly_.march(next - now);
       batches_.insert_due(assembly_);
       write_due();
-      display.show({next, assembly_.time(), last_.contacts, last_.energy.kinetic, last_.height, pace_.step_rate(next),
-                    pace_.time_left(next)},
+      display.show({next, assembly_.time(), last_.contacts, last_.energy.kinetic, last_.height,
+                    pace_.step_rate(next), pace_.time_left(next)},
                    steps_);
     }
   }
@@ -156,19 +155,8 @@ double coordination(const dem::Assembly& assembly) {
   return 2.0 * static_cast<double>(between) / static_cast<double>(assembly.spheres());
 }
 
-}  // namespace
-
-std::string program_of(const Provenance& provenance) {
-  return fmt::format("fiberchain {}, commit {}, {}, {}, {}", provenance.version, provenance.commit, provenance.compiler,
-                     provenance.flags, dem::name(dem::best_instruction_set()));
-}
-
-PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
-  const auto clock = std::chrono::steady_clock::now();
-  const double step = begin.assembly.step();
-  watchers.say(fmt::format("{} fibers, {} spheres; {} steps of {:.4g} s ({})", dem::io::fibers_in(job.scene),
-                           dem::io::spheres_in(job.scene), begin.steps, step, step_words(begin.choice, job.scene)));
-  PackingEndState end{.choice = begin.choice, .step = step, .steps = begin.steps, .begun_at = begin.assembly.steps()};
+void run_to_end(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers,
+                PackingEndState& end) {
   Session session(job, watchers, std::move(begin));
   try {
     session.run();
@@ -181,6 +169,29 @@ PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const
     watchers.say(fmt::format("the last checkpoint is of step {}: with --resume the run goes on from there",
                              session.checkpointed()));
     throw;
+  }
+}
+
+}  // namespace
+
+std::string program_of(const Provenance& provenance) {
+  return fmt::format("fiberchain {}, commit {}, {}, {}, {}", provenance.version, provenance.commit,
+                     provenance.compiler, provenance.flags, dem::name(dem::best_instruction_set()));
+}
+
+PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
+  const auto clock = std::chrono::steady_clock::now();
+  const double step = begin.assembly.step();
+  watchers.say(fmt::format("{} fibers, {} spheres; {} steps of {:.4g} s ({})", dem::io::fibers_in(job.scene),
+                           dem::io::spheres_in(job.scene), begin.steps, step,
+                           step_words(begin.choice, job.scene)));
+  PackingEndState end{
+      .choice = begin.choice, .step = step, .steps = begin.steps, .begun_at = begin.assembly.steps()};
+  if (end.begun_at >= end.steps) {  // finished before: its files stay as they are
+    end.last = measure(begin.assembly, job.scene);
+    end.coordination = coordination(begin.assembly);
+  } else {
+    run_to_end(job, std::move(begin), watchers, end);
   }
   end.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
   return end;

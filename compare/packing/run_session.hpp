@@ -37,10 +37,10 @@ struct PackingEndState {
   std::int64_t steps;         ///< of the whole run
   std::int64_t begun_at = 0;  ///< steps that were there before
   RunMoment last{};
-  double coordination = std::numeric_limits<double>::quiet_NaN();  ///< contacts of a sphere with spheres that it
-                                                                   ///< is not bonded to; NaN if it blew up
-  double run_time = 0;                                             ///< of this session [s]
-  std::string failure = {};                                        ///< why it blew up; "" if it did not
+  double coordination = std::numeric_limits<double>::quiet_NaN();  ///< contacts of a sphere with spheres that
+                                                                   ///< it is not bonded to; NaN if it blew up
+  double run_time = 0;       ///< of this session [s]
+  std::string failure = {};  ///< why it blew up; "" if it did not
 
   bool finished() const { return failure.empty() && last.step == steps; }
 };
@@ -59,9 +59,10 @@ RunBegin begin_run(const PackingJob& job, const Say& say);
 /// Which binary runs, to the bit: what a checkpoint is written and refused by.
 std::string program_of(const Provenance& provenance);
 
-/// Writes the trajectory, the log and checkpoints as the scene asks. A run that blows up ends with its reason;
-/// its files are those of before.
-/// @throws dem::NoRoom for a batch of fibers that does not go in, OutputError; the checkpoint before then still stands
+/// Writes the trajectory, the log and checkpoints as the scene asks. A run that blows up ends with its
+/// reason; its files are those of before.
+/// @throws dem::NoRoom for a batch of fibers that does not go in, OutputError; the checkpoint before then
+/// still stands
 PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers);
 
 }  // namespace fiberchain::compare

@@ -81,7 +81,8 @@ std::vector<FillCount> batch_counts(const PackingScene& scene, int n) {
 }
 
 int groups_at_start(const PackingScene& scene) {
-  const auto of_files = std::ranges::count_if(scene.kinds, [](const FiberKind& k) { return !k.starts.empty(); });
+  const auto of_files =
+      std::ranges::count_if(scene.kinds, [](const FiberKind& k) { return !k.starts.empty(); });
   return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
 }
 

@@ -26,7 +26,8 @@ double read_bend(const Section& kind, const Fiber& fiber) {
 
 /// The file stands beside the scene's, unless its path is absolute.
 void read_starts(const Section& section, FiberKind& kind) {
-  const std::filesystem::path path = std::filesystem::path(section.file()).parent_path() / section.word("starts");
+  const std::filesystem::path path =
+      std::filesystem::path(section.file()).parent_path() / section.word("starts");
   try {
     kind.file = read_scene_text(path, kLargestStarts);
     std::istringstream text(kind.file->text);
@@ -42,7 +43,8 @@ FiberKind read_kind(const Section& section) {
   if (section.has("bond")) {
     const Section bond = section.section("bond", {"model", "damping", "rolling_friction"});
     read_bond(bond, kind.fiber, form);
-    if (bond.has("rolling_friction")) kind.fiber.rolling_friction = bond.number("rolling_friction", kNonNegative);
+    if (bond.has("rolling_friction"))
+      kind.fiber.rolling_friction = bond.number("rolling_friction", kNonNegative);
   }
   check_fiber(section, kind.fiber, "");
   if (section.has("curvature")) kind.bend = read_bend(section, kind.fiber);
@@ -75,7 +77,8 @@ FillOrientation read_orientation(const Section& filling) {
   }
   const bool isotropic = orientation.alignment == Alignment::isotropic;
   for (const char* key : {"direction", "angle"}) {
-    if (isotropic && filling.has(key)) filling.fail(key, "is of use only with orientation: near_axis or near_plane");
+    if (isotropic && filling.has(key))
+      filling.fail(key, "is of use only with orientation: near_axis or near_plane");
   }
   if (isotropic) return orientation;
   const auto direction = read_direction(filling, "direction", Dimension::spatial);
@@ -116,8 +119,8 @@ void read_filling(const Section& top, PackingScene& scene) {
     return;
   }
   if (!top.has("filling")) top.fail("", "key 'filling' is missing: fibers that have a count need it");
-  const Section filling = top.section("filling", {"region", "orientation", "direction", "angle", "velocity", "gap",
-                                                  "seed", "attempts", "batches"});
+  const Section filling = top.section("filling", {"region", "orientation", "direction", "angle", "velocity",
+                                                  "gap", "seed", "attempts", "batches"});
   FillRules& rules = scene.filling;
   read_region(filling, scene);
   rules.orientation = read_orientation(filling);
@@ -135,7 +138,8 @@ void read_motion(const Section& top, PackingScene& scene) {
   const Section motion = top.section("motion", {"step", "form", "rolling", "orientations"});
   if (motion.has("step")) scene.step = motion.quantity("step", "s", kPositive);
   if (motion.has("form")) {
-    scene.form = motion.choice("form", {"total", "incremental"}) == 0 ? BondForm::total : BondForm::incremental;
+    scene.form =
+        motion.choice("form", {"total", "incremental"}) == 0 ? BondForm::total : BondForm::incremental;
   }
   if (motion.has("rolling")) {
     const bool solved = motion.choice("rolling", {"set_valued", "explicit_sign"}) == 0;
@@ -160,7 +164,8 @@ void check_together(const Section& top, const PackingScene& scene) {
     if (scene.form != BondForm::incremental) {
       top.fail("motion", "rolling friction of the bonds is built for form: incremental");
     }
-    if (scene.surroundings.fluid) top.fail("fluid", "is not built together with rolling friction of the bonds");
+    if (scene.surroundings.fluid)
+      top.fail("fluid", "is not built together with rolling friction of the bonds");
   }
   if (scene.duration > 0 && !((scene.batches.number - 1) * scene.batches.interval < scene.duration)) {
     top.fail("duration", "ends before the last batch of fibers comes");
@@ -170,8 +175,8 @@ void check_together(const Section& top, const PackingScene& scene) {
 }  // namespace
 
 PackingScene read_packing(const Section& top) {
-  top.allow({"scene", "fibers", "filling", "walls", "periodic", "gravity", "fluid", "contacts", "motion", "duration",
-             "steps", "output"});
+  top.allow({"scene", "fibers", "filling", "walls", "periodic", "gravity", "fluid", "contacts", "motion",
+             "duration", "steps", "output"});
   PackingScene scene{};
   scene.kinds = read_kinds(top);
   read_room(top, scene);

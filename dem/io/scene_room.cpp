@@ -49,9 +49,11 @@ void read_motion_of(const Section& section, Wall& wall) {
 }
 
 void read_walls(const Section& top, PackingScene& scene) {
-  const Section walls = top.section("walls", {"youngs_modulus", "poisson_ratio", "box", "planes", "cylinders"});
+  const Section walls =
+      top.section("walls", {"youngs_modulus", "poisson_ratio", "box", "planes", "cylinders"});
   Surroundings& around = scene.surroundings;
-  if (walls.has("youngs_modulus")) around.wall_youngs_modulus = walls.quantity("youngs_modulus", "Pa", kPositive);
+  if (walls.has("youngs_modulus"))
+    around.wall_youngs_modulus = walls.quantity("youngs_modulus", "Pa", kPositive);
   if (walls.has("poisson_ratio")) {
     if (!walls.has("youngs_modulus")) walls.fail("poisson_ratio", "is of use only with youngs_modulus");
     around.wall_poisson_ratio = walls.number("poisson_ratio", {.low = -1, .high = 0.5, .low_open = true});
@@ -65,7 +67,8 @@ void read_walls(const Section& top, PackingScene& scene) {
     }
   }
   if (walls.has("cylinders")) {
-    for (const Section& s : walls.sections("cylinders", {"point", "axis", "radius", "velocity", "from", "until"})) {
+    for (const Section& s :
+         walls.sections("cylinders", {"point", "axis", "radius", "velocity", "from", "until"})) {
       Wall wall{Cylinder{vector_of(s.quantities("point", "m", 3)), unit_vector(s, "axis"),
                          s.quantity("radius", "m", kPositive)}};
       read_motion_of(s, wall);
@@ -89,7 +92,8 @@ Fluid read_packing_fluid(const Section& top) {
       "fluid", {"viscosity", "flow", "rate", "gradient", "course", "hydrodynamics", "compressible"});
   if (!fluid.has("flow") && !fluid.has("gradient")) {
     for (const char* key : {"rate", "course", "compressible"}) {
-      if (fluid.has(key)) fluid.fail(key, "is of use only with flow or gradient; without, the fluid is at rest");
+      if (fluid.has(key))
+        fluid.fail(key, "is of use only with flow or gradient; without, the fluid is at rest");
     }
     return {fluid.quantity("viscosity", "Pa s", kPositive), {}};
   }
@@ -97,7 +101,8 @@ Fluid read_packing_fluid(const Section& top) {
   flow.dimension = Dimension::spatial;
   read_fluid(top, flow);
   if (flow.fluid.hydrodynamics != Hydrodynamics::free_draining) {
-    fluid.fail("hydrodynamics", "interactions and stresslets are not built for packings; allowed: free_draining");
+    fluid.fail("hydrodynamics",
+               "interactions and stresslets are not built for packings; allowed: free_draining");
   }
   return flow.fluid;
 }
@@ -109,7 +114,8 @@ ContactRules read_contacts(const Section& top) {
     rules.restitution = contacts.number("restitution", {.low = 0, .high = 1, .low_open = true});
   }
   if (contacts.has("friction")) rules.friction = contacts.number("friction", kNonNegative);
-  if (contacts.has("rolling_friction")) rules.rolling_friction = contacts.number("rolling_friction", kNonNegative);
+  if (contacts.has("rolling_friction"))
+    rules.rolling_friction = contacts.number("rolling_friction", kNonNegative);
   return rules;
 }
 

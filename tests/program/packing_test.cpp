@@ -12,7 +12,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+bool holds(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
 
 void flip_a_byte(const fs::path& path) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -52,8 +54,9 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   BOOST_TEST(std::abs(row["steps"].get<double>() * step - 4e-3) < step);
   BOOST_TEST(holds(outcome.error, "0.8 of what bond damping allows; stable: bonds"));
   const fs::path results = scratch.path / "results";
-  for (const char* end : {".csv", ".md", "-log.csv", ".checkpoint", ".checkpoint.previous", ".h5", ".xmf", ".pvd",
-                          "-lines.pvd", "-bending.svg", "-bending.png", "-energy.svg", "-energy.png"}) {
+  for (const char* end :
+       {".csv", ".md", "-log.csv", ".checkpoint", ".checkpoint.previous", ".h5", ".xmf", ".pvd", "-lines.pvd",
+        "-bending.svg", "-bending.png", "-energy.svg", "-energy.png"}) {
     BOOST_TEST(fs::file_size(results / (std::string("small") + end)) > 100, end);
   }
   const io::TrajectoryReader trajectory(results / "small.h5");
@@ -64,8 +67,8 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   BOOST_TEST(last.position.size() == 4200);
   BOOST_TEST(last.bonds.size() == 4000);
   BOOST_TEST((last.low[2] == 0 && last.high[0] == 0.05));
-  const Outcome picture = run({"render", "results/small.h5", "--width", "320", "--height", "200"},
-                              {.directory = scratch.path});
+  const Outcome picture =
+      run({"render", "results/small.h5", "--width", "320", "--height", "200"}, {.directory = scratch.path});
   BOOST_TEST(picture.status == 0, picture.error);
   const io::Checkpoint checkpoint = io::read_checkpoint(results / "small.checkpoint");
   BOOST_TEST(checkpoint.step == row["steps"].get<std::int64_t>());
@@ -123,14 +126,16 @@ BOOST_AUTO_TEST_CASE(one_run_at_a_time_and_none_overwritten) {
   for (const char* how : {"--resume", "--force"}) {
     const Outcome second = fibers.go({how});
     BOOST_TEST(second.status == 3);
-    BOOST_TEST(holds(second.error, "cannot write out: another run is at work in this directory"), second.error);
+    BOOST_TEST(holds(second.error, "cannot write out: another run is at work in this directory"),
+               second.error);
   }
   first.send(SIGTERM);
   BOOST_TEST(first.finish().status == 143);
   const std::string checkpoint = content(fibers.out("s.checkpoint"));
   const Outcome again = fibers.go();
   BOOST_TEST(again.status == 2);
-  BOOST_TEST(holds(again.error, "s.checkpoint is there already, of a run before: --resume goes on with it"), again.error);
+  BOOST_TEST(holds(again.error, "s.checkpoint is there already, of a run before: --resume goes on with it"),
+             again.error);
   BOOST_TEST((content(fibers.out("s.checkpoint")) == checkpoint));
   BOOST_TEST(fibers.go({"--force", "--resume"}).status == 2);
   fibers.file("s.yaml", few_fibers(500));
@@ -140,12 +145,15 @@ BOOST_AUTO_TEST_CASE(one_run_at_a_time_and_none_overwritten) {
 }
 
 BOOST_AUTO_TEST_CASE(a_finished_run_resumes_to_itself) {
-  const std::string before = content(undisturbed().out("s.checkpoint")), log = content(undisturbed().out("s-log.csv"));
+  const std::string before = content(undisturbed().out("s.checkpoint")),
+                    log = content(undisturbed().out("s-log.csv")),
+                    trajectory = content(undisturbed().out("s.h5"));
   const Outcome again = undisturbed().go({"--resume"});
   BOOST_TEST(again.status == 0, again.error);
   BOOST_TEST(holds(again.out, "finished"));
   BOOST_TEST((content(undisturbed().out("s.checkpoint")) == before));
   BOOST_TEST((content(undisturbed().out("s-log.csv")) == log));
+  BOOST_TEST((content(undisturbed().out("s.h5")) == trajectory));
 }
 
 BOOST_AUTO_TEST_CASE(checkpoints_that_cannot_be_used_are_refused) {
@@ -156,8 +164,9 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_cannot_be_used_are_refused) {
   flip_a_byte(last);
   const Outcome from_previous = fibers.go({"--resume"});
   BOOST_TEST(from_previous.status == 0, from_previous.error);
-  BOOST_TEST(holds(from_previous.error, "s.checkpoint: is corrupt: its checksum is not that of its content; going on "
-                                        "from the one before, of step 1913"),
+  BOOST_TEST(holds(from_previous.error,
+                   "s.checkpoint: is corrupt: its checksum is not that of its content; going on "
+                   "from the one before, of step 1913"),
              from_previous.error);
   BOOST_TEST(same_end(fibers, others));
 
@@ -176,7 +185,8 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_cannot_be_used_are_refused) {
   flip_a_byte(previous);
   const Outcome corrupt = fibers.go({"--resume"});
   BOOST_TEST(corrupt.status == 2);
-  BOOST_TEST(holds(corrupt.error, "no checkpoint to go on from: out/s.checkpoint: is corrupt"), corrupt.error);
+  BOOST_TEST(holds(corrupt.error, "no checkpoint to go on from: out/s.checkpoint: is corrupt"),
+             corrupt.error);
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_ends_it_and_keeps_what_is_good) {
@@ -195,7 +205,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_ends_it_and_keeps_what_is_good) {
 
 BOOST_AUTO_TEST_CASE(what_blows_up_says_where_and_can_be_looked_at) {
   const FewFibers fibers;
-  std::string text = few_fibers(30000);
+  std::string text = few_fibers(15000);
   fibers.file("s.yaml", text + "motion: {step: 4e-5 s}\n");
   const Outcome outcome = fibers.go();
   BOOST_TEST(outcome.status == 3);

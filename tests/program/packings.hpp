@@ -18,7 +18,8 @@ namespace fiberchain::test {
 inline std::string few_fibers(int steps, const std::string& more = "") {
   return "scene: packing\n"
          "fibers:\n"
-         "  - {diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, density: 1000 kg/m^3,\n"
+         "  - {diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, density: 1000 "
+         "kg/m^3,\n"
          "     bond: {damping: 1}, count: 31}\n"
          "filling: {region: {z: [1 mm, 50 mm]}, velocity: [0, 0, -1], seed: 3" +
          more +
@@ -27,12 +28,15 @@ inline std::string few_fibers(int steps, const std::string& more = "") {
          "gravity: [0, 0, -9.81]\n"
          "contacts: {restitution: 0.5, friction: 0.3}\n"
          "steps: " +
-         std::to_string(steps) + "\noutput: {samples: 37, frames: 11, checkpoints: 23, energy: true}\n";
+         std::to_string(steps) +
+         "\noutput: {samples: 37, frames: 11, checkpoints: 23, vtk: true, energy: true}\n";
 }
 
 /// A directory with the scene s.yaml, whose runs go to `out`.
 struct FewFibers : Scratch {
-  explicit FewFibers(int steps = 30000, const std::string& more = "") { file("s.yaml", few_fibers(steps, more)); }
+  explicit FewFibers(int steps = 15000, const std::string& more = "") {
+    file("s.yaml", few_fibers(steps, more));
+  }
 
   std::vector<std::string> arguments(std::vector<std::string> more = {}) const {
     std::vector<std::string> all = {"run", "s.yaml", "--out", "out", "--jobs", "1"};
@@ -67,7 +71,9 @@ inline std::string log_of(const std::filesystem::path& path) {
 inline bool same_frames(const std::filesystem::path& a, const std::filesystem::path& b) {
   const dem::io::TrajectoryReader first(a), second(b);
   if (first.steps() != second.steps() || first.times() != second.times()) return false;
-  const auto differs = [](const auto& u, const auto& v) { return u[0] != v[0] || u[1] != v[1] || u[2] != v[2]; };
+  const auto differs = [](const auto& u, const auto& v) {
+    return u[0] != v[0] || u[1] != v[1] || u[2] != v[2];
+  };
   for (std::int64_t n = 0; n < first.frames(); ++n) {
     const dem::io::Frame f = first.read(n), g = second.read(n);
     if (f.position.size() != g.position.size() || f.bonds.size() != g.bonds.size()) return false;
@@ -83,12 +89,16 @@ inline bool same_frames(const std::filesystem::path& a, const std::filesystem::p
 
 /// Whether two runs ended alike: last state, log and frames.
 inline bool same_end(const FewFibers& a, const FewFibers& b) {
-  return !content(a.out("s.checkpoint")).empty() && content(a.out("s.checkpoint")) == content(b.out("s.checkpoint")) &&
-         log_of(a.out("s-log.csv")) == log_of(b.out("s-log.csv")) && same_frames(a.out("s.h5"), b.out("s.h5"));
+  return !content(a.out("s.checkpoint")).empty() &&
+         content(a.out("s.checkpoint")) == content(b.out("s.checkpoint")) &&
+         content(a.out("s.pvd")) == content(b.out("s.pvd")) &&
+         files_under(a.out("s")) == files_under(b.out("s")) &&
+         log_of(a.out("s-log.csv")) == log_of(b.out("s-log.csv")) &&
+         same_frames(a.out("s.h5"), b.out("s.h5"));
 }
 
-/// Kills a run again and again, each time a while after its next checkpoint, and resumes it; then lets it end.
-/// How many of them the kill came in time for.
+/// Kills a run again and again, each time a while after its next checkpoint, and resumes it; then lets it
+/// end. How many of them the kill came in time for.
 inline int kill_and_resume(const FewFibers& fibers, const std::vector<int>& milliseconds) {
   int killed = 0;
   for (const int pause : milliseconds) {

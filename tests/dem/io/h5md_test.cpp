@@ -231,3 +231,27 @@ BOOST_AUTO_TEST_CASE(a_journal_that_is_not_whole_is_none) {
   file.read(17, &byte, 1);
   BOOST_TEST(byte == 'o');
 }
+
+BOOST_AUTO_TEST_CASE(spheres_that_come_later_are_not_read_before) {
+  const Scratch scratch;
+  const auto path = scratch.path / "growing.h5";
+  io::TrajectoryWriter writer(path, {"tester", "1", {}, true});
+  for (const std::int64_t step : {0, 10, 20}) {
+    io::Frame frame = bent_fibers(5, 9, step);
+    frame.absent = step == 0 ? 27 : step == 10 ? 9 : 0;
+    writer.append(frame);
+  }
+  const io::TrajectoryReader reader(path);
+  const std::size_t spheres[] = {18, 36, 45}, bonds[] = {16, 32, 40};
+  for (std::size_t n = 0; n < 3; ++n) {
+    const io::Frame frame = reader.read(static_cast<std::int64_t>(n));
+    BOOST_TEST(frame.position.size() == spheres[n]);
+    BOOST_TEST(frame.fiber.size() == spheres[n]);
+    BOOST_TEST(frame.bonds.size() == bonds[n]);
+    BOOST_TEST(frame.absent == 0);
+  }
+  io::TrajectoryWriter fixed(scratch.path / "fixed.h5", {"tester", "1", {}});
+  io::Frame frame = bent_fibers(5, 9, 0);
+  frame.absent = 9;
+  BOOST_CHECK_THROW(fixed.append(frame), fiberchain::dem::InvalidInput);
+}

@@ -62,69 +62,89 @@ const Fault kFaults[] = {
     {kScene + "colour: red\n", "test.yaml:14: unknown key 'colour'; allowed: scene, fibers, filling"},
     {with("fibers:", "fibres:"), "test.yaml:2: unknown key 'fibres'; did you mean 'fibers'?"},
     {less("count: 11"), "test.yaml:3: fibers[0]: must have exactly one of count, starts"},
-    {less("count: 11", "count: 0"), "test.yaml:3: fibers[0].count: '0' is not allowed; allowed: a whole number at "
-                                    "least 1"},
+    {less("count: 11", "count: 0"),
+     "test.yaml:3: fibers[0].count: '0' is not allowed; allowed: a whole number at "
+     "least 1"},
     {less("count: 11", "count: 1.5"), "test.yaml:3: fibers[0].count: '1.5' is not allowed"},
     {less("count: 11", "starts: none.csv"), "test.yaml:3: fibers[0].starts: none.csv: cannot read"},
     {less("count: 11", "amount: 3"), "test.yaml:3: unknown key 'fibers[0].amount'; "},
     {less("2 mm", "2 kg"), "test.yaml:3: fibers[0].diameter: '2 kg' has a unit of another dimension"},
     {less("diameter: 2 mm, "), "test.yaml:3: fibers[0]: key 'diameter' is missing"},
     {less("radius: 3 cm", "radius: 1 mm"), "test.yaml:4: fibers[1].curvature.radius: '1 mm' is out of range"},
-    {less("radius: 3 cm", "angle: 1"), "test.yaml:4: fibers[1].curvature: an arc of 1 rad a bond is not allowed: at "
-                                       "most 0.483322"},
-    {less("radius: 3 cm", "radius: 3 cm, angle: 0.1"), "test.yaml:4: fibers[1].curvature: must have exactly one of"},
+    {less("radius: 3 cm", "angle: 1"),
+     "test.yaml:4: fibers[1].curvature: an arc of 1 rad a bond is not allowed: at "
+     "most 0.483322"},
+    {less("radius: 3 cm", "radius: 3 cm, angle: 0.1"),
+     "test.yaml:4: fibers[1].curvature: must have exactly one of"},
     {less("damping: 0.7", "damping: -1"), "test.yaml:4: fibers[1].bond.damping: '-1' is out of range"},
-    {less("damping: 0.7", "rolling_friction: 1"), "test.yaml:11: motion: rolling friction of the bonds is built for"},
+    {less("damping: 0.7", "rolling_friction: 1"),
+     "test.yaml:11: motion: rolling friction of the bonds is built for"},
     {less("damping: 0.7", "form: total"), "test.yaml:4: unknown key 'fibers[1].bond.form'"},
     {with("fibers:", "fibers: []\nx:"), "test.yaml:3: unknown key 'x'"},
-    {less("box: {x: 7 cm, z: 16 cm}, ", "", filling("seed: 1")), "test.yaml:5: filling: key 'region.x' is missing"},
+    {less("box: {x: 7 cm, z: 16 cm}, ", "", filling("seed: 1")),
+     "test.yaml:5: filling: key 'region.x' is missing"},
     {less("box: {x: 7 cm, z: 16 cm}, ", "", filling("region: {x: [0, 1]}")),
      "test.yaml:5: filling.region: key 'z' is missing: neither box nor periodic has this side"},
     {filling("region: {z: [3 cm, 2 cm]}"), "test.yaml:5: filling.region.z: must rise"},
-    {filling("region: {z: [3 cm]}"), "test.yaml:5: filling.region.z: must be a list of 2 finite numbers in m"},
-    {filling("region: {z: [3 cm, 2 s]}"), "test.yaml:5: filling.region.z: '2 s' has a unit of another dimension"},
+    {filling("region: {z: [3 cm]}"),
+     "test.yaml:5: filling.region.z: must be a list of 2 finite numbers in m"},
+    {filling("region: {z: [3 cm, 2 s]}"),
+     "test.yaml:5: filling.region.z: '2 s' has a unit of another dimension"},
     {filling("region: {w: [1, 2]}"), "test.yaml:5: unknown key 'filling.region.w'"},
-    {filling("orientation: along"), "test.yaml:5: filling.orientation: 'along' is not allowed; allowed: isotropic, "
-                                    "near_axis, near_plane"},
+    {filling("orientation: along"),
+     "test.yaml:5: filling.orientation: 'along' is not allowed; allowed: isotropic, "
+     "near_axis, near_plane"},
     {filling("orientation: near_plane, angle: 0.1"), "test.yaml:5: filling: key 'direction' is missing"},
-    {filling("orientation: near_plane, direction: [1, 0, 0], angle: 2"), "test.yaml:5: filling.angle: '2' is out of"},
+    {filling("orientation: near_plane, direction: [1, 0, 0], angle: 2"),
+     "test.yaml:5: filling.angle: '2' is out of"},
     {filling("angle: 0.1"), "test.yaml:5: filling.angle: is of use only with orientation"},
     {filling("velocity: 3"), "test.yaml:5: filling.velocity: must be a list of 3 finite numbers in m/s"},
-    {filling("velocity: [0, 0, .nan]"), "test.yaml:5: filling.velocity: must be a list of 3 finite numbers in m/s"},
+    {filling("velocity: [0, 0, .nan]"),
+     "test.yaml:5: filling.velocity: must be a list of 3 finite numbers in m/s"},
     {filling("gap: -1 mm"), "test.yaml:5: filling.gap: '-1 mm' is out of range"},
     {filling("seed: -1"), "test.yaml:5: filling.seed: '-1' is not allowed"},
     {filling("attempts: 0"), "test.yaml:5: filling.attempts: '0' is not allowed"},
     {filling("batches: {number: 2}"), "test.yaml:5: filling.batches: key 'interval' is missing"},
-    {filling("batches: {number: 9, interval: 40 ms}"), "test.yaml:12: duration: ends before the last batch of fibers "
-                                                       "comes"},
-    {walls("box: {x: 7 cm, y: 5 cm, z: 16 cm}"), "test.yaml:6: walls.box.y: has no walls: this side is periodic"},
+    {filling("batches: {number: 9, interval: 40 ms}"),
+     "test.yaml:12: duration: ends before the last batch of fibers "
+     "comes"},
+    {walls("box: {x: 7 cm, y: 5 cm, z: 16 cm}"),
+     "test.yaml:6: walls.box.y: has no walls: this side is periodic"},
     {walls("box: {x: 7 cm}"), "test.yaml:6: walls.box: key 'z' is missing"},
-    {walls("box: {x: 7 cm, z: 1, lid: ajar}"), "test.yaml:6: walls.box.lid: 'ajar' is not allowed; allowed: closed, "
-                                               "open"},
+    {walls("box: {x: 7 cm, z: 1, lid: ajar}"),
+     "test.yaml:6: walls.box.lid: 'ajar' is not allowed; allowed: closed, "
+     "open"},
     {walls("poisson_ratio: 0.3"), "test.yaml:6: walls.poisson_ratio: is of use only with youngs_modulus"},
     {walls("youngs_modulus: 0"), "test.yaml:6: walls.youngs_modulus: '0' is out of range"},
-    {walls("planes: {point: [0, 0, 0], normal: [0, 0, 1]}"), "test.yaml:6: walls.planes: must be a list of mappings"},
+    {walls("planes: {point: [0, 0, 0], normal: [0, 0, 1]}"),
+     "test.yaml:6: walls.planes: must be a list of mappings"},
     {walls("planes: [{point: [0, 0, 0]}]"), "test.yaml:6: walls.planes[0]: key 'normal' is missing"},
-    {walls("planes: [{point: [0, 0, 0], normal: [0, 0, 0]}]"), "test.yaml:6: walls.planes[0].normal: must not be zero"},
+    {walls("planes: [{point: [0, 0, 0], normal: [0, 0, 0]}]"),
+     "test.yaml:6: walls.planes[0].normal: must not be zero"},
     {walls("planes: [{point: [0, 0, 0], normal: [0, 0, 1], from: 2 s, until: 1 s}]"),
      "test.yaml:6: walls.planes[0].until: must be later than from"},
     {walls("cylinders: [3]"), "test.yaml:6: walls.cylinders[0]: must be a list of mappings"},
     {walls("cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: -1 m}]"),
      "test.yaml:6: walls.cylinders[0].radius: '-1 m' is out of range"},
     {with("periodic:", "periodic: {y: 0 m}"), "test.yaml:7: periodic.y: '0 m' is out of range"},
-    {with("gravity:", "gravity: [0, 0, 9.81 m]"), "test.yaml:8: gravity: '9.81 m' has a unit of another dimension"},
+    {with("gravity:", "gravity: [0, 0, 9.81 m]"),
+     "test.yaml:8: gravity: '9.81 m' has a unit of another dimension"},
     {with("gravity:", "gravity: 9.81"), "test.yaml:8: gravity: must be a list of 3 finite numbers in m/s^2"},
     {less("rate: 2 1/s", "rate: 0"), "test.yaml:9: fluid.rate: must not be zero"},
     {less("flow: shear, rate", "rate"), "test.yaml:9: fluid.rate: is of use only with flow or gradient"},
     {less("rate: 2 1/s", "rate: 2 1/s, hydrodynamics: interactions"),
      "test.yaml:9: fluid.hydrodynamics: interactions and stresslets are not built for packings"},
-    {with("contacts:", "contacts: {restitution: 0}"), "test.yaml:10: contacts.restitution: '0' is out of range"},
-    {with("contacts:", "contacts: {restitution: 1.1}"), "test.yaml:10: contacts.restitution: '1.1' is out of range"},
-    {with("contacts:", "contacts: {friction: -0.1}"), "test.yaml:10: contacts.friction: '-0.1' is out of range"},
+    {with("contacts:", "contacts: {restitution: 0}"),
+     "test.yaml:10: contacts.restitution: '0' is out of range"},
+    {with("contacts:", "contacts: {restitution: 1.1}"),
+     "test.yaml:10: contacts.restitution: '1.1' is out of range"},
+    {with("contacts:", "contacts: {friction: -0.1}"),
+     "test.yaml:10: contacts.friction: '-0.1' is out of range"},
     {with("contacts:", "contacts: {stiction: 1}"), "test.yaml:10: unknown key 'contacts.stiction'"},
     {with("motion:", "motion: {step: 0 s}"), "test.yaml:11: motion.step: '0 s' is out of range"},
-    {with("motion:", "motion: {orientations: maybe}"), "test.yaml:11: motion.orientations: 'maybe' is not allowed; "
-                                                       "allowed: false, true"},
+    {with("motion:", "motion: {orientations: maybe}"),
+     "test.yaml:11: motion.orientations: 'maybe' is not allowed; "
+     "allowed: false, true"},
     {with("motion:", "motion: {rolling: off}"), "test.yaml:11: motion.rolling: 'off' is not allowed"},
     {with("duration:", "duration: 0.3 s\nsteps: 3"), "must have exactly one of duration, steps"},
     {with("duration:", "steps: 0"), "test.yaml:12: steps: '0' is not allowed"},
@@ -165,7 +185,8 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_TEST((lid.point[2] == 0.16 && lid.normal[2] == -1));
   const auto& press = std::get<dem::Plane>(around.walls[4].shape);
   BOOST_TEST((press.point[2] == 0.17 && press.normal[2] == -1));
-  BOOST_TEST((around.walls[4].velocity[2] == -5e-3 && around.walls[4].from == 0.1 && around.walls[4].until == 0.2));
+  BOOST_TEST(
+      (around.walls[4].velocity[2] == -5e-3 && around.walls[4].from == 0.1 && around.walls[4].until == 0.2));
   BOOST_TEST(std::get<dem::Cylinder>(around.walls[5].shape).radius == 0.09);
   BOOST_TEST((around.period[0] == 0 && around.period[1] == 0.05 && around.period[2] == 0));
   BOOST_TEST(around.gravity[2] == -9.81);
@@ -184,7 +205,8 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
 BOOST_DATA_TEST_CASE(bad_input_is_refused_with_its_place, kFaults, fault) {
   BOOST_CHECK_EXCEPTION(parse(fault.scene), io::SceneError, [&](const io::SceneError& error) {
     const std::string message = error.what();
-    BOOST_TEST(message.find(fault.says) != std::string::npos, "\"" << message << "\" lacks \"" << fault.says << "\"");
+    BOOST_TEST(message.find(fault.says) != std::string::npos,
+               "\"" << message << "\" lacks \"" << fault.says << "\"");
     return message.find('\n') == std::string::npos;
   });
 }
@@ -192,7 +214,8 @@ BOOST_DATA_TEST_CASE(bad_input_is_refused_with_its_place, kFaults, fault) {
 BOOST_AUTO_TEST_CASE(what_is_left_out_is_as_documented) {
   const io::PackingScene scene = parse(
       "scene: packing\n"
-      "fibers: [{diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, poisson_ratio: 0, density: 1000, count: 3}]\n"
+      "fibers: [{diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, poisson_ratio: 0, density: 1000, "
+      "count: 3}]\n"
       "filling: {region: {x: [-1 cm, 3 cm], y: [0, 2 cm], z: [1 cm, 9 cm]}}\n"
       "fluid: {viscosity: 2}\n"
       "steps: 12\n");
@@ -255,7 +278,8 @@ BOOST_AUTO_TEST_CASE(the_step_is_chosen_for_all_kinds) {
 
 BOOST_AUTO_TEST_CASE(starts_come_from_a_file_beside_the_scene) {
   const fiberchain::test::Scratch scratch;
-  std::ofstream(scratch.path / "two.csv") << "x,y,z,ux,uy,uz\n0.03,0.01,0.05,0,0.6,0.8\n0.02,0.04,0.09,0,0,-1\n";
+  std::ofstream(scratch.path / "two.csv")
+      << "x,y,z,ux,uy,uz\n0.03,0.01,0.05,0,0.6,0.8\n0.02,0.04,0.09,0,0,-1\n";
   const std::string text = less("count: 11", "starts: two.csv"), name = (scratch.path / "s.yaml").string();
   const io::PackingScene scene = parse(text, name);
   BOOST_REQUIRE_EQUAL(scene.kinds[0].starts.size(), 2u);
@@ -277,14 +301,15 @@ BOOST_AUTO_TEST_CASE(starts_come_from_a_file_beside_the_scene) {
 
 BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
   const std::filesystem::path scenes = std::filesystem::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes";
-  const io::PackingScene layers = std::get<io::PackingScene>(
-      io::parse_scene(io::read_scene_text(scenes / "crossed-layers.yaml")));
+  const io::PackingScene layers =
+      std::get<io::PackingScene>(io::parse_scene(io::read_scene_text(scenes / "crossed-layers.yaml")));
   const io::PackingStart start = io::packing_start(layers, 1);
   BOOST_TEST(start.groups[0].fibers.size() == 2000u);
   BOOST_TEST(start.steps == 20000);
   BOOST_TEST(*start.options.step == 4e-6);
   for (const char* name : {"packing.yaml", "packing-small.yaml"}) {
-    const io::PackingScene scene = std::get<io::PackingScene>(io::parse_scene(io::read_scene_text(scenes / name)));
+    const io::PackingScene scene =
+        std::get<io::PackingScene>(io::parse_scene(io::read_scene_text(scenes / name)));
     BOOST_CHECK_NO_THROW(io::packing_start(scene, 1));
   }
 }
