@@ -2,10 +2,13 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/skips.hpp"
 #include "compare/bench/tables.hpp"
 #include "compare/markdown.hpp"
+#include "compare/published.hpp"
+#include "dem/io/scene.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -13,7 +16,7 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, flow, skips, kernels };
+enum class Case { statics, damping, history, flow, skips, kernels, packing };
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -96,22 +99,31 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
   }
 }
 
+void add_packing(Report& report, const BenchOptions& options) {
+  const auto path = compare::find_data_directory(std::nullopt) / "scenes" / "crossed-layers.yaml";
+  const auto scene = std::get<dem::io::PackingScene>(dem::io::parse_scene(dem::io::read_scene_text(path)));
+  const compare::Table times = compare::packing_time_table(compare::packing_times(scene, options));
+  report.add("bench-packing", "A sphere-step of a packing, on one thread and two, and of more and fewer spheres", times, times);
+}
+
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::skips, Case::kernels};
+  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::skips, Case::kernels, Case::packing};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
                       {"history", Case::history},
                       {"skips", Case::skips},
                       {"kernels", Case::kernels},
-                      {"flow", Case::flow}});
+                      {"flow", Case::flow},
+                      {"packing", Case::packing}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   const auto directory = open_output(output);
   Report report;
   add_problems(report, problems_of(cases, options, context));
   add_loops(report, cases, options);
+  if (has(cases, Case::packing)) add_packing(report, options);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }
@@ -122,12 +134,12 @@ Command bench_command() {
   return {.name = "bench",
           .description =
               "run time against error of every method, what each skip saves, what bounds the inner loops",
-          .footer = std::string("One thread; a method that fails keeps its row with its status.\n"
+          .footer = std::string("One thread, but for packings; a method that fails keeps its row with its status.\n"
                                 "Example:\n  fiberchain bench --quick --case static\n") +
                     kListHelp,
-          .options = {{"--quick", "", "fewer settings and runs: half a minute in all, not five",
+          .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight",
                        OptionKind::flag},
-                      {"--case", "LIST", "static, damping, history, skips, kernels, flow [all]"},
+                      {"--case", "LIST", "static, damping, history, skips, kernels, flow, packing [all]"},
                       {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
                       json_option(),
                       {"--out", "DIR",

@@ -9,11 +9,25 @@
 namespace fiberchain::app {
 namespace {
 
-/// The rows of every part of the program, in the order of the matrix.
-std::vector<compare::MatrixRow> all_rows(const std::vector<compare::PublishedValue>& published, int jobs,
-                                         const Context& context) {
+/// What the parts of the matrix are called on the command line, in its order.
+constexpr const char* kParts[] = {"beams", "static", "damping", "friction", "stability", "flow", "packing"};
+
+using Steps = std::vector<compare::ValidationStep>;
+
+/// The parts asked for, in the order of the matrix; all if none is.
+Steps steps_of(const Arguments& arguments) {
+  const Steps& all = compare::validation_steps();
+  Steps chosen = all;
+  std::vector<std::pair<std::string, compare::ValidationStep>> words;
+  for (std::size_t n = 0; n < all.size(); ++n) words.emplace_back(kParts[n], all[n]);
+  read_choices<compare::ValidationStep>(arguments, "--part", chosen, words);
+  return chosen;
+}
+
+/// Their rows.
+std::vector<compare::MatrixRow> rows_of(const Steps& steps, const std::vector<compare::PublishedValue>& published, int jobs,
+                                        const Context& context) {
   const compare::ValidationInput input{published, jobs};
-  const auto& steps = compare::validation_steps();
   const auto progress = context.progress(steps.size());
   std::vector<compare::MatrixRow> all;
   for (const compare::ValidationStep& step : steps) {
@@ -36,8 +50,9 @@ int run(const Arguments& arguments, Context& context) {
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
   const auto published = compare::read_all_published(compare::find_data_directory(data));
+  const Steps steps = steps_of(arguments);
   const auto directory = open_output(output);
-  const std::vector<compare::MatrixRow> rows = all_rows(published, output.jobs, context);
+  const std::vector<compare::MatrixRow> rows = rows_of(steps, published, output.jobs, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
   const compare::Table shown = results.table.select(
@@ -53,10 +68,11 @@ Command validate_command() {
   return {.name = "validate",
           .description = "hold the program against exact and published values",
           .footer =
-              "Example:\n  fiberchain validate --out results\n"
+              "Example:\n  fiberchain validate --part beams,static\n"
               "Exit status 1 if a row that must hold does not.",
           .options = with_output(
-              {{"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),
+              {{"--part", "LIST", "beams, static, damping, friction, stability, flow, packing [all]"},
+               {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),
           .run = &run};
 }
 

@@ -22,8 +22,8 @@ double floor_of(const PackingScene& scene, const V& up) {
 double bending_mean(const dem::Assembly& assembly) {
   dem::Mean mean;
   for (int g = 0; g < assembly.groups(); ++g) {
-    for (int f = 0; f < assembly.fibers(g); ++f) {
-      for (const dem::BondState& bond : assembly.bonds(g, f)) mean.sum += bond.bending_angle, ++mean.count;
+    for (const auto& bonds : assembly.bonds(g)) {
+      for (const dem::BondState& bond : bonds) mean.sum += bond.bending_angle, ++mean.count;
     }
   }
   return mean.value();
@@ -52,12 +52,11 @@ void add_absent(dem::io::Frame& frame, const dem::Fiber& fiber, const V& place) 
   frame.absent += fiber.aspect_ratio + 1;
 }
 
-void add_fiber(dem::io::Frame& frame, const dem::Assembly& assembly, int group, int fiber) {
-  const dem::ChainState<3> state = assembly.state(group, fiber);
+void add_fiber(dem::io::Frame& frame, const dem::ChainState<3>& state, const std::vector<dem::BondState>& bonds,
+               double radius) {
   const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
-  const double radius = dem::sphere_radius(assembly.chain(group).fiber);
   auto sphere = static_cast<std::int64_t>(frame.position.size());
-  for (const dem::BondState& bond : assembly.bonds(group, fiber)) {
+  for (const dem::BondState& bond : bonds) {
     frame.bonds.push_back({sphere++, bond.force, bond.bending_angle});
   }
   for (std::size_t i = 0; i < state.poses.size(); ++i) {
@@ -121,7 +120,10 @@ dem::io::Frame frame_of(const dem::Assembly& assembly, const PackingScene& scene
   frame.high = scene.room.high;
   for (int a = 0; a < 3; ++a) frame.periodic[a] = scene.surroundings.period[a] > 0;
   for (int g = 0; g < assembly.groups(); ++g) {
-    for (int f = 0; f < assembly.fibers(g); ++f) add_fiber(frame, assembly, g, f);
+    const auto states = assembly.states(g);
+    const auto bonds = assembly.bonds(g);
+    const double radius = dem::sphere_radius(assembly.chain(g).fiber);
+    for (std::size_t f = 0; f < states.size(); ++f) add_fiber(frame, states[f], bonds[f], radius);
   }
   int group = dem::io::groups_at_start(scene);
   for (int n = 1; n < scene.batches.number; ++n) {

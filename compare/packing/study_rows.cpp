@@ -193,6 +193,7 @@ std::vector<PackingCase> row_cases() {
     c.bond_damping = 1, cases.push_back(c), c.bond_damping = plain.bond_damping;
     c.rolling_friction = 1, cases.push_back(c);
   }
+  cases.front().booked = true;
   cases.push_back(plain);
   cases.back().stiffness = 20;
   return cases;

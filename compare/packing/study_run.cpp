@@ -20,17 +20,10 @@ const Vec3 kUp{0, 0, 1};
 constexpr double kSlab = 0.005;  // thickness of the slabs of the solid fraction [m]
 constexpr int kPolarClasses = 18;
 
-/// All fibers now.
-States states_of(const dem::Assembly& assembly) {
-  States states;
-  for (int f = 0; f < assembly.fibers(0); ++f) states.push_back(assembly.state(0, f));
-  return states;
-}
-
 void sample_bending(const dem::Assembly& assembly, PackingSample& sample) {
   dem::Mean mean;
-  for (int f = 0; f < assembly.fibers(0); ++f) {
-    for (const dem::BondState& bond : assembly.bonds(0, f)) {
+  for (const auto& bonds : assembly.bonds(0)) {
+    for (const dem::BondState& bond : bonds) {
       mean.sum += bond.bending_angle, ++mean.count;
       sample.largest_bending = std::max(sample.largest_bending, bond.bending_angle);
     }
@@ -113,7 +106,7 @@ void follow(const dem::io::PackingScene& scene, const PackingWatch& watch,
   run.spheres = assembly.spheres();
   for (int k = 0; k <= watch.samples; ++k) {
     assembly.march(steps * k / watch.samples - assembly.steps());
-    const States states = states_of(assembly);
+    const States states = assembly.states(0);
     run.history.push_back(sample_of(assembly, states, floor, fiber_of_sphere));
     run.steps = assembly.steps();
     if (run.asked.pictured) run.pictures.push_back(picture_of(assembly, states));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/assembly/observables.hpp"
@@ -124,52 +125,86 @@ PlacedSpheres Assembly::placed() const {
 
 std::int64_t Assembly::first_sphere(int group, int fiber) const { return state_->first_sphere(group, fiber); }
 
-ChainState<3> Assembly::state(int group, int fiber) const {
-  const State& s = *state_;
-  const State::Place at = s.place(group, fiber);
-  const FiberKind& kind = s.kinds[group];
-  const BlockLook now = s.look(at.block);
-  ChainState<3> state;
-  for (int i = 0; i < kind.spheres(); ++i) {
-    MovingSphere<double, 3> sphere = s.blocks[at.block].sphere(kind, now, at.lane, i);
-    move_half_step(sphere, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, s.gradient_now(), s.step, false);
-    if (!s.rows.oriented()) {
-      const double unknown = std::nan("");
-      sphere.pose.orientation = {unknown, {unknown, unknown, unknown}};
-    }
-    state.poses.push_back(sphere.pose);
-    state.velocity.push_back(sphere.velocity);
-    state.spin.push_back(sphere.spin);
-  }
-  return state;
-}
+namespace {
 
-std::vector<BondState> Assembly::bonds(int group, int fiber) const {
-  const State& s = *state_;
-  const State::Place at = s.place(group, fiber);
-  const FiberBlock& block = s.blocks[at.block];
-  const FiberKind& kind = s.kinds[group];
-  const BlockLook now = s.look(at.block);
-  const BondParameters<double>& law = kind.parameters.bond;
-  std::vector<BondState> bonds;
-  const ChainState<3> state = this->state(group, fiber);
-  for (int i = 0; i + 1 < kind.spheres(); ++i) {
+/// A block and its look, to take fibers from.
+struct Looked {
+  const Assembly::State& all;
+  const FiberBlock& block;
+  const FiberKind& kind;
+  BlockLook now;
+
+  Looked(const Assembly::State& s, int number)
+      : all(s), block(s.blocks[number]), kind(s.kinds[block.group()]), now(s.look(number)) {}
+
+  ChainState<3> state(int lane) const {
+    ChainState<3> state;
+    const double unknown = std::nan("");
+    for (int i = 0; i < kind.spheres(); ++i) {
+      MovingSphere<double, 3> sphere = block.sphere(kind, now, lane, i);
+      move_half_step(sphere, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, all.gradient_now(), all.step, false);
+      if (!all.rows.oriented()) sphere.pose.orientation = {unknown, {unknown, unknown, unknown}};
+      state.poses.push_back(sphere.pose);
+      state.velocity.push_back(sphere.velocity);
+      state.spin.push_back(sphere.spin);
+    }
+    return state;
+  }
+
+  BondState bond(const ChainState<3>& state, int lane, int i) const {
+    const BondParameters<double>& law = kind.parameters.bond;
     const RelativeMotion<double, 3> motion{state.velocity[i + 1] - state.velocity[i],
                                            0.5 * (state.spin[i] + state.spin[i + 1]), state.spin[i + 1] - state.spin[i]};
     const auto line = bond_vector<double, 3>(state.poses[i + 1].position - state.poses[i].position,
                                              kind.parameters.inverse_length);
     const Vec<double, 3> e = line.inverse_length * line.vector;
-    if (s.options.form == BondForm::total) {
+    if (all.options.form == BondForm::total) {
       const auto k = bond_kinematics(kind.chain, state.poses, i);
       const Vec<double, 3> spring = bond_loads(k, bond_stress(law, k.separation, k.rotation)).force_on_first;
-      bonds.push_back({spring + dashpot_action(law, line.vector, e, motion).force, bending_angle(kind.chain, state.poses, i)});
-      continue;
+      return {spring + dashpot_action(law, line.vector, e, motion).force, bending_angle(kind.chain, state.poses, i)};
     }
-    const BondHistory<double, 3> history = block.history(kind, now, at.lane, i);
-    bonds.push_back({incremental_action<true>(law, history, line, motion).force,
-                     norm(history.rotation - dot(history.rotation, e) * e)});
+    const BondHistory<double, 3> history = block.history(kind, now, lane, i);
+    return {incremental_action<true>(law, history, line, motion).force,
+            norm(history.rotation - dot(history.rotation, e) * e)};
   }
-  return bonds;
+
+  std::vector<BondState> bonds(int lane) const {
+    const ChainState<3> own = state(lane);
+    std::vector<BondState> bonds;
+    for (int i = 0; i + 1 < kind.spheres(); ++i) bonds.push_back(bond(own, lane, i));
+    return bonds;
+  }
+};
+
+/// of(looked, lane) of all fibers of a group.
+template <class Of>
+auto all_of(const Assembly::State& s, int group, const Of& of) {
+  std::vector<decltype(of(std::declval<Looked>(), 0))> all;
+  for (int fiber = 0; fiber < s.fibers[group];) {
+    const Looked looked(s, s.place(group, fiber).block);
+    for (int lane = 0; lane < looked.block.lanes(); ++lane, ++fiber) all.push_back(of(looked, lane));
+  }
+  return all;
+}
+
+}  // namespace
+
+ChainState<3> Assembly::state(int group, int fiber) const {
+  const State::Place at = state_->place(group, fiber);
+  return Looked(*state_, at.block).state(at.lane);
+}
+
+std::vector<BondState> Assembly::bonds(int group, int fiber) const {
+  const State::Place at = state_->place(group, fiber);
+  return Looked(*state_, at.block).bonds(at.lane);
+}
+
+std::vector<ChainState<3>> Assembly::states(int group) const {
+  return all_of(*state_, group, [](const Looked& looked, int lane) { return looked.state(lane); });
+}
+
+std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
+  return all_of(*state_, group, [](const Looked& looked, int lane) { return looked.bonds(lane); });
 }
 
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }

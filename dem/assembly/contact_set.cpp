@@ -219,7 +219,7 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   const std::int32_t end = stripe_begin_[k + 1];
   const ContactView contacts = view(stripe, rows);
   ContactTask task{0, static_cast<std::int32_t>(stripe.first.size()), end, stripe.touching.data(), stripe.deferred.data(),
-                   0, 0, stripe.book, {}, stripe.wall_work, 0};
+                   0, 0, stripe.book, {}, 0, 0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     NearWall& near = stripe.walls[w];
@@ -227,7 +227,7 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
     if (is_there(surroundings_.walls[w], time)) {
       kernel_->wall(contacts, wall_view(static_cast<int>(w), near, time), task);
     } else {
-      near.memory.reset(near.slots.size());
+      drop(near, static_cast<int>(w), stripe);
     }
   }
   for (auto& entries : stripe.for_stripe) entries.clear();
@@ -237,7 +237,7 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   }
   stripe.contacts = task.contacts;
   stripe.book = task.book, stripe.power = task.power;
-  stripe.wall_work = task.wall_work, stripe.wall_power = task.wall_power;
+  stripe.wall_work += task.wall_work, stripe.wall_power = task.wall_power;
 }
 
 void ContactSet::gather_loads(int k, SphereRows& rows) {
@@ -284,19 +284,29 @@ void ContactSet::begin_books() {
   }
 }
 
+double ContactSet::energy_of(const KeptContact& c) const {
+  const int kind = kind_of_sphere_[c.first];
+  const ContactParameters<double>& p =
+      c.second < 0 ? wall_parameters_[kind] : pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
+  const double root = std::sqrt(c.overlap);
+  double energy = 0.4 * p.normal * c.overlap * c.overlap * root;
+  for (const double spring : c.spring) {
+    if (p.tangential > 0) energy += 0.5 * spring * spring / (p.tangential * root);
+  }
+  return energy;
+}
+
 double ContactSet::stored_energy() const {
   double sum = 0;
-  for (const KeptContact& c : kept()) {
-    const int kind = kind_of_sphere_[c.first];
-    const ContactParameters<double>& p = c.second < 0 ? wall_parameters_[kind]
-                                                      : pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
-    const double root = std::sqrt(c.overlap);
-    sum += 0.4 * p.normal * c.overlap * c.overlap * root;
-    for (const double spring : c.spring) {
-      if (p.tangential > 0) sum += 0.5 * spring * spring / (p.tangential * root);
-    }
-  }
+  for (const KeptContact& c : kept()) sum += energy_of(c);
   return sum;
+}
+
+void ContactSet::drop(NearWall& near, int wall, Stripe& stripe) const {
+  for (std::size_t n = 0; n < near.slots.size() && booked_; ++n) {
+    if (near.memory.touched[n] != 0) stripe.wall_work -= energy_of(near.memory.at(n, near.slots[n], -1 - wall));
+  }
+  near.memory.reset(near.slots.size());
 }
 
 std::vector<double> ContactSet::sums() const {

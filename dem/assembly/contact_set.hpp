@@ -98,6 +98,9 @@ class ContactSet {
   void list_walls(int stripe);
   void remember(int stripe, const std::vector<KeptContact>& contacts);
   std::vector<KeptContact> kept_in(int stripe) const;
+  double energy_of(const KeptContact& contact) const;  ///< stored in its springs [J]
+  /// A wall that is gone takes what its contacts stored.
+  void drop(NearWall& near, int wall, Stripe& stripe) const;
   int kind_of(const ContactBody& body);
   ContactView view(Stripe& stripe, SphereRows& rows);
   WallView wall_view(int wall, NearWall& near, double time) const;

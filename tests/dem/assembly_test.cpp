@@ -255,6 +255,12 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   dem::Surroundings narrow = open_space();
   narrow.period = {0.05, 0, 0};
   BOOST_CHECK_THROW(dem::Assembly({fibers}, narrow, {}), dem::InvalidInput);
-  dem::Assembly wild({fibers}, open_space(), {.step = 1.0});
+  BOOST_CHECK_THROW(dem::Assembly({fibers}, open_space(), {.step = 1.0}), dem::InvalidInput);
+  dem::Surroundings behind = open_space();
+  behind.walls = {{dem::Plane{{0, 0, 3}, {0, 0, 1}}}};
+  BOOST_CHECK_THROW(dem::Assembly({fibers}, behind, {}), dem::InvalidInput);
+  dem::FiberGroup torn = fibers;
+  torn.fibers[1].velocity[2] = {1e4, 0, 0};
+  dem::Assembly wild({torn}, open_space(), {});
   BOOST_CHECK_THROW(wild.march(2000), dem::Diverged);
 }

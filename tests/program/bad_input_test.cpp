@@ -95,6 +95,7 @@ const Usage kUsages[] = {
     {{"bench", "--aspect-ratio", "9.5"}, "--aspect-ratio: '9.5' wants whole numbers"},
     {{"bench", "--jobs", "2"}, "not expected: "},
     {{"validate", "--data", "/nonexistent"}, "no directory 'published'"},
+    {{"validate", "--part", "static,pages"}, "pages"},
 };
 
 /// Arguments that would succeed, with results in `out`.

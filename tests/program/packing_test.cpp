@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
 }
 
 BOOST_AUTO_TEST_CASE(fibers_that_come_in_batches_survive_a_kill) {
-  const std::string batches = ", batches: {number: 3, interval: 30 ms}";
+  const std::string batches = ", batches: {number: 3, interval: 15 ms}";
   const FewFibers fibers(12000, batches), others(12000, batches);
   BOOST_REQUIRE_EQUAL(others.go().status, 0);
   BOOST_TEST(kill_and_resume(fibers, {2, 9}) >= 1);
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_ends_it_and_keeps_what_is_good) {
 BOOST_AUTO_TEST_CASE(what_blows_up_says_where_and_can_be_looked_at) {
   const FewFibers fibers;
   std::string text = few_fibers(15000);
-  fibers.file("s.yaml", text + "motion: {step: 4e-5 s}\n");
+  fibers.file("s.yaml", text.replace(text.find("velocity: [0, 0, -1]"), 20, "velocity: [0, 0, -999]"));
   const Outcome outcome = fibers.go();
   BOOST_TEST(outcome.status == 3);
   BOOST_TEST(holds(outcome.error, "fiberchain: error: "), outcome.error);

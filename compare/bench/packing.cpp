@@ -1,0 +1,123 @@
+#include "compare/bench/packing.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+#include "compare/bench/timing.hpp"
+#include "compare/packing/run_measures.hpp"
+#include "dem/io/h5md.hpp"
+#include "dem/io/packing_setup.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using dem::io::PackingScene;
+
+/// Resident memory of the process [bytes]; 0 where the system does not say.
+double resident() {
+  std::ifstream file("/proc/self/statm");
+  double all = 0, resident = 0;
+  return file >> all >> resident ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// So many copies of the scene side by side along x, in one room.
+PackingScene tiled(const PackingScene& scene, int tiles) {
+  PackingScene wide = scene;
+  const double length = scene.room.high[0] - scene.room.low[0];
+  for (dem::io::FiberKind& kind : wide.kinds) {
+    const std::vector<dem::FiberStart> once = kind.starts;
+    for (int n = 1; n < tiles; ++n) {
+      for (dem::FiberStart start : once) {
+        start.position[0] += n * length;
+        kind.starts.push_back(start);
+      }
+    }
+  }
+  wide.room.high[0] += (tiles - 1) * length;
+  for (dem::Wall& wall : wide.surroundings.walls) {
+    if (auto* plane = std::get_if<dem::Plane>(&wall.shape); plane != nullptr && plane->normal[0] < 0) {
+      plane->point[0] += (tiles - 1) * length;
+    }
+  }
+  return wide;
+}
+
+/// The first of its fibers.
+PackingScene part_of(const PackingScene& scene, std::size_t parts) {
+  PackingScene part = scene;
+  for (dem::io::FiberKind& kind : part.kinds) kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
+  return part;
+}
+
+/// Time of writing one frame [s].
+double frame_time(const dem::Assembly& assembly, const PackingScene& scene) {
+  const auto directory = std::filesystem::temp_directory_path() / ("fiberchain-bench-" + std::to_string(getpid()));
+  std::filesystem::create_directory(directory);
+  dem::io::TrajectoryWriter writer(directory / "frame.h5", {"bench", "", {}});
+  const double time = time_once([&] { writer.append(frame_of(assembly, scene)); });
+  std::filesystem::remove_all(directory);
+  return time;
+}
+
+struct Windows {
+  std::int64_t steps;
+  int count;
+};
+
+std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const Windows& windows) {
+  const double before = resident();
+  dem::io::PackingStart start = dem::io::packing_start(scene, threads);
+  const double frames_a_step = static_cast<double>(scene.output.frames) / static_cast<double>(start.steps);
+  start.options.time_parts = true;
+  dem::Assembly assembly = dem::io::make_assembly(std::move(start));
+  std::vector<PackingTime> times;
+  for (int n = 0; n < windows.count; ++n) {
+    const dem::StepTimes last = assembly.times();
+    const std::int64_t from = assembly.steps();
+    const double seconds = time_once([&] { assembly.march(windows.steps); });
+    const dem::StepTimes now = assembly.times();
+    const auto spheres = static_cast<double>(assembly.spheres());
+    const double unit = 1e9 / (spheres * static_cast<double>(windows.steps));
+    times.push_back({assembly.spheres(), threads, from, assembly.steps(), static_cast<double>(assembly.touching()) / spheres,
+                     unit * seconds, unit * (now.bonds_and_motion - last.bonds_and_motion),
+                     unit * (now.contacts - last.contacts), unit * (now.search - last.search),
+                     1e9 * frame_time(assembly, scene) * frames_a_step / spheres, (resident() - before) / spheres});
+  }
+  return times;
+}
+
+}  // namespace
+
+std::vector<PackingTime> packing_times(const PackingScene& scene, const BenchOptions& options) {
+  std::vector<PackingTime> all;
+  const auto add = [&](const std::vector<PackingTime>& times) { all.insert(all.end(), times.begin(), times.end()); };
+  const Windows windows = options.quick ? Windows{200, 2} : Windows{2000, 10};
+  for (const int threads : {1, 2}) add(times_of(scene, threads, windows));
+  const Windows one = options.quick ? Windows{100, 1} : Windows{1500, 1};
+  add(times_of(part_of(scene, 10), 1, one));
+  add(times_of(scene, 1, one));
+  add(times_of(tiled(scene, options.quick ? 2 : 10), 1, one));
+  return all;
+}
+
+Table packing_time_table(const std::vector<PackingTime>& times) {
+  Table table({"spheres", "threads", "first_step", "steps", "coordination", "sphere_step_ns", "bonds_motion_ns", "contacts_ns",
+               "search_ns", "output_ns", "sphere_bytes"});
+  for (const PackingTime& t : times) {
+    table.append({{"spheres", t.spheres},
+                  {"threads", std::int64_t{t.threads}},
+                  {"first_step", t.from},
+                  {"steps", t.to - t.from},
+                  {"coordination", 2 * t.contacts_a_sphere},
+                  {"sphere_step_ns", t.all},
+                  {"bonds_motion_ns", t.bonds_and_motion},
+                  {"contacts_ns", t.contacts},
+                  {"search_ns", t.search},
+                  {"output_ns", t.output},
+                  {"sphere_bytes", t.bytes_a_sphere}});
+  }
+  return table;
+}
+
+}  // namespace fiberchain::compare
