@@ -123,7 +123,8 @@ Command tables_packing_command() {
           std::string("The packings of one seed are run with --fibers, those of several seeds with "
                       "--seed-fibers on a\n"
                       "smaller floor with periodic sides, as deep.\n"
-                      "Example:\n  fiberchain tables packing --fibers 0 --seeds 5 --bond-damping 0.1,1\n") +
+                      "With --fibers 0 --seeds 5 there are spreads alone, of five seeds.\n"
+                      "Example:\n  fiberchain tables packing --fibers 500 --seeds 0 --duration 0.005 --samples 20\n") +
           kListHelp,
       .options =
           with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
