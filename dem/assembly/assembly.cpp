@@ -50,10 +50,11 @@ void check_places(const std::vector<FiberGroup>& groups, const Surroundings& sur
 /// Images of a sphere would have to move with the flow.
 void check_periods(const Surroundings& surroundings) {
   if (!surroundings.fluid) return;
-  const Gradient A = gradient_at(surroundings.fluid->flow, 0);
-  for (int c = 0; c < 3; ++c) {
-    if (surroundings.period[c] > 0 && (A[0][c] != 0 || A[1][c] != 0 || A[2][c] != 0)) {
-      throw InvalidInput("a flow that varies along a periodic side is not allowed");
+  for (const Gradient& A : {surroundings.fluid->flow.gradient, gradient_at(surroundings.fluid->flow, 0)}) {
+    for (int c = 0; c < 3; ++c) {
+      if (surroundings.period[c] > 0 && (A[0][c] != 0 || A[1][c] != 0 || A[2][c] != 0)) {
+        throw InvalidInput("a flow that varies along a periodic side is not allowed");
+      }
     }
   }
 }

@@ -242,7 +242,7 @@ EnergyBalance Assembly::State::energy() const {
         sum.gravity -= dot(kind.weight, s.pose.position);
         poses.push_back(s.pose);
         // the kick that is centered on this moment has done half of its work
-        if (options.book_energy && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
+        if (options.book_energy && block.moved() && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
         before = s;
       }
       if (options.form == BondForm::total) {

@@ -46,6 +46,7 @@ class FiberBlock {
 
   int group() const { return group_; }
   int lanes() const { return lanes_; }
+  bool moved() const { return led_ > 0; }  ///< has made a step
   std::int64_t first(int lane) const { return first_[lane]; }
   std::int64_t end(const FiberKind& kind) const { return first_[lanes_ - 1] + kind.spheres(); }
 

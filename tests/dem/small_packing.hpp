@@ -12,11 +12,13 @@ struct SmallPacking {
 
   dem::Assembly assembly(dem::AssemblyOptions options) const { return {groups, around, std::move(options)}; }
 
-  /// An unsteady flow that goes around.
+  /// An unsteady flow, the same everywhere along x and y.
   void stir_with_fluid() {
     const dem::Fiber& fiber = groups[0].chain.fiber;
     const double rate = 0.4 * dem::sphere_mass(fiber) / dem::stokes_drag({1, {}}, fiber).translation / 0.01;
-    around.fluid = dem::Fluid{rate, dem::oscillation(dem::solid_rotation(40), 0.02, 0.4)};
+    dem::Gradient A{};
+    A[0][2] = 40;
+    around.fluid = dem::Fluid{rate, dem::oscillation(A, 0.02, 0.4)};
   }
 };
 
