@@ -86,7 +86,8 @@ class Assembly {
   int fibers(int group) const;  ///< how many
   PlacedSpheres placed() const;  ///< all spheres now, to fill in more beside them
 
-  /// State now of a fiber, velocities of this moment. Orientations are not numbers where they are not followed.
+  /// State now of a fiber, velocities of this moment; at the start itself those given to first order in the step where
+  /// dashpots act. Orientations are not numbers where they are not followed.
   ChainState<3> state(int group, int fiber) const;
   /// Of a fiber, from its first bond on.
   std::vector<BondState> bonds(int group, int fiber) const;

@@ -128,3 +128,22 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_inserted_is_refused_and_changes_nothing) {
   BOOST_TEST((numbers(assembly) == numbers(same)));
   BOOST_TEST(assembly.groups() == 1);
 }
+
+BOOST_AUTO_TEST_CASE(a_flow_that_varies_across_periodic_sides_is_refused) {
+  const dem::FiberGroup group = scattered(dem::straight_chain<3>(odd_fiber(7)), 5, 0.01, 7);
+  dem::Surroundings around;
+  around.fluid = dem::Fluid{1e-3, {dem::simple_shear(3)}};  // u_x = 3 y
+  around.period = {2, 0, 2};
+  BOOST_CHECK_NO_THROW(dem::Assembly({group}, around, {}));
+  around.period = {0, 2, 0};
+  BOOST_CHECK_THROW(dem::Assembly({group}, around, {}), dem::InvalidInput);
+}
+
+BOOST_AUTO_TEST_CASE(spheres_beyond_a_wall_and_unstable_steps_are_refused) {
+  const dem::FiberGroup group = scattered(dem::straight_chain<3>(odd_fiber(7)), 5, 0.01, 7);
+  dem::Surroundings around;
+  around.walls = {{dem::Plane{{0, 0, 3}, {0, 0, 1}}}};
+  BOOST_CHECK_THROW(dem::Assembly({group}, around, {}), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::Assembly({group}, {}, {.step = 1.5 * dem::stable_time_step(group.chain.fiber)}),
+                    dem::InvalidInput);
+}

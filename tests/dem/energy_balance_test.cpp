@@ -153,3 +153,23 @@ BOOST_AUTO_TEST_CASE(the_balance_of_a_packing_closes_with_the_step) {
     }
   }
 }
+
+/// At the step that is chosen.
+BOOST_AUTO_TEST_CASE(the_balance_of_a_packing_closes_to_a_thousandth) {
+  for (const bool periodic : {false, true}) {
+    for (const double damping : {0.1, 0.3}) {
+      SmallPacking packing = periodic ? packing_in_a_periodic_box(24, 15) : packing_in_a_box(24, 15);
+      for (auto& group : packing.groups) group.chain.fiber.bond_damping = damping;
+      dem::Assembly assembly = packing.assembly({.book_energy = true});
+      const dem::EnergyBalance start = assembly.energy();
+      for (int n = 0; n < 10; ++n) {
+        assembly.march(static_cast<int>(2.4e-3 / assembly.step()));
+        const dem::EnergyBalance now = assembly.energy();
+        const double turned = start.kinetic + start.gravity - now.gravity + now.wall_work;
+        BOOST_TEST(std::abs(total(now) - total(start)) < 1e-3 * turned, (total(now) - total(start)) / turned
+                                                                            << " at " << assembly.time()
+                                                                            << " s, xi_b = " << damping);
+      }
+    }
+  }
+}
