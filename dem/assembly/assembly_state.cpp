@@ -100,9 +100,7 @@ void Assembly::State::set_gradient() {
 }
 
 void Assembly::State::list_pairs() {
-  std::vector<Vec<double, 3>> places(rows.count);
-  for (std::int64_t i = 0; i < rows.count; ++i) places[i] = rows.place(i);
-  contacts.list_pairs(places, time(), team);
+  contacts.list_pairs(rows, time(), team);
   room = 0.5 * contacts.skin();
 }
 
@@ -112,7 +110,7 @@ bool Assembly::State::must_list(double fastest) {
   room -= step * fastest;
   if (room > 0) return false;
   const double limit = 0.5 * contacts.skin(), worth = 0.2 * limit;
-  room = limit - contacts.farthest_moved(rows);
+  room = limit - contacts.farthest_moved(rows, team);
   return !(room > worth);
 }
 

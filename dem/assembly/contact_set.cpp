@@ -11,7 +11,7 @@ namespace fiberchain::dem {
 namespace {
 
 /// Fixed, so that sums are the same for any number of threads.
-constexpr int kStripes = 8;
+constexpr int kStripes = 16;
 
 /// Gap up to which a pair is listed, in radii: wide lists are read every step, narrow ones made often.
 constexpr double kSkin = 0.35;
@@ -103,11 +103,19 @@ void ContactMemory::put(std::size_t i, const KeptContact& c) {
   touched[i] = 1;
 }
 
-void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& positions, double time, Team& team) {
+void ContactSet::list_pairs(const SphereRows& rows, double time, Team& team) {
+  std::vector<Vec<double, 3>> places(spheres());
+  team.each(kStripes, [&](int k, int) {
+    for (std::int32_t i = stripe_begin_[k]; i < stripe_begin_[k + 1]; ++i) places[i] = rows.place(i);
+  });
+  list_pairs(std::move(places), time, team);
+}
+
+void ContactSet::list_pairs(std::vector<Vec<double, 3>> positions, double time, Team& team) {
   const std::vector<KeptContact> contacts = listed_at_.empty() ? std::vector<KeptContact>{} : kept();
-  listed_at_ = positions;
+  listed_at_ = std::move(positions);
   listed_time_ = time;
-  const CloseSearch search({positions, radius_, fiber_, surroundings_.period}, skin_, *kernel_);
+  const CloseSearch search({listed_at_, radius_, fiber_, surroundings_.period}, skin_, *kernel_);
   pairs_.resize(kStripes);
   team.each(kStripes, [&](int k, int) {
     pairs_[k] = search.pairs(stripe_begin_[k], stripe_begin_[k + 1]);
@@ -151,13 +159,17 @@ void ContactSet::list_walls(int k) {
   }
 }
 
-double ContactSet::farthest_moved(const SphereRows& rows) const {
-  double squared = 0;
-  for (std::int64_t i = 0; i < spheres(); ++i) {
-    const Vec<double, 3> moved = rows.place(i) - listed_at_[i];
-    squared = std::max(squared, dot(moved, moved));
-  }
-  return std::sqrt(squared);
+double ContactSet::farthest_moved(const SphereRows& rows, Team& team) const {
+  std::vector<double> squared(kStripes, 0);
+  team.each(kStripes, [&](int k, int) {
+    double farthest = 0;
+    for (std::int32_t i = stripe_begin_[k]; i < stripe_begin_[k + 1]; ++i) {
+      const Vec<double, 3> moved = rows.place(i) - listed_at_[i];
+      farthest = std::max(farthest, dot(moved, moved));
+    }
+    squared[k] = farthest;
+  });
+  return std::sqrt(*std::ranges::max_element(squared));
 }
 
 bool ContactSet::walls_moved_far(double time) const {

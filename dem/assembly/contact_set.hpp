@@ -46,9 +46,11 @@ class ContactSet {
   double skin() const { return skin_; }
 
   /// Lists the pairs that are close at these positions anew; contacts that touch keep what they remember.
-  void list_pairs(const std::vector<Vec<double, 3>>& positions, double time, Team& team);
+  void list_pairs(std::vector<Vec<double, 3>> positions, double time, Team& team);
+  /// The same at the rows' positions.
+  void list_pairs(const SphereRows& rows, double time, Team& team);
   /// How far any sphere is from where it was listed [m].
-  double farthest_moved(const SphereRows& rows) const;
+  double farthest_moved(const SphereRows& rows, Team& team) const;
   /// Whether a wall has moved so far since then that spheres near it may be missing.
   bool walls_moved_far(double time) const;
   const std::vector<Vec<double, 3>>& listed_at() const { return listed_at_; }

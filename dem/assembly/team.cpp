@@ -48,7 +48,7 @@ void Team::do_part(int thread) const {
   for (int i = static_cast<int>(count_ * static_cast<long>(thread) / n); i < end; ++i) call_(what_, i, thread);
 }
 
-void Team::share() {
+void Team::start_and_finish() {
   const auto helpers = static_cast<unsigned>(workers_.size());
   done_.store(0, std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);

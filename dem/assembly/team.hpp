@@ -29,11 +29,11 @@ class Team {
     call_ = [](void* what, int i, int thread) { (*static_cast<std::remove_reference_t<Work>*>(what))(i, thread); };
     what_ = &work;
     count_ = count;
-    share();
+    start_and_finish();
   }
 
  private:
-  void share();
+  void start_and_finish();
   void do_part(int thread) const;
   void serve(int thread);
 
