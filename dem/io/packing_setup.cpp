@@ -40,6 +40,16 @@ StepChoice step_choice(const PackingScene& scene) {
 
 Chain<3> chain_of(const FiberKind& kind) { return arc_chain(kind.fiber, kind.bend); }
 
+namespace {
+
+/// Threads that are worth waiting for each other several times a step.
+int useful_threads(const PackingScene& scene, int threads) {
+  constexpr std::int64_t spheres_a_thread = 5000;
+  return static_cast<int>(std::clamp<std::int64_t>(spheres_in(scene) / spheres_a_thread, 1, threads));
+}
+
+}  // namespace
+
 PackingStart packing_start(const PackingScene& scene, int threads) {
   PackingStart start{groups_of_files(scene), scene.surroundings, {}, step_choice(scene), scene.steps};
   for (FiberGroup& group : packing_batch(scene, 0, spheres_of(start.groups))) {
@@ -49,7 +59,7 @@ PackingStart packing_start(const PackingScene& scene, int threads) {
   start.options = {.step = step,
                    .form = scene.form,
                    .rolling = scene.rolling,
-                   .threads = threads,
+                   .threads = useful_threads(scene, threads),
                    .book_energy = scene.book_energy,
                    .orientations = scene.orientations};
   if (start.steps > 0) return start;

@@ -21,6 +21,7 @@ struct PackingStart {
   std::int64_t steps;       ///< of the whole run
 };
 
+/// Small scenes take fewer threads than given: waiting for each other would cost them more.
 /// @throws InvalidInput for what makes no sense together, NoRoom when fibers do not go into the region
 PackingStart packing_start(const PackingScene& scene, int threads);
 
