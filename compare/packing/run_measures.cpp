@@ -32,8 +32,8 @@ double bending_mean(const dem::Assembly& assembly) {
 Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
 
 const std::vector<std::string> kColumns = {"step",         "simulated_time",  "contacts",
-                                           "height",       "bending_mean",    "kinetic_energy",
-                                           "energy_bonds", "energy_contacts", "energy_gravity"};
+                                           "height",       "bending_mean"};
+const std::vector<std::string> kStored = {"kinetic_energy", "energy_bonds", "energy_contacts", "energy_gravity"};
 const std::vector<std::string> kBooked = {
     "taken_bond_damping",    "taken_bond_friction", "taken_contact_normal", "taken_contact_tangential",
     "taken_contact_rolling", "taken_fluid",         "given_walls",          "given_inserted",
@@ -82,31 +82,44 @@ RunMoment measure(const dem::Assembly& assembly, const PackingScene& scene) {
           bending_mean(assembly), assembly.energy()};
 }
 
+std::vector<std::string> energy_columns(bool booked) {
+  std::vector<std::string> columns = kStored;
+  if (booked) columns.insert(columns.end(), kBooked.begin(), kBooked.end());
+  return columns;
+}
+
+NamedRow energy_cells(const dem::EnergyBalance& e, bool booked) {
+  NamedRow row = {{"kinetic_energy", e.kinetic},
+                  {"energy_bonds", e.bonds},
+                  {"energy_contacts", e.contacts},
+                  {"energy_gravity", e.gravity}};
+  if (!booked) return row;
+  row.insert(row.end(), {{"taken_bond_damping", e.bond_damping},
+                         {"taken_bond_friction", e.bond_friction},
+                         {"taken_contact_normal", e.contact_normal},
+                         {"taken_contact_tangential", e.contact_tangential},
+                         {"taken_contact_rolling", e.contact_rolling},
+                         {"taken_fluid", e.fluid},
+                         {"given_walls", e.wall_work},
+                         {"given_inserted", e.inserted},
+                         {"energy_total", total(e)}});
+  return row;
+}
+
 Table run_log_table(const PackingScene& scene) {
   std::vector<std::string> columns = kColumns;
-  if (scene.book_energy) columns.insert(columns.end(), kBooked.begin(), kBooked.end());
+  const std::vector<std::string> energies = energy_columns(scene.book_energy);
+  columns.insert(columns.end(), energies.begin(), energies.end());
   columns.insert(columns.end(), {"step_rate", "time_left"});
   return Table(columns);
 }
 
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left) {
-  const dem::EnergyBalance& e = moment.energy;
-  NamedRow row = {
-      {"step", moment.step},           {"simulated_time", moment.time},       {"contacts", moment.contacts},
-      {"height", moment.height},       {"bending_mean", moment.bending_mean}, {"kinetic_energy", e.kinetic},
-      {"energy_bonds", e.bonds},       {"energy_contacts", e.contacts},       {"energy_gravity", e.gravity},
-      {"step_rate", known(step_rate)}, {"time_left", known(time_left)}};
-  if (scene.book_energy) {
-    row.insert(row.end(), {{"taken_bond_damping", e.bond_damping},
-                           {"taken_bond_friction", e.bond_friction},
-                           {"taken_contact_normal", e.contact_normal},
-                           {"taken_contact_tangential", e.contact_tangential},
-                           {"taken_contact_rolling", e.contact_rolling},
-                           {"taken_fluid", e.fluid},
-                           {"given_walls", e.wall_work},
-                           {"given_inserted", e.inserted},
-                           {"energy_total", total(e)}});
-  }
+  NamedRow row = {{"step", moment.step},           {"simulated_time", moment.time},  {"contacts", moment.contacts},
+                  {"height", moment.height},       {"bending_mean", moment.bending_mean},
+                  {"step_rate", known(step_rate)}, {"time_left", known(time_left)}};
+  const NamedRow energies = energy_cells(moment.energy, scene.book_energy);
+  row.insert(row.end(), energies.begin(), energies.end());
   Table table = run_log_table(scene);
   table.append(row);
   return table;

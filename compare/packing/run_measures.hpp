@@ -22,6 +22,10 @@ dem::Vec<double, 3> upward(const dem::io::PackingScene& scene);
 
 RunMoment measure(const dem::Assembly& assembly, const dem::io::PackingScene& scene);
 
+/// Columns of stored energies and, where `booked`, of what each mechanism took.
+std::vector<std::string> energy_columns(bool booked);
+NamedRow energy_cells(const dem::EnergyBalance& energy, bool booked);
+
 /// An empty log.
 Table run_log_table(const dem::io::PackingScene& scene);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/packing/run_measures.hpp"
 #include "compare/packing/study.hpp"
 
 namespace fiberchain::compare {
@@ -158,26 +159,9 @@ Table orientation_table(const std::vector<PackingRun>& runs) {
 }
 
 Table energy_table(const PackingRun& booked) {
-  Table table({"simulated_time", "kinetic_energy", "energy_bonds", "energy_contacts", "energy_gravity",
-               "taken_bond_damping", "taken_bond_friction", "taken_contact_normal",
-               "taken_contact_tangential", "taken_contact_rolling", "taken_fluid", "given_walls",
-               "given_inserted", "energy_total"});
+  Table table(joined({"simulated_time"}, energy_columns(true)));
   for (const PackingSample& sample : booked.history) {
-    const dem::EnergyBalance& e = sample.energy;
-    table.append({{"simulated_time", sample.time},
-                  {"kinetic_energy", e.kinetic},
-                  {"energy_bonds", e.bonds},
-                  {"energy_contacts", e.contacts},
-                  {"energy_gravity", e.gravity},
-                  {"taken_bond_damping", e.bond_damping},
-                  {"taken_bond_friction", e.bond_friction},
-                  {"taken_contact_normal", e.contact_normal},
-                  {"taken_contact_tangential", e.contact_tangential},
-                  {"taken_contact_rolling", e.contact_rolling},
-                  {"taken_fluid", e.fluid},
-                  {"given_walls", e.wall_work},
-                  {"given_inserted", e.inserted},
-                  {"energy_total", total(e)}});
+    table.append(with({{"simulated_time", sample.time}}, energy_cells(sample.energy, true)));
   }
   return table;
 }

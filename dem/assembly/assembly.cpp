@@ -8,7 +8,6 @@
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/assembly/observables.hpp"
 #include "dem/errors.hpp"
-#include "dem/motion/half_step.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -142,8 +141,7 @@ struct Looked {
     ChainState<3> state;
     const double unknown = std::nan("");
     for (int i = 0; i < kind.spheres(); ++i) {
-      MovingSphere<double, 3> sphere = block.sphere(kind, now, lane, i);
-      move_half_step(sphere, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, all.gradient_now(), all.step, false);
+      MovingSphere<double, 3> sphere = all.sphere_now(block, now, lane, i);
       if (!all.rows.oriented()) sphere.pose.orientation = {unknown, {unknown, unknown, unknown}};
       state.poses.push_back(sphere.pose);
       state.velocity.push_back(sphere.velocity);

@@ -6,6 +6,7 @@
 
 #include "dem/errors.hpp"
 #include "dem/motion/half_step.hpp"
+#include "dem/motion/lanes/chain_lane.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -36,7 +37,7 @@ double dashpot_power(const BondParameters<double>& law, const MovingSphere<doubl
   const Vec<double, 3> r = b.pose.position - a.pose.position;
   const RelativeMotion<double, 3> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin), b.spin - a.spin};
   const BondLoads<double, 3> loads = act_at_middle(r, dashpot_action(law, r, unit(r), motion));
-  return dot(loads.force_on_first, motion.velocity) - dot(loads.moment_on_first, a.spin) - dot(loads.moment_on_second, b.spin);
+  return power_taken(loads, motion.velocity, a.spin, b.spin);
 }
 
 /// Steps between two looks at all spheres.
@@ -86,6 +87,13 @@ void Assembly::State::start_blocks(int from) {
   for (std::size_t b = from; b < blocks.size(); ++b) {
     blocks[b].start(kinds[blocks[b].group()], rows, gradient.data(), gradient_now());
   }
+}
+
+MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, const BlockLook& look, int lane, int i) const {
+  const FiberKind& kind = kinds[block.group()];
+  MovingSphere<double, 3> s = block.sphere(kind, look, lane, i);
+  move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
+  return s;
 }
 
 Gradient Assembly::State::gradient_now() const {
@@ -203,7 +211,7 @@ std::int64_t Assembly::State::broken() const {
         double sum = 0;
         for (int c = 0; c < motion_numbers; ++c) sum += v[c];
         const double length = i > block.first(lane) ? norm(rows.place(i) - rows.place(i - 1)) : l + 0 * norm(rows.place(i));
-        if (!std::isfinite(sum + length) || length > 10 * l || length < 0.1 * l) return i;
+        if (!std::isfinite(sum) || blown_up(length, l)) return i;
       }
     }
   }
@@ -234,8 +242,7 @@ EnergyBalance Assembly::State::energy() const {
       Poses<3> poses;
       MovingSphere<double, 3> before{};
       for (int i = 0; i < kind.spheres(); ++i) {
-        MovingSphere<double, 3> s = block.sphere(kind, now, lane, i);
-        move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
+        const MovingSphere<double, 3> s = sphere_now(block, now, lane, i);
         sum.kinetic += 0.5 * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
         sum.gravity -= dot(kind.weight, s.pose.position);
         poses.push_back(s.pose);

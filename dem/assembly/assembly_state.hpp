@@ -67,6 +67,8 @@ struct Assembly::State {
   void start_blocks(int from);
 
   BlockLook look(int block) const { return blocks[block].look(kinds[blocks[block].group()], rows, gradient.data()); }
+  /// With the velocities of this moment.
+  MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockLook& look, int lane, int i) const;
   Gradient gradient_now() const;
   void set_gradient();
   void list_pairs();

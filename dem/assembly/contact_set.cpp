@@ -20,6 +20,12 @@ std::int32_t whole_vectors(std::size_t count, int width) {
   return static_cast<std::int32_t>((count + width - 1) / width * width);
 }
 
+void add_times(ContactBook<double>& sum, double factor, const ContactBook<double>& more) {
+  sum.normal_dashpot += factor * more.normal_dashpot;
+  sum.sliding += factor * more.sliding;
+  sum.rolling += factor * more.rolling;
+}
+
 bool before(const KeptContact& x, const KeptContact& y) {
   return std::pair(x.first, x.second) < std::pair(y.first, y.second);
 }
@@ -273,9 +279,8 @@ ContactBook<double> ContactSet::taken() const {
   const double half = 0.5 * step_;
   ContactBook<double> sum{};
   for (const Stripe& s : stripes_) {
-    sum.normal_dashpot += s.book.normal_dashpot - half * s.power.normal_dashpot;
-    sum.sliding += s.book.sliding - half * s.power.sliding;
-    sum.rolling += s.book.rolling - half * s.power.rolling;
+    add_times(sum, 1, s.book);
+    add_times(sum, -half, s.power);
   }
   return sum;
 }
@@ -289,9 +294,7 @@ double ContactSet::wall_work() const {
 void ContactSet::begin_books() {
   const double half = 0.5 * step_;
   for (Stripe& s : stripes_) {
-    s.book.normal_dashpot -= half * s.power.normal_dashpot;
-    s.book.sliding -= half * s.power.sliding;
-    s.book.rolling -= half * s.power.rolling;
+    add_times(s.book, -half, s.power);
     s.wall_work -= half * s.wall_power;
   }
 }
@@ -330,7 +333,7 @@ std::vector<double> ContactSet::sums() const {
   return all;
 }
 
-const double* ContactSet::set_sums(const double* from) {
+void ContactSet::set_sums(const double* from) {
   for (Stripe& s : stripes_) {
     s.contacts = static_cast<std::int64_t>(from[0]);
     s.book = {from[1], from[2], from[3]};
@@ -339,7 +342,6 @@ const double* ContactSet::set_sums(const double* from) {
     s.wall_power = from[8];
     from += sums_a_stripe;
   }
-  return from;
 }
 
 std::vector<ContactState> ContactSet::states(const SphereRows& rows, double time) const {

@@ -77,7 +77,7 @@ class ContactSet {
   /// Sums that go on when a saved state is gone on with: stripe by stripe.
   std::vector<double> sums() const;
   static constexpr int sums_a_stripe = 9;
-  const double* set_sums(const double* from);
+  void set_sums(const double* from);
 
  private:
   /// Spheres of a stripe near a wall and what those contacts remember.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dem/motion/half_step.hpp"
+#include "dem/motion/lanes/chain_lane.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -32,14 +33,6 @@ void put_rows(SphereRows& rows, std::int64_t row, const ChainState<3>& state, do
   }
 }
 
-/// The strain that the poses stand for.
-BondHistory<double, 3> strain_of(const Chain<3>& chain, const Poses<3>& poses, int bond) {
-  const auto k = bond_kinematics(chain, poses, bond);
-  const BondParameters<double> law = bond_parameters(chain.fiber);
-  return history_of(law, poses[bond + 1].position - poses[bond].position,
-                    bond_loads(k, bond_stress(law, k.separation, k.rotation)));
-}
-
 }  // namespace
 
 FiberKind fiber_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Surroundings& surroundings, double step,
@@ -48,10 +41,7 @@ FiberKind fiber_kind(const Chain<3>& chain, std::size_t fibers, const Physics& p
   FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
   kind.weight = kind.mass * surroundings.gravity;
   if (surroundings.fluid) kind.drag = stokes_drag(*surroundings.fluid, fiber);
-  kind.parameters.bond = bond_parameters(fiber);
-  kind.parameters.inverse_length = 1 / bond_length(fiber);
-  kind.parameters.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
-  set_step(kind.parameters, fiber, kind.drag, step);
+  kind.parameters = march_parameters<3>(fiber, kind.drag, step);
   const std::size_t width = kind.kernel->width;
   kind.histories = LaneArray((fibers + width - 1) / width * kind.history_size());
   const std::size_t ends = numbers_of<NaturalEnds<double, 3>>;

@@ -53,6 +53,14 @@ BondLoads<Real, Dim> act_at_middle(const Vec<Real, Dim>& separation, const BondA
   return {action.force, half_torque + action.moment, half_torque - action.moment};
 }
 
+/// What loads take from two spheres at these velocities [W].
+template <class Real, int Dim>
+Real power_taken(const BondLoads<Real, Dim>& loads, const Vec<Real, Dim>& velocity_between, const Spin<Real, Dim>& first_spin,
+                 const Spin<Real, Dim>& second_spin) {
+  return dot(loads.force_on_first, velocity_between) - dot(loads.moment_on_first, first_spin) -
+         dot(loads.moment_on_second, second_spin);
+}
+
 template <class Real, int Dim>
 BondLoads<Real, Dim> operator+(const BondLoads<Real, Dim>& a, const BondLoads<Real, Dim>& b) {
   return {a.force_on_first + b.force_on_first, a.moment_on_first + b.moment_on_first,

@@ -35,4 +35,15 @@ void set_step(MarchParameters<double, Dim>& p, const Fiber& fiber, const StokesD
   p.angular_impulse = turn.gain, p.spin_keep = turn.keep, p.spin_follow = turn.follow;
 }
 
+/// Everything that marches a fiber's spheres by steps of `dt`: no drag to settle, no loads.
+template <int Dim>
+MarchParameters<double, Dim> march_parameters(const Fiber& fiber, const StokesDrag& drag, double dt) {
+  MarchParameters<double, Dim> p{};
+  p.bond = bond_parameters(fiber);
+  p.inverse_length = 1 / bond_length(fiber);
+  p.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
+  set_step(p, fiber, drag, dt);
+  return p;
+}
+
 }  // namespace fiberchain::dem

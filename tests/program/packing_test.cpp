@@ -82,11 +82,10 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_resumes_and_ends_the_same) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
-  const FewFibers fibers(500), others(500);
+  const Crowd crowd{1500, "500 mm"};  // 10 500 spheres: fewer would take one thread
+  const FewFibers fibers(200, "", crowd), others(200, "", crowd);
   BOOST_TEST(fibers.go().status == 0);
-  Circumstances threads = others.here();
-  threads.environment = {{"OMP_WAIT_POLICY", "passive"}};  // on a machine that is busy threads spin long
-  BOOST_TEST(run({"run", "s.yaml", "--out", "out", "--threads", "2"}, threads).status == 0);
+  BOOST_TEST(run({"run", "s.yaml", "--out", "out", "--threads", "2"}, others.here()).status == 0);
   BOOST_TEST((io::read_checkpoint(fibers.out("s.checkpoint")).state ==
               io::read_checkpoint(others.out("s.checkpoint")).state));
 }
@@ -138,7 +137,7 @@ BOOST_AUTO_TEST_CASE(one_run_at_a_time_and_none_overwritten) {
              again.error);
   BOOST_TEST((content(fibers.out("s.checkpoint")) == checkpoint));
   BOOST_TEST(fibers.go({"--force", "--resume"}).status == 2);
-  fibers.file("s.yaml", few_fibers(500));
+  fibers.file("s.yaml", short_fibers(500, few));
   const Outcome anew = fibers.go({"--force"});
   BOOST_TEST(anew.status == 0, anew.error);
   BOOST_TEST(io::read_checkpoint(fibers.out("s.checkpoint")).step == 500);
@@ -171,11 +170,11 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_cannot_be_used_are_refused) {
   BOOST_TEST(same_end(fibers, others));
 
   io::Checkpoint foreign = io::read_checkpoint(last);
-  fibers.file("s.yaml", few_fibers(2001));
+  fibers.file("s.yaml", short_fibers(2001, few));
   const Outcome other_scene = fibers.go({"--resume"});
   BOOST_TEST(other_scene.status == 2);
   BOOST_TEST(holds(other_scene.error, "s.checkpoint: belongs to another scene"), other_scene.error);
-  fibers.file("s.yaml", few_fibers(2000));
+  fibers.file("s.yaml", short_fibers(2000, few));
   foreign.program += " of old";
   io::write_checkpoint(last, foreign);
   const Outcome other_program = fibers.go({"--resume"});
@@ -205,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_ends_it_and_keeps_what_is_good) {
 
 BOOST_AUTO_TEST_CASE(what_blows_up_says_where_and_can_be_looked_at) {
   const FewFibers fibers;
-  std::string text = few_fibers(15000);
+  std::string text = short_fibers(15000, few);
   fibers.file("s.yaml", text.replace(text.find("velocity: [0, 0, -1]"), 20, "velocity: [0, 0, -999]"));
   const Outcome outcome = fibers.go();
   BOOST_TEST(outcome.status == 3);
@@ -219,9 +218,9 @@ BOOST_AUTO_TEST_CASE(what_blows_up_says_where_and_can_be_looked_at) {
 
 BOOST_AUTO_TEST_CASE(wrong_scenes_leave_nothing_behind) {
   const std::pair<std::string, const char*> faults[] = {
-      {few_fibers(10) + "colour: red\n", "unknown key 'colour'"},
-      {few_fibers(10, ", gap: 9 mm"), "found no place"},
-      {few_fibers(10, ", orientation: near_axis"), "filling: key 'direction' is missing"},
+      {short_fibers(10, few) + "colour: red\n", "unknown key 'colour'"},
+      {short_fibers(10, few, ", gap: 9 mm"), "found no place"},
+      {short_fibers(10, few, ", orientation: near_axis"), "filling: key 'direction' is missing"},
   };
   for (const auto& [text, says] : faults) {
     const FewFibers fibers;

@@ -14,14 +14,24 @@
 /// Runs of few fibers, for what befalls them.
 namespace fiberchain::test {
 
-/// 31 short fibers that fall into a box, 217 spheres; `more` stands at the end of the filling.
-inline std::string few_fibers(int steps, const std::string& more = "") {
+struct Crowd {
+  int fibers;
+  const char* top;  ///< of the region they fill
+};
+inline constexpr Crowd few{31, "50 mm"};
+
+/// Short fibers of 7 spheres that fall into a box; `more` stands at the end of the filling.
+inline std::string short_fibers(int steps, const Crowd& crowd, const std::string& more = "") {
   return "scene: packing\n"
          "fibers:\n"
          "  - {diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, density: 1000 "
          "kg/m^3,\n"
-         "     bond: {damping: 1}, count: 31}\n"
-         "filling: {region: {z: [1 mm, 50 mm]}, velocity: [0, 0, -1], seed: 3" +
+         "     bond: {damping: 1}, count: " +
+         std::to_string(crowd.fibers) +
+         "}\n"
+         "filling: {region: {z: [1 mm, " +
+         crowd.top +
+         "]}, velocity: [0, 0, -1], seed: 3" +
          more +
          "}\n"
          "walls: {box: {x: 24 mm, y: 22 mm, lid: open}}\n"
@@ -32,10 +42,10 @@ inline std::string few_fibers(int steps, const std::string& more = "") {
          "\noutput: {samples: 37, frames: 11, checkpoints: 23, vtk: true, energy: true}\n";
 }
 
-/// A directory with the scene s.yaml, whose runs go to `out`.
+/// A directory with the scene s.yaml, whose runs go to `out`; 217 spheres unless told.
 struct FewFibers : Scratch {
-  explicit FewFibers(int steps = 15000, const std::string& more = "") {
-    file("s.yaml", few_fibers(steps, more));
+  explicit FewFibers(int steps = 15000, const std::string& more = "", const Crowd& crowd = few) {
+    file("s.yaml", short_fibers(steps, crowd, more));
   }
 
   std::vector<std::string> arguments(std::vector<std::string> more = {}) const {

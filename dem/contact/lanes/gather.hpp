@@ -3,14 +3,13 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
+#include "dem/motion/lanes/lane_count.hpp"
+
 namespace fiberchain::dem {
 
 template <class Real>
-inline constexpr int contact_lanes = static_cast<int>(sizeof(Real) / sizeof(double));
-
-template <class Real>
 Real load_lanes(const double* source) {
-  if constexpr (contact_lanes<Real> == 1) {
+  if constexpr (lane_count<Real> == 1) {
     return *source;
   } else {
     return Real::load_unaligned(source);
@@ -19,7 +18,7 @@ Real load_lanes(const double* source) {
 
 template <class Real>
 void store_lanes(const Real& value, double* target) {
-  if constexpr (contact_lanes<Real> == 1) {
+  if constexpr (lane_count<Real> == 1) {
     *target = value;
   } else {
     value.store_unaligned(target);
@@ -30,33 +29,33 @@ void store_lanes(const Real& value, double* target) {
 template <class Real>
 Real gather_lanes(const double* source, const std::int32_t* index) {
 #ifdef __AVX512F__
-  if constexpr (contact_lanes<Real> == 8) {
+  if constexpr (lane_count<Real> == 8) {
     return Real(_mm512_i32gather_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), source, 8));
   }
 #endif
-  double numbers[contact_lanes<Real>];
-  for (int k = 0; k < contact_lanes<Real>; ++k) numbers[k] = source[index[k]];
+  double numbers[lane_count<Real>];
+  for (int k = 0; k < lane_count<Real>; ++k) numbers[k] = source[index[k]];
   return load_lanes<Real>(numbers);
 }
 
 /// Bit k is set where a < b in lane k.
 template <class Real>
 unsigned less_mask(const Real& a, const Real& b) {
-  if constexpr (contact_lanes<Real> == 1) {
+  if constexpr (lane_count<Real> == 1) {
     return a < b ? 1u : 0u;
 #ifdef __AVX512F__
-  } else if constexpr (contact_lanes<Real> == 8) {
+  } else if constexpr (lane_count<Real> == 8) {
     return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
 #endif
 #ifdef __AVX2__
-  } else if constexpr (contact_lanes<Real> == 4) {
+  } else if constexpr (lane_count<Real> == 4) {
     return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
 #endif
   } else {
-    alignas(64) bool less[contact_lanes<Real>];
+    alignas(64) bool less[lane_count<Real>];
     (a < b).store_aligned(less);
     unsigned mask = 0;
-    for (int k = 0; k < contact_lanes<Real>; ++k) mask |= less[k] ? 1u << k : 0u;
+    for (int k = 0; k < lane_count<Real>; ++k) mask |= less[k] ? 1u << k : 0u;
     return mask;
   }
 }
@@ -64,13 +63,13 @@ unsigned less_mask(const Real& a, const Real& b) {
 /// Bit k is flag k, each 0 or 1.
 template <class Real>
 unsigned flag_mask(const std::uint8_t* flags) {
-  if constexpr (contact_lanes<Real> == 8) {
+  if constexpr (lane_count<Real> == 8) {
     std::uint64_t bytes;
     __builtin_memcpy(&bytes, flags, 8);
     return static_cast<unsigned>((bytes * 0x0102040810204080ull) >> 56);
   } else {
     unsigned mask = 0;
-    for (int k = 0; k < contact_lanes<Real>; ++k) mask |= static_cast<unsigned>(flags[k]) << k;
+    for (int k = 0; k < lane_count<Real>; ++k) mask |= static_cast<unsigned>(flags[k]) << k;
     return mask;
   }
 }

@@ -13,7 +13,7 @@ struct ContactTable {
 
 template <class Real, int... N>
 constexpr ContactTable<Real> contact_table(std::integer_sequence<int, N...>) {
-  return {{{contact_lanes<Real>, contact_pairs<contact_physics(N), Real>, contact_wall<contact_physics(N), Real>,
+  return {{{lane_count<Real>, contact_pairs<contact_physics(N), Real>, contact_wall<contact_physics(N), Real>,
             near_spheres<contact_physics(N).periodic, Real>}...}};
 }
 

@@ -11,20 +11,20 @@ namespace fiberchain::dem {
 /// Slots of some spheres, one a lane.
 template <class Real>
 struct Slots {
-  std::int32_t at[contact_lanes<Real>];
+  std::int32_t at[lane_count<Real>];
 };
 
 template <class Real>
 Slots<Real> slots_of(const std::int32_t* slots, const std::int32_t* entries) {
   Slots<Real> chosen;
-  for (int k = 0; k < contact_lanes<Real>; ++k) chosen.at[k] = slots[entries[k]];
+  for (int k = 0; k < lane_count<Real>; ++k) chosen.at[k] = slots[entries[k]];
   return chosen;
 }
 
 template <int N, class Real>
 RowStarts<Real, const double> rows_at(const double* rows, const std::int32_t* slots) {
   RowStarts<Real, const double> starts;
-  for (int k = 0; k < contact_lanes<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(slots[k]) * N;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(slots[k]) * N;
   return starts;
 }
 
@@ -76,7 +76,7 @@ inline constexpr int pairs_ahead = 48, touching_ahead = 24;
 /// Pairs of the task that touch go into its list; those that no longer do are marked.
 template <ContactPhysics P, class Real>
 int find_touching(const ContactView& view, ContactTask& task) {
-  constexpr int lanes = contact_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
   int count = 0;
   for (std::int32_t p = task.begin; p < task.end; p += lanes) {
     if (p + pairs_ahead + lanes <= task.end) {
@@ -106,8 +106,8 @@ ContactParameters<Real> broadcast(const ContactParameters<double>& p) {
 template <class Real>
 ContactParameters<Real> gather_parameters(const ContactParameters<double>* table, const std::int32_t* entry) {
   constexpr int numbers = sizeof(ContactParameters<double>) / sizeof(double);
-  std::int32_t index[contact_lanes<Real>];
-  for (int k = 0; k < contact_lanes<Real>; ++k) index[k] = entry[k] * numbers;
+  std::int32_t index[lane_count<Real>];
+  for (int k = 0; k < lane_count<Real>; ++k) index[k] = entry[k] * numbers;
   ContactParameters<Real> result;
   Real* out = reinterpret_cast<Real*>(&result);
   const double* in = reinterpret_cast<const double*>(table);
@@ -123,7 +123,7 @@ struct PairLoads {
 
 template <class Real>
 double summed(const Real& value, int count) {
-  double numbers[contact_lanes<Real>], sum = 0;
+  double numbers[lane_count<Real>], sum = 0;
   store_lanes(value, numbers);
   for (int k = 0; k < count; ++k) sum += numbers[k];
   return sum;
@@ -169,8 +169,8 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
 /// What contacts remember; nothing of those that did not touch a step before.
 template <class Real>
 ContactHistory<Real> remembered(const RowStarts<Real>& memory, const std::uint8_t* touched, const std::int32_t* entries) {
-  double on[contact_lanes<Real>];
-  for (int k = 0; k < contact_lanes<Real>; ++k) on[k] = touched[entries[k]];
+  double on[lane_count<Real>];
+  for (int k = 0; k < lane_count<Real>; ++k) on[k] = touched[entries[k]];
   const Real was = load_lanes<Real>(on);
   Real n[memory_numbers];
   load_rows<memory_numbers>(memory, 0, n);
@@ -192,7 +192,7 @@ template <ContactPhysics P, class Real>
 PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const Slots<Real>& i,
                            const Slots<Real>& j, int count, ContactTask& task) {
   using std::sqrt;
-  constexpr int lanes = contact_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
   const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
   const Real distance = sqrt(dot(r, r));
@@ -235,13 +235,13 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
 /// Force and moment as rows.
 template <class Real>
 struct LoadRows {
-  alignas(64) double at[contact_lanes<Real>][8];
+  alignas(64) double at[lane_count<Real>][8];
 };
 
 template <class Real>
 void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Real>& rows) {
   RowStarts<Real> starts;
-  for (int k = 0; k < contact_lanes<Real>; ++k) starts.at[k] = rows.at[k];
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows.at[k];
   const Real n[load_numbers] = {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
   store_rows<load_numbers>(n, starts, 0);
 }
@@ -250,7 +250,7 @@ void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Rea
 template <class Real>
 inline __attribute__((always_inline)) void add_row(const double* row, double* target) {
 #ifdef __AVX512F__
-  if constexpr (contact_lanes<Real> == 8) {
+  if constexpr (lane_count<Real> == 8) {
     const __m512d sum = _mm512_add_pd(_mm512_loadu_pd(target), _mm512_load_pd(row));
     _mm512_mask_storeu_pd(target, (1u << load_numbers) - 1u, sum);
     return;
@@ -281,7 +281,7 @@ void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slot
 /// What the touching pairs n ... n + lanes - 1 need.
 template <class Real>
 void fetch_touching(const ContactView& view, const ContactTask& task, int n, int touching) {
-  for (int k = n; k < n + contact_lanes<Real> && k < touching; ++k) {
+  for (int k = n; k < n + lane_count<Real> && k < touching; ++k) {
     const std::int32_t pair = task.touching[k], i = view.first[pair], j = view.second[pair];
     fetch_row<memory_numbers>(view.memory, pair);
     for (const std::int32_t sphere : {i, j}) {
@@ -293,7 +293,7 @@ void fetch_touching(const ContactView& view, const ContactTask& task, int n, int
 
 template <ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task) {
-  constexpr int lanes = contact_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
   const int touching = find_touching<P, Real>(view, task);
   task.contacts += touching;
   for (int n = 0; n < touching_ahead; n += lanes) fetch_touching<Real>(view, task, n, touching);

@@ -8,7 +8,7 @@ namespace fiberchain::dem {
 
 template <bool periodic, class Real>
 int near_spheres(const SortedSpheres& all, const SlotRange* ranges, int count, const Asking& own, std::int32_t* found) {
-  constexpr int lanes = contact_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
   const Real reach_of_own(own.radius + all.skin);
   int n = 0;
   for (const SlotRange* range = ranges; range != ranges + count; ++range) {

@@ -31,7 +31,7 @@ WallSight<Real> sight(const WallView& wall, const Vec<Real, 3>& x) {
 /// Spheres of a stripe against one wall.
 template <ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wall, ContactTask& task) {
-  constexpr int lanes = contact_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
   const Vec<Real, 3> wall_velocity = broadcast_vector<Real>(wall.velocity);
   for (std::int32_t n = wall.begin; n < wall.end; n += lanes) {
     std::int32_t entry[lanes];

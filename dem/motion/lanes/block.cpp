@@ -58,12 +58,8 @@ MarchingBlock<Dim>::MarchingBlock(const std::vector<Chain<Dim>>& chains, Clamps 
   parameters_ = LaneArray(numbers_of<MarchParameters<double, Dim>> * width);
   for (int lane = 0; lane < (along_ ? 1 : kernel_.width); ++lane) {
     const Chain<Dim>& chain = chains[used(lane)];
-    MarchParameters<double, Dim> p{};
-    p.bond = bond_parameters(chain.fiber);
-    p.inverse_length = 1 / bond_length(chain.fiber);
-    dem::set_step(p, chain.fiber, {}, steps[used(lane)]);
+    MarchParameters<double, Dim> p = march_parameters<Dim>(chain.fiber, {}, steps[used(lane)]);
     p.drag = drag[used(lane)];
-    p.rolling_arm = chain.fiber.rolling_friction * sphere_radius(chain.fiber) / 2;
     p.ramp.rate = 1;
     parameters_of_.push_back(p);
     parameters_.put(p, lane, kernel_.width);

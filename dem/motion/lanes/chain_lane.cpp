@@ -5,6 +5,18 @@
 namespace fiberchain::dem {
 
 template <int Dim>
+BondHistory<double, Dim> strain_of(const Chain<Dim>& chain, const Poses<Dim>& poses, int bond) {
+  const auto k = bond_kinematics(chain, poses, bond);
+  const BondParameters<double> law = bond_parameters(chain.fiber);
+  return history_of(law, poses[bond + 1].position - poses[bond].position,
+                    bond_loads(k, bond_stress(law, k.separation, k.rotation)));
+}
+
+bool blown_up(double length, double rest_length) {
+  return !(length <= 10 * rest_length && length >= 0.1 * rest_length);
+}
+
+template <int Dim>
 void put_state(MarchingBlock<Dim>& block, int lane, const Chain<Dim>& chain, const ChainState<Dim>& state) {
   for (std::size_t i = 0; i < state.poses.size(); ++i) {
     MovingSphere<double, Dim> sphere = block.sphere(lane, static_cast<int>(i));
@@ -13,13 +25,7 @@ void put_state(MarchingBlock<Dim>& block, int lane, const Chain<Dim>& chain, con
     sphere.spin = state.spin[i];
     block.set_sphere(lane, static_cast<int>(i), sphere);
   }
-  const BondParameters<double> bond = bond_parameters(chain.fiber);
-  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
-    const auto k = bond_kinematics(chain, state.poses, i);
-    const auto loads = bond_loads(k, bond_stress(bond, k.separation, k.rotation));
-    block.set_history(lane, i,
-                      history_of(bond, state.poses[i + 1].position - state.poses[i].position, loads));
-  }
+  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) block.set_history(lane, i, strain_of(chain, state.poses, i));
 }
 
 namespace {
@@ -56,13 +62,14 @@ int broken_sphere(const MarchingBlock<Dim>& block, int lane, const Fiber& fiber)
     const MovingSphere<double, Dim> s = block.sphere(lane, i);
     const double length = norm(s.pose.position - before);
     const bool finite = std::isfinite(length + dot(s.velocity, s.velocity) + dot(s.spin, s.spin));
-    if (!finite || (i > 0 && (length > 10 * l || length < 0.1 * l))) return i;
+    if (!finite || (i > 0 && blown_up(length, l))) return i;
     before = s.pose.position;
   }
   return -1;
 }
 
 #define FIBERCHAIN_INSTANTIATE(Dim)                                                                            \
+  template BondHistory<double, Dim> strain_of<Dim>(const Chain<Dim>&, const Poses<Dim>&, int);                 \
   template void put_state<Dim>(MarchingBlock<Dim>&, int, const Chain<Dim>&, const ChainState<Dim>&);           \
   template ChainState<Dim> lagged_state<Dim>(const MarchingBlock<Dim>&, int, int);                             \
   template ChainState<Dim> state_now<Dim>(const MarchingBlock<Dim>&, int, int);                                \

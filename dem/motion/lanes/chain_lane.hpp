@@ -6,6 +6,10 @@
 // A chain's state into its lane and out of it, and whether it is still in one piece.
 namespace fiberchain::dem {
 
+/// The strain of a bond, summed, that the poses stand for.
+template <int Dim>
+BondHistory<double, Dim> strain_of(const Chain<Dim>& chain, const Poses<Dim>& poses, int bond);
+
 /// Poses, velocities (half a step before, until synchronize()) and, for the incremental form, the strain they stand for.
 template <int Dim>
 void put_state(MarchingBlock<Dim>& block, int lane, const Chain<Dim>& chain, const ChainState<Dim>& state);
@@ -17,6 +21,9 @@ ChainState<Dim> lagged_state(const MarchingBlock<Dim>& block, int lane, int sphe
 /// Velocities of this moment.
 template <int Dim>
 ChainState<Dim> state_now(const MarchingBlock<Dim>& block, int lane, int spheres);
+
+/// Whether a bond of that length and that rest length has blown up: not finite, or ten times too long or short.
+bool blown_up(double length, double rest_length);
 
 /// First sphere of a lane that has blown up: not finite, or its bond ten times too long or short; -1 if none.
 template <int Dim>

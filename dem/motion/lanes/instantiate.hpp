@@ -7,14 +7,12 @@
 #include "dem/motion/lanes/along.hpp"
 #include "dem/motion/lanes/flatten.hpp"
 #include "dem/motion/lanes/kernel.hpp"
+#include "dem/motion/lanes/lane_count.hpp"
 #include "dem/motion/leapfrog.hpp"
 
 // Included by one source file an instruction set. Everything compiled there is a template on that set's number type:
 // its symbols are its own, and no function of another file can be replaced by one with foreign instructions.
 namespace fiberchain::dem {
-
-template <class Real>
-inline constexpr int lane_count = static_cast<int>(sizeof(Real) / sizeof(double));
 
 template <Physics P, class Real>
 ChainBlock<P, Real> typed(const LaneBlock& block) {

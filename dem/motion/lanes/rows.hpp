@@ -23,7 +23,7 @@ ChainBlock<P, Real> chain_of(const RowBlock& block) {
 template <int N, class Real>
 RowStarts<Real> starts_of(double* rows, const RowBlock& block) {
   RowStarts<Real> starts;
-  for (int k = 0; k < row_lanes<Real>; ++k) starts.at[k] = rows + block.first[k] * N;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + block.first[k] * N;
   return starts;
 }
 
@@ -86,7 +86,7 @@ class BlockRows {
 /// caches, and the processor does not see them coming.
 template <class Real>
 inline __attribute__((always_inline)) void fetch_ahead(const RowBlock& block, std::ptrdiff_t i) {
-  constexpr std::ptrdiff_t lanes = row_lanes<Real>, line = 8;
+  constexpr std::ptrdiff_t lanes = lane_count<Real>, line = 8;
   if (block.next_history == nullptr) return;
   const std::ptrdiff_t row = block.first[lanes - 1] + block.bonds + 1 + i * lanes;
   const auto fetch = [&](const double* from, std::ptrdiff_t numbers) {
@@ -108,10 +108,10 @@ void drift_row(const BlockRows<Real>& rows, MovingSphere<Real, 3>& s, const Real
 
 template <class Real>
 double largest_lane(const Real& value) {
-  if constexpr (row_lanes<Real> == 1) {
+  if constexpr (lane_count<Real> == 1) {
     return value;
   } else {
-    alignas(64) double numbers[row_lanes<Real>];
+    alignas(64) double numbers[lane_count<Real>];
     value.store_aligned(numbers);
     double largest = numbers[0];
     for (const double n : numbers) largest = largest < n ? n : largest;
@@ -194,13 +194,6 @@ struct KeptWork {
   Vec<Real, 3> spin;     ///< relative, half a step before the kick [1/s]
 };
 
-/// What the loads take at these velocities [W].
-template <class Real>
-Real power_of(const BondLoads<Real, 3>& loads, const MovingSphere<Real, 3>& a, const MovingSphere<Real, 3>& b) {
-  return dot(loads.force_on_first, b.velocity - a.velocity) - dot(loads.moment_on_first, a.spin) -
-         dot(loads.moment_on_second, b.spin);
-}
-
 /// A kick with a force takes force times the mean of the velocities before and after it, exactly: those of this step and of
 /// the one before, whose loads are kept.
 template <Physics P, class Real>
@@ -213,9 +206,9 @@ void book_bond(const RowBlock& block, const ChainBlock<P, Real>& chain, int bond
   const Real half = Real(0.5) * Real(block.led);
   const RelativeMotion<Real, 3> motion{b.velocity - a.velocity, Real(0.5) * (a.spin + b.spin), b.spin - a.spin};
   const BondVector<Real, 3> line = bond_vector<Real, 3>(b.pose.position - a.pose.position, p.inverse_length);
-  damping = damping + half * (kept.power + power_of(kept.loads, a, b));
+  damping = damping + half * (kept.power + power_taken(kept.loads, motion.velocity, a.spin, b.spin));
   kept.loads = act_at_middle(line.vector, dashpot_action(p.bond, line.vector, line.inverse_length * line.vector, motion));
-  kept.power = power_of(kept.loads, a, b);
+  kept.power = power_taken(kept.loads, motion.velocity, a.spin, b.spin);
   if (block.led == 0) damping = damping - Real(0.5) * p.step * kept.power;  // the first kick began half a step before the start
   if constexpr (P.rolling == Rolling::set_valued) {  // the impulse l over J went from one sphere to the other
     const Real inertia = p.step / p.angular_impulse;
@@ -259,7 +252,7 @@ constexpr RowKernel row_kernel_of() {
   if constexpr (!built_in_rows(P)) {
     return {};
   } else {
-    RowKernel kernel{row_lanes<Real>, workspace_reals<P, Real>, row_scratch<P, Real>, step_rows<P, Real>,
+    RowKernel kernel{lane_count<Real>, workspace_reals<P, Real>, row_scratch<P, Real>, step_rows<P, Real>,
                      look_at_rows<P, Real>, nullptr};
     if constexpr (P.damped) kernel.book = book_rows<P, Real>;
     return kernel;

@@ -3,13 +3,11 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
+#include "dem/motion/lanes/lane_count.hpp"
 #include "dem/sphere_rows.hpp"
 
 // Rows of numbers, one row a lane, into vectors and back. Copies only: every instruction set gives the same.
 namespace fiberchain::dem {
-
-template <class Real>
-inline constexpr int row_lanes = static_cast<int>(sizeof(Real) / sizeof(double));
 
 #ifdef __AVX512F__
 /// Eight rows of eight to columns, or back.
@@ -58,13 +56,13 @@ inline __attribute__((always_inline)) void transpose_4(__m256d (&r)[4]) {
 /// Where rows begin, lane by lane.
 template <class Real, class Number = double>
 struct RowStarts {
-  Number* at[row_lanes<Real>];
+  Number* at[lane_count<Real>];
 };
 
 /// Number c of the row `offset` numbers behind a lane's start becomes that lane of out[c].
 template <int N, class Real, class Number>
 inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows, std::ptrdiff_t offset, Real* out) {
-  constexpr int lanes = row_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
 #ifdef __AVX512F__
   if constexpr (lanes == 8 && N == 4) {
     __m512d r[4];
@@ -108,7 +106,7 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
 /// The way back.
 template <int N, class Real>
 inline __attribute__((always_inline)) void store_rows(const Real* in, const RowStarts<Real>& rows, std::ptrdiff_t offset) {
-  constexpr int lanes = row_lanes<Real>;
+  constexpr int lanes = lane_count<Real>;
 #ifdef __AVX512F__
   if constexpr (lanes == 8 && N == 4) {
     __m512d r[4];

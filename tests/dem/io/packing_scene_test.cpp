@@ -240,7 +240,8 @@ BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
   BOOST_REQUIRE_EQUAL(start.groups.size(), 2u);
   BOOST_TEST(io::groups_at_start(scene) == 2);
   BOOST_TEST((start.groups[0].fibers.size() == 3u && start.groups[1].fibers.size() == 1u));  // 11/3, 5/3
-  BOOST_TEST((start.options.threads == 2 && start.options.book_energy && start.options.orientations));
+  BOOST_TEST((start.options.book_energy && start.options.orientations));
+  BOOST_TEST(start.options.threads == 1);  // more than one would wait for each other longer than they work
   BOOST_TEST(*start.options.step == 3e-6);
   BOOST_TEST(start.steps == 100000);
   BOOST_TEST(io::batch_step(scene, 2, 3e-6) == 26667);
@@ -303,7 +304,8 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
   const std::filesystem::path scenes = std::filesystem::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes";
   const io::PackingScene layers =
       std::get<io::PackingScene>(io::parse_scene(io::read_scene_text(scenes / "crossed-layers.yaml")));
-  const io::PackingStart start = io::packing_start(layers, 1);
+  const io::PackingStart start = io::packing_start(layers, 2);
+  BOOST_TEST(start.options.threads == 2);
   BOOST_TEST(start.groups[0].fibers.size() == 2000u);
   BOOST_TEST(start.steps == 20000);
   BOOST_TEST(*start.options.step == 4e-6);
