@@ -1,18 +1,17 @@
 #pragma once
 
-// How the numbers of many spheres lie in memory: one row a sphere, array by array.
+// How the numbers of many spheres and contacts lie in memory: rows of whole cache lines.
 namespace fiberchain::dem {
 
-inline constexpr int position_numbers = 4;     ///< x, y, z, radius
-inline constexpr int motion_numbers = 6;       ///< velocity half a step before, spin
-inline constexpr int load_numbers = 6;         ///< force, moment from outside the fiber
+/// A sphere's row: center and radius, velocity and spin half a step before, force and moment from outside the fiber.
+inline constexpr int row_numbers = 16, row_position = 0, row_radius = 3, row_velocity = 4, row_spin = 7, row_force = 10, row_moment = 13;
+/// Numbers of a line.
+inline constexpr int line_numbers = 8;
+
 inline constexpr int orientation_numbers = 4;  ///< quaternion
 
-inline constexpr int memory_numbers = 6;       ///< of a contact: tangential spring, overlap, opening velocity, unused
+inline constexpr int memory_numbers = 8;  ///< of a contact: tangential spring, root of the overlap, opening velocity, 3 unused
 
-inline constexpr int work_numbers = 8;         ///< booked contacts: dashpot force, tangential force, 3 unused, its power
-
-/// Rows are read (never written) up to so many numbers beyond their end.
-inline constexpr int row_overhang = 2;
+inline constexpr int work_numbers = 8;    ///< booked contacts: dashpot force, tangential force, 3 unused, its power
 
 }  // namespace fiberchain::dem

@@ -51,6 +51,7 @@ int run_packing(const dem::io::SceneText& text, const dem::io::PackingScene& sce
   if (!resume) begin.emplace(compare::begin_run(job, say));  // what cannot begin leaves nothing behind
   const compare::OutputDirectory directory(out);
   const compare::DirectoryLock lock(out);
+  compare::remove_leftovers(job.files);
   check_directory(job.files, arguments);
   if (resume) begin.emplace(compare::begin_run(job, say));
   const StopSignals signals;

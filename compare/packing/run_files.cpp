@@ -11,6 +11,7 @@
 
 #include "compare/errors.hpp"
 #include "dem/io/overlay_file.hpp"
+#include "dem/io/staged_file.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -66,6 +67,11 @@ void remove_files(const RunFiles& files) {
     fs::remove_all(path, error);
     if (error) throw OutputError(path, error.message());
   }
+}
+
+void remove_leftovers(const RunFiles& files) {
+  dem::io::remove_staged(files.directory, files.name);
+  dem::io::remove_staged(files.at(""), "");
 }
 
 std::optional<dem::io::Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,

@@ -31,6 +31,9 @@ std::vector<std::filesystem::path> files_there(const RunFiles& files);
 /// @throws OutputError
 void remove_files(const RunFiles& files);
 
+/// Removes what a killed run has left half written.
+void remove_leftovers(const RunFiles& files);
+
 /// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside
 /// as NAME.checkpoint.bad; nothing if there is none at all.
 /// @throws InputError if no checkpoint can be used, or it belongs to another scene or program

@@ -118,7 +118,7 @@ PlacedSpheres Assembly::placed() const {
   PlacedSpheres all;
   for (std::int64_t i = 0; i < state_->rows.count; ++i) {
     all.position.push_back(state_->rows.place(i));
-    all.radius.push_back(state_->rows.position.data()[i * position_numbers + 3]);
+    all.radius.push_back(state_->rows.row(i)[row_radius]);
   }
   return all;
 }

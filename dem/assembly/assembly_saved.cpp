@@ -1,3 +1,5 @@
+#include <array>
+
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/errors.hpp"
 
@@ -10,9 +12,7 @@ constexpr std::size_t head_numbers = 5;
 /// Of a contact.
 constexpr std::size_t kept_numbers = 7 + work_numbers;
 
-std::vector<const LaneArray*> arrays(const SphereRows& rows) {
-  return {&rows.position, &rows.motion, &rows.load, &rows.orientation};
-}
+std::array<const LaneArray*, 2> arrays(const SphereRows& rows) { return {&rows.numbers, &rows.orientation}; }
 
 std::size_t fixed_numbers(const Assembly::State& s, std::size_t stripes) {
   std::size_t sum = head_numbers + stripes * ContactSet::sums_a_stripe + 3 * s.rows.count + 1;
@@ -29,14 +29,14 @@ std::vector<double> Assembly::saved() const {
                           static_cast<double>(s.rows.count)};
   const std::vector<double> sums = s.contacts.sums();
   all.insert(all.end(), sums.begin(), sums.end());
-  for (const auto& x : s.contacts.listed_at()) all.insert(all.end(), x.c, x.c + 3);
+  for (const ListedSphere& sphere : s.contacts.listed()) all.insert(all.end(), sphere.place.c, sphere.place.c + 3);
   for (const LaneArray* a : arrays(s.rows)) all.insert(all.end(), a->data(), a->data() + a->size());
   for (const FiberBlock& block : s.blocks) block.save(all);
   const std::vector<KeptContact> kept = s.contacts.kept();
   all.push_back(static_cast<double>(kept.size()));
   for (const KeptContact& c : kept) {
     all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
-                           c.spring[2], c.overlap, c.opening});
+                           c.spring[2], c.root, c.opening});
     all.insert(all.end(), c.work, c.work + work_numbers);
   }
   return all;
@@ -54,7 +54,7 @@ void Assembly::restore(const std::vector<double>& saved) {
   const double* sums = from;
   from += static_cast<std::size_t>(s.contacts.stripes()) * ContactSet::sums_a_stripe;
   for (auto& x : listed) x = {from[0], from[1], from[2]}, from += 3;
-  for (LaneArray* a : {&s.rows.position, &s.rows.motion, &s.rows.load, &s.rows.orientation}) {
+  for (LaneArray* a : {&s.rows.numbers, &s.rows.orientation}) {
     std::copy_n(from, a->size(), a->data());
     from += a->size();
   }

@@ -25,9 +25,7 @@ SphereRows grown(const SphereRows& from, std::int64_t count, bool oriented) {
   const auto copy = [&](const LaneArray& source, LaneArray& target, int numbers) {
     std::copy_n(source.data(), from.count * numbers, target.data());
   };
-  copy(from.position, rows.position, position_numbers);
-  copy(from.motion, rows.motion, motion_numbers);
-  copy(from.load, rows.load, load_numbers);
+  copy(from.numbers, rows.numbers, row_numbers);
   if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_numbers);
   return rows;
 }
@@ -112,14 +110,17 @@ void Assembly::State::list_pairs() {
   room = 0.5 * contacts.skin();
 }
 
-/// Whether a sphere may have moved so far that a pair is missing, or a wall. Speeds tell when it is worth looking.
-bool Assembly::State::must_list(double fastest) {
-  if (contacts.walls_moved_far(time())) return true;
+/// Speeds tell when a sphere may have moved so far that a pair is missing, or a wall. Whether lists were looked at.
+bool Assembly::State::keep_lists(double fastest) {
+  contacts.count_path(step * fastest);
+  if (contacts.walls_moved_far(time())) {
+    list_pairs();
+    return true;
+  }
   room -= step * fastest;
   if (room > 0) return false;
-  const double limit = 0.5 * contacts.skin(), worth = 0.2 * limit;
-  room = limit - contacts.farthest_moved(rows, team);
-  return !(room > worth);
+  room = contacts.follow(rows, team);
+  return true;
 }
 
 /// Kinetic energy and the work of all other forces tell what the fluid took.
@@ -129,11 +130,11 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& be
   for (int lane = 0; lane < block.lanes(); ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       const MovingSphere<double, 3> s = block.sphere(kind, before, lane, i);
-      const double* v = rows.motion.data() + (block.first(lane) + i) * motion_numbers;
+      const Vec<double, 3> v = rows.velocity(block.first(lane) + i), w = rows.spin(block.first(lane) + i);
       for (int c = 0; c < 3; ++c) {
-        const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + v[3 + c]);
+        const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + w[c]);
         taken += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
-                 mean_spin * (step * s.moment[c] - kind.inertia * (v[3 + c] - s.spin[c]));
+                 mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
       }
     }
   }
@@ -164,11 +165,7 @@ double Assembly::State::move() {
 }
 
 /// Loads of all contacts onto the rows.
-void Assembly::State::touch() {
-  const double now = time();
-  team.each(contacts.stripes(), [&](int k, int) { contacts.work_out(k, rows, now); });
-  team.each(contacts.stripes(), [&](int k, int) { contacts.gather_loads(k, rows); });
-}
+void Assembly::State::touch() { contacts.work_out(rows, time(), team); }
 
 /// False where positions are no longer finite.
 bool Assembly::State::march_some(int count) {
@@ -176,13 +173,10 @@ bool Assembly::State::march_some(int count) {
   for (int n = 0; n < count; ++n) {
     const double fastest = move();
     watch.lap(&StepTimes::bonds_and_motion);
-    if (must_list(fastest)) {
-      try {
-        list_pairs();
-      } catch (const InvalidInput&) {
-        return false;
-      }
-      watch.lap(&StepTimes::search);
+    try {
+      if (keep_lists(fastest)) watch.lap(&StepTimes::search);
+    } catch (const InvalidInput&) {
+      return false;
     }
     touch();
     watch.lap(&StepTimes::contacts);
@@ -207,9 +201,8 @@ std::int64_t Assembly::State::broken() const {
     const double l = bond_length(kind.chain.fiber);
     for (int lane = 0; lane < block.lanes(); ++lane) {
       for (std::int64_t i = block.first(lane); i < block.first(lane) + kind.spheres(); ++i) {
-        const double* v = rows.motion.data() + i * motion_numbers;
-        double sum = 0;
-        for (int c = 0; c < motion_numbers; ++c) sum += v[c];
+        const double* v = rows.row(i) + row_velocity;
+        const double sum = v[0] + v[1] + v[2] + v[3] + v[4] + v[5];
         const double length = i > block.first(lane) ? norm(rows.place(i) - rows.place(i - 1)) : l + 0 * norm(rows.place(i));
         if (!std::isfinite(sum) || blown_up(length, l)) return i;
       }

@@ -79,7 +79,7 @@ struct Assembly::State {
  private:
   bool march_some(int count);
   double move();
-  bool must_list(double fastest);
+  bool keep_lists(double fastest);
   double step_block(std::size_t number, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
   std::int64_t broken() const;

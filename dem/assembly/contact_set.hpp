@@ -3,35 +3,15 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
+#include "dem/assembly/close_list.hpp"
+#include "dem/assembly/contact_memory.hpp"
 #include "dem/assembly/contact_parameters.hpp"
 #include "dem/assembly/sphere_rows.hpp"
 #include "dem/assembly/team.hpp"
-#include "dem/contact/neighbors.hpp"
 #include "dem/contact/view.hpp"
 
 // All contacts of an assembly: which spheres are close, what their contacts remember, and their loads.
 namespace fiberchain::dem {
-
-/// What a touching pair remembers, by sphere numbers, to be kept when the pairs are listed anew or written to a file.
-/// second < 0: wall -1 - second.
-struct KeptContact {
-  std::int64_t first, second;
-  double spring[3];  ///< on the first
-  double overlap, opening;
-  double work[work_numbers] = {};  ///< booked only
-};
-
-/// The same of many contacts, row by row.
-struct ContactMemory {
-  LaneArray rows, work;
-  std::vector<std::uint8_t> touched;
-  bool booked = false;
-
-  /// That many contacts that do not touch.
-  void reset(std::size_t size);
-  KeptContact at(std::size_t i, std::int64_t first, std::int64_t second) const;
-  void put(std::size_t i, const KeptContact& contact);
-};
 
 class ContactSet {
  public:
@@ -43,24 +23,25 @@ class ContactSet {
   void pad(SphereRows& rows);
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
-  double skin() const { return skin_; }
+  double skin() const { return close_.skin(); }
 
-  /// Lists the pairs that are close at these positions anew; contacts that touch keep what they remember.
-  void list_pairs(std::vector<Vec<double, 3>> positions, double time, Team& team);
-  /// The same at the rows' positions.
+  /// Lists all spheres at these places, who is close to whom; contacts that touch keep what they remember.
+  void list_pairs(const std::vector<Vec<double, 3>>& places, double time, Team& team);
+  /// The same at the rows' places.
   void list_pairs(const SphereRows& rows, double time, Team& team);
-  /// How far any sphere is from where it was listed [m].
-  double farthest_moved(const SphereRows& rows, Team& team) const;
-  /// Whether a wall has moved so far since then that spheres near it may be missing.
+  /// Lists spheres that have come far anew, where some have; how far any may move before it must be asked again [m].
+  double follow(const SphereRows& rows, Team& team);
+  /// Whether a wall has moved so far that spheres near it may be missing: time for list_pairs().
   bool walls_moved_far(double time) const;
-  const std::vector<Vec<double, 3>>& listed_at() const { return listed_at_; }
+  const std::vector<ListedSphere>& listed() const { return close_.listed(); }
   double listed_time() const { return listed_time_; }
 
+  /// Spheres move on by no more than `path` [m] before the next work_out().
+  void count_path(double path);
+
   int stripes() const { return static_cast<int>(stripes_.size()); }
-  /// Loads of a stripe's pairs and walls; what leaves the stripe waits for gather_loads().
-  void work_out(int stripe, SphereRows& rows, double time);
-  /// Adds what other stripes have for this one, in their order.
-  void gather_loads(int stripe, SphereRows& rows);
+  /// Adds the loads of all contacts to the rows.
+  void work_out(SphereRows& rows, double time, Team& team);
 
   std::int64_t touching() const;
   /// Since the start up to this moment [J]: half of what the kick takes that is centered on it.
@@ -80,26 +61,46 @@ class ContactSet {
   void set_sums(const double* from);
 
  private:
-  /// Spheres of a stripe near a wall and what those contacts remember.
+  /// Close pairs, in order, padded to whole vectors, and what they remember.
+  struct PairList {
+    std::vector<std::int32_t> first, second;
+    std::size_t count = 0, leaving = 0;  ///< without pads; of these with a second sphere in another stripe
+    ContactMemory memory;
+
+    void begin(std::size_t most);
+  };
+  /// Those of the pairs that may touch soon.
+  struct NearList {
+    std::vector<std::int32_t> pair, first, second;
+    std::vector<std::uint8_t> touched;
+    std::int32_t count = 0;
+  };
+  /// Spheres near a wall, likewise.
   struct NearWall {
     std::vector<std::int32_t> slots;
+    std::size_t count = 0;
     ContactMemory memory;
   };
   struct Stripe {
-    std::vector<std::int32_t> first, second, touching;
-    ContactMemory memory;
-    std::vector<DeferredForce> deferred;
+    PairList pairs, next_pairs;  ///< those to come while they are made
+    NearList near;
     std::vector<NearWall> walls;
+    NearWall next_wall;
+    std::vector<std::int32_t> touching;
+    std::vector<DeferredForce> deferred;
     std::vector<std::vector<std::int32_t>> for_stripe;  ///< places in deferred
     std::int64_t contacts = 0;
     ContactBook<double> book{}, power{};
     double wall_work = 0, wall_power = 0;
   };
 
-  void fill_stripe(int stripe);
-  void list_walls(int stripe);
-  void remember(int stripe, const std::vector<KeptContact>& contacts);
-  std::vector<KeptContact> kept_in(int stripe) const;
+  /// Loads of a stripe's pairs and walls; what leaves the stripe waits for gather_loads().
+  void work_out(int stripe, SphereRows& rows, double time);
+  /// Adds what other stripes have for this one, in their order.
+  void gather_loads(int stripe, SphereRows& rows);
+  void renew(Team& team);
+  void renew_pairs(int stripe);
+  void renew_wall(int stripe, int wall);
   double energy_of(const KeptContact& contact) const;  ///< stored in its springs [J]
   /// A wall that is gone takes what its contacts stored.
   void drop(NearWall& near, int wall, Stripe& stripe) const;
@@ -114,12 +115,12 @@ class ContactSet {
   std::vector<ContactParameters<double>> pair_parameters_, wall_parameters_;
   std::vector<double> radius_;
   std::vector<std::int32_t> fiber_, kind_of_sphere_;
-  double step_, skin_ = 0;
+  double step_;
   const ContactKernel* kernel_ = nullptr;
-  std::vector<std::int32_t> stripe_begin_;
-  std::vector<std::vector<ClosePair>> pairs_;
-  std::vector<Vec<double, 3>> listed_at_;
+  CloseList close_;
   double listed_time_ = 0;
+  bool near_is_old_ = true;  ///< lists of near pairs are to be made before they are used
+  double near_room_ = 0;     ///< what spheres may move before that [m]
   std::vector<Stripe> stripes_;
 };
 

@@ -21,10 +21,13 @@ double sum_of_lanes(const double* numbers, int lanes) {
 
 void put_rows(SphereRows& rows, std::int64_t row, const ChainState<3>& state, double radius) {
   for (std::size_t i = 0; i < state.poses.size(); ++i, ++row) {
-    double* x = rows.position.data() + row * position_numbers;
-    double* v = rows.motion.data() + row * motion_numbers;
-    for (int c = 0; c < 3; ++c) x[c] = state.poses[i].position[c], v[c] = state.velocity[i][c], v[3 + c] = state.spin[i][c];
-    x[3] = radius;
+    double* own = rows.row(row);
+    for (int c = 0; c < 3; ++c) {
+      own[row_position + c] = state.poses[i].position[c];
+      own[row_velocity + c] = state.velocity[i][c];
+      own[row_spin + c] = state.spin[i][c];
+    }
+    own[row_radius] = radius;
     if (!rows.oriented()) continue;
     const Quaternion<double>& turn = state.poses[i].orientation;
     double* q = rows.orientation.data() + row * orientation_numbers;
@@ -77,9 +80,7 @@ FiberBlock::FiberBlock(FiberKind& kind, int group, int number, std::int64_t firs
 RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient) {
   return {kind.chain.fiber.aspect_ratio,
           first_.data(),
-          rows.position.data(),
-          rows.motion.data(),
-          rows.load.data(),
+          rows.numbers.data(),
           rows.oriented() ? rows.orientation.data() : nullptr,
           history_,
           kind.lane_natural.data(),
@@ -97,7 +98,6 @@ double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scra
   RowBlock block = view(kind, rows, scratch, gradient);
   if (next != nullptr) block.next_history = next->history_;
   const double fastest = kind.kernel->step(block);
-  std::fill(rows.load.data() + first_[0] * load_numbers, rows.load.data() + end(kind) * load_numbers, 0.0);
   led_ = kind.parameters.step;
   return fastest;
 }
@@ -140,8 +140,8 @@ void FiberBlock::start(const FiberKind& kind, SphereRows& rows, const double* gr
     for (int i = 0; i < kind.spheres(); ++i) {
       Sphere s = sphere(kind, now, lane, i);
       move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
-      double* v = rows.motion.data() + (first_[lane] + i) * motion_numbers;
-      for (int c = 0; c < 3; ++c) v[c] = s.velocity[c], v[3 + c] = s.spin[c];
+      double* own = rows.row(first_[lane] + i);
+      for (int c = 0; c < 3; ++c) own[row_velocity + c] = s.velocity[c], own[row_spin + c] = s.spin[c];
     }
   }
 }

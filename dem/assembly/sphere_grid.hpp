@@ -1,17 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "dem/math/vec.hpp"
+#include "dem/contact/cell_grid.hpp"
 
 namespace fiberchain::dem {
-
-/// A box along the axes [m].
-struct Box {
-  Vec<double, 3> low, high;
-};
 
 /// Spheres that stand somewhere.
 struct PlacedSpheres {
@@ -37,14 +31,9 @@ class SphereGrid {
   Vec<double, 3> nearest(const Vec<double, 3>& a, const Vec<double, 3>& b) const;
 
  private:
-  int cell(double x, int axis) const;
-  std::size_t index(const std::array<int, 3>& cell) const;
-
-  Vec<double, 3> low_, period_;
-  std::array<int, 3> cells_;
-  Vec<double, 3> inverse_edge_;
+  Vec<double, 3> period_;
   double gap_;
-  std::vector<std::int64_t> head_, next_;  ///< chains of spheres in a cell; -1 ends
+  CellGrid cells_;
   PlacedSpheres spheres_;
 };
 

@@ -31,7 +31,7 @@ unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
 
 }  // namespace
 
-Team::Team(int threads) {
+Team::Team(int threads) : shares_(threads) {
   for (int t = 1; t < threads; ++t) workers_.emplace_back([this, t] { serve(t); });
 }
 
@@ -42,18 +42,27 @@ Team::~Team() {
   for (std::thread& worker : workers_) worker.join();
 }
 
-void Team::do_part(int thread) const {
-  const long n = threads();
-  const int end = static_cast<int>(count_ * (thread + 1L) / n);
-  for (int i = static_cast<int>(count_ * static_cast<long>(thread) / n); i < end; ++i) call_(what_, i, thread);
+void Team::do_all(int thread) {
+  const int n = threads();
+  for (int k = 0; k < n; ++k) {
+    Share& share = shares_[(thread + k) % n];
+    for (int i = share.next.fetch_add(1, std::memory_order_relaxed); i < share.end; i = share.next.fetch_add(1, std::memory_order_relaxed)) {
+      call_(what_, i, thread);
+    }
+  }
 }
 
 void Team::start_and_finish() {
   const auto helpers = static_cast<unsigned>(workers_.size());
+  const long n = threads();
+  for (long t = 0; t < n; ++t) {
+    shares_[t].next.store(static_cast<int>(count_ * t / n), std::memory_order_relaxed);
+    shares_[t].end = static_cast<int>(count_ * (t + 1) / n);
+  }
   done_.store(0, std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
-  do_part(0);
+  do_all(0);
   for (unsigned done = done_.load(std::memory_order_acquire); done != helpers;) done = wait_for_change(done_, done);
 }
 
@@ -62,7 +71,7 @@ void Team::serve(int thread) {
   while (true) {
     round = wait_for_change(round_, round);
     if (over_.load()) return;
-    do_part(thread);
+    do_all(thread);
     done_.fetch_add(1, std::memory_order_release);
     done_.notify_one();
   }

@@ -18,8 +18,8 @@ class Team {
 
   int threads() const { return static_cast<int>(workers_.size()) + 1; }
 
-  /// work(i, thread) for all i below `count`, each thread its own consecutive ones; back when all are done. `work` must
-  /// not throw.
+  /// work(i, thread) for all i below `count`, each thread consecutive ones of its own, then what others have left; back
+  /// when all are done. `work` must not throw.
   template <class Work>
   void each(int count, Work&& work) {
     if (workers_.empty()) {
@@ -34,12 +34,18 @@ class Team {
 
  private:
   void start_and_finish();
-  void do_part(int thread) const;
+  void do_all(int thread);
   void serve(int thread);
 
   void (*call_)(void*, int, int) = nullptr;
   void* what_ = nullptr;
   int count_ = 0;
+  /// Of each thread: its next i and its last.
+  struct alignas(64) Share {
+    std::atomic<int> next{0};
+    int end = 0;
+  };
+  std::vector<Share> shares_;
   std::atomic<unsigned> round_{0}, done_{0};
   std::atomic<bool> over_{false};
   std::vector<std::thread> workers_;

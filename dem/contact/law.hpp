@@ -26,7 +26,7 @@ struct ContactParameters {
 template <class Real>
 struct ContactHistory {
   Vec<Real, 3> spring;       ///< tangential spring force on the first body [N]
-  Real overlap;              ///< at the step before [m]; 0 before the first touch
+  Real root;                 ///< square root of the overlap at the step before [m^0.5]; 0 before the first touch
   Real opening = Real(0.0);  ///< normal velocity at the step before [m/s]
 };
 
@@ -70,10 +70,10 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   using std::max;
   using std::min;
   using std::sqrt;
-  const Real root = sqrt(pair.overlap), root_before = sqrt(max(history.overlap, Real(1e-300)));
+  const Real root = sqrt(pair.overlap), root_before = max(history.root, Real(1e-150));
   const Real quarter = sqrt(root);
   const Real opening = dot(pair.velocity, pair.normal);
-  const Real change = select(history.overlap > Real(0.0), opening - history.opening, Real(0.0));
+  const Real change = select(history.root > Real(0.0), opening - history.opening, Real(0.0));
   const Real push = max(
       Real(0.0), p.normal * root * pair.overlap - p.normal_damping * quarter * (opening + p.ahead * change));
   const Vec<Real, 3> slip = pair.velocity - opening * pair.normal;
@@ -91,7 +91,7 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   // before + stiffness r + dashpot r = drag, r the rate at which the spring is stretched: stuck, the slip
   // itself
   const Real share = stiffness / max(stiffness + dashpot, Real(1e-300));
-  history = {before + share * (drag - before), pair.overlap, opening};
+  history = {before + share * (drag - before), root, opening};
 
   const Vec<Real, 3> force = drag - push * pair.normal;
   if constexpr (!rolls) return {force, {Real(0.0), Real(0.0), Real(0.0)}};

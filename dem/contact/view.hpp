@@ -25,19 +25,24 @@ constexpr int contact_index(const ContactPhysics& p) {
 
 /// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
 struct ContactView {
-  const double* position;
-  const double* motion;
-  double* force;
+  double* rows;
   const std::int32_t* kind;  ///< of each slot
   const std::int32_t* first;
   const std::int32_t* second;
   double* memory;            ///< a row a pair, where it touched a step before
-  std::uint8_t* touched;     ///< whether each pair did
+  std::uint8_t* touched;     ///< whether each pair did: 1 or 0
   double* work;              ///< booked: a row a pair, what dissipated in the step before
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
+  std::int32_t padding;      ///< this slot and the next one: spheres of no size far from each other
   double period[3], inverse_period[3];
   double step;
+};
+
+/// Pairs that may touch soon, padded to whole vectors.
+struct NearPairs {
+  std::int32_t *pair, *first, *second;
+  std::uint8_t* touched;  ///< as of the pairs
 };
 
 /// What a pair does to a sphere of a later stripe, which that stripe adds up itself.
@@ -63,9 +68,10 @@ struct WallView {
 /// One stripe of slots, its pairs, and what came of them. A stripe is worked on by one thread; its results do not depend
 /// on which.
 struct ContactTask {
-  std::int32_t begin, end;  ///< pairs, padded to whole vectors
+  NearPairs near;
+  std::int32_t near_count;  ///< padded to whole vectors
   std::int32_t slots_end;
-  std::int32_t* touching;   ///< room for all pairs
+  std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
   DeferredForce* deferred;  ///< room for all pairs that leave the stripe
   std::int32_t deferred_count;
   std::int64_t contacts;    ///< counted
@@ -75,33 +81,15 @@ struct ContactTask {
   double wall_power;        ///< of this moment [W]
 };
 
-/// Spheres in the order of their cells, with room for one vector behind them.
-struct SortedSpheres {
-  const double* x[3];
-  const double* radius;
-  const std::int32_t* sphere;  ///< number
-  const std::int32_t* fiber;
-  double period[3], inverse_period[3];
-  double skin;
-};
-
-struct SlotRange {
-  std::int32_t begin, end;
-};
-
-/// A sphere that asks who is near.
-struct Asking {
-  double x[3];
-  double radius;
-  std::int32_t sphere, fiber;
-};
+/// Room that lists of pairs need behind their end.
+inline constexpr int lanes_beyond = 16;
 
 struct ContactKernel {
   int width;
+  /// Chooses those of the first `count` pairs, padded to whole vectors, that have a gap below `gap` [m]; how many, padded.
+  std::int32_t (*near)(const ContactView&, std::int32_t count, double gap, const NearPairs&);
   void (*pairs)(const ContactView&, ContactTask&);
   void (*wall)(const ContactView&, const WallView&, ContactTask&);
-  /// Spheres of higher number in the ranges of sorted places that are near and not bonded: written to `found`, counted.
-  int (*near)(const SortedSpheres&, const SlotRange* ranges, int count, const Asking&, std::int32_t* found);
 };
 
 }  // namespace fiberchain::dem

@@ -55,6 +55,14 @@ void StagedFile::discard() noexcept {
 
 void StagedFile::fail() const { throw WriteError(place_, std::strerror(errno)); }
 
+void remove_staged(const std::filesystem::path& directory, const std::string& name) {
+  std::error_code ignored;  // a directory that is not there holds none
+  for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
+    const std::string file = entry.path().filename().string();
+    if (file.starts_with("." + name) && file.ends_with(".part")) ::unlink(entry.path().c_str());
+  }
+}
+
 void flush_directory(const std::filesystem::path& path) {
   const int directory = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (directory < 0) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace fiberchain::dem::io {
@@ -28,6 +29,10 @@ class StagedFile {
   std::filesystem::path staged_;
   int file_ = -1;
 };
+
+/// Removes what killed programs have left under temporary names for files whose names begin so. Nobody may be writing such
+/// files now.
+void remove_staged(const std::filesystem::path& directory, const std::string& name);
 
 /// Flushes the renames in a directory to the disk. File systems that cannot do that are let off.
 void flush_directory(const std::filesystem::path& path);

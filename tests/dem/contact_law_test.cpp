@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(a_pair_that_turns_as_one_keeps_its_spring) {
   const V omega{31, -57, 23};
   const double dt = 1e-6;
   dem::ContactParameters<double> p = parameters({2e6, 7e5, 0.1, 0.9}, 1e-3, 1e-6, 1e-12, dt);
-  dem::ContactHistory<double> history{{}, 1e-5};
+  dem::ContactHistory<double> history{{}, std::sqrt(1e-5)};
   V n = tilted(1, 0, 0), t = tilted(0, 0.6, 0.8);
   dem::TouchingPair<double> pair{n, 1e-5, 1e-3 * t, {}, {}};
   for (int i = 0; i < 300; ++i) contact_action(p, pair, dt, history);
@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(whatever_the_surfaces_do_the_tangential_contact_gives_no_en
   for (int trial = 0; trial < 300; ++trial) {
     const double dt = 1e-6, overlap = 1e-5, zeta = std::pow(10.0, -2 + trial % 5 * 0.5);
     const auto p = parameters({2e6, 7e5, zeta, 0.3}, 1e-3, 1e-6, 1e-12, dt);
-    dem::ContactHistory<double> history{{}, overlap};
+    dem::ContactHistory<double> history{{}, std::sqrt(overlap)};
     const double stiffness = p.tangential * std::sqrt(overlap);
     V slip{}, force{};
     double work = 0, moved = 0;
@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
         packed(pair[0].velocity, pair[1].velocity), packed(pair[0].spin, pair[1].spin),
         packed(pair[0].mean_spin, pair[1].mean_spin)};
     dem::ContactHistory<Pack> together{packed(history[0].spring, history[1].spring),
-                                       Pack{history[0].overlap, history[1].overlap}};
+                                       Pack{history[0].root, history[1].root}};
     const auto action = contact_action(pp, both, Pack(dt), together);
     for (int k = 0; k < 2; ++k) {
       const auto alone = contact_action(p, pair[k], dt, history[k]);

@@ -78,6 +78,11 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
 BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_resumes_and_ends_the_same) {
   const FewFibers fibers;
   BOOST_TEST(kill_and_resume(fibers, {0, 7, 31}) >= 2);
+  const fs::path left[] = {fibers.out("s/.lines-000000000007.vtp.4194303.part"), fibers.out(".s.csv.4194303.part"),
+                           fibers.out(".other.csv.4194303.part")};
+  for (const fs::path& path : left) std::ofstream(path) << "half";
+  BOOST_TEST(fibers.go({"--resume"}).status == 0);
+  BOOST_TEST((!fs::exists(left[0]) && !fs::exists(left[1]) && fs::exists(left[2])));
   BOOST_TEST(same_end(fibers, undisturbed()));
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "dem/contact/lanes/search.hpp"
 #include "dem/contact/lanes/walls.hpp"
 
 // Included by one source file an instruction set, as motion/lanes/instantiate.hpp.
@@ -13,8 +12,7 @@ struct ContactTable {
 
 template <class Real, int... N>
 constexpr ContactTable<Real> contact_table(std::integer_sequence<int, N...>) {
-  return {{{lane_count<Real>, contact_pairs<contact_physics(N), Real>, contact_wall<contact_physics(N), Real>,
-            near_spheres<contact_physics(N).periodic, Real>}...}};
+  return {{{lane_count<Real>, near_pairs<contact_physics(N), Real>, contact_pairs<contact_physics(N), Real>, contact_wall<contact_physics(N), Real>}...}};
 }
 
 template <class Real>

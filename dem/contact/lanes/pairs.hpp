@@ -21,10 +21,10 @@ Slots<Real> slots_of(const std::int32_t* slots, const std::int32_t* entries) {
   return chosen;
 }
 
-template <int N, class Real>
-RowStarts<Real, const double> rows_at(const double* rows, const std::int32_t* slots) {
-  RowStarts<Real, const double> starts;
-  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(slots[k]) * N;
+template <class Real>
+RowStarts<Real> rows_at(const ContactView& view, const std::int32_t* slots) {
+  RowStarts<Real> starts;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = view.rows + static_cast<std::ptrdiff_t>(slots[k]) * row_numbers;
   return starts;
 }
 
@@ -36,9 +36,9 @@ struct Balls {
 };
 
 template <class Real>
-Balls<Real> balls_at(const ContactView& view, const std::int32_t* slots) {
-  Real n[position_numbers];
-  load_rows<position_numbers>(rows_at<position_numbers, Real>(view.position, slots), 0, n);
+Balls<Real> balls_at(const RowStarts<Real>& rows) {
+  Real n[4];
+  load_rows<4>(rows, row_position, n);
   return {{n[0], n[1], n[2]}, n[3]};
 }
 
@@ -48,10 +48,18 @@ struct Motions {
 };
 
 template <class Real>
-Motions<Real> motions_at(const ContactView& view, const std::int32_t* slots) {
-  Real n[motion_numbers];
-  load_rows<motion_numbers>(rows_at<motion_numbers, Real>(view.motion, slots), 0, n);
-  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+struct Movers {
+  Balls<Real> ball;
+  Motions<Real> motion;
+};
+
+template <class Real>
+Movers<Real> movers_at(const RowStarts<Real>& rows) {
+  Real n[line_numbers + 2];
+  load_rows<line_numbers>(rows, 0, n);
+  load_rows<2>(rows, line_numbers, n + line_numbers);
+  return {{{n[0], n[1], n[2]}, n[row_radius]},
+          {{n[row_velocity], n[row_velocity + 1], n[row_velocity + 2]}, {n[row_spin], n[row_spin + 1], n[row_spin + 2]}}};
 }
 
 /// The nearest image of a separation in a periodic cell.
@@ -63,32 +71,75 @@ Vec<Real, 3> nearest_image(const ContactView& view, Vec<Real, 3> r) {
   return r;
 }
 
-/// Fetches a row ahead of its use: which rows pairs need is known long before, but not to the processor.
-template <int N>
-inline __attribute__((always_inline)) void fetch_row(const double* rows, std::ptrdiff_t row) {
-  __builtin_prefetch(rows + row * N, 1, 3);
-  if constexpr (N % 8 != 0 && 8 % N != 0) __builtin_prefetch(rows + row * N + N - 1, 1, 3);
-}
+/// Fetches a line ahead of its use: which rows pairs need is known long before, but not to the processor.
+inline __attribute__((always_inline)) void fetch_line(const double* line) { __builtin_prefetch(line, 1, 3); }
 
 /// Numbers of pairs ahead that rows are fetched.
 inline constexpr int pairs_ahead = 48, touching_ahead = 24;
 
-/// Pairs of the task that touch go into its list; those that no longer do are marked.
+/// Lanes in which spheres have a gap below `gap`.
+template <ContactPhysics P, class Real>
+unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first, const std::int32_t* second) {
+  const Balls<Real> a = balls_at<Real>(rows_at<Real>(view, first)), b = balls_at<Real>(rows_at<Real>(view, second));
+  const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
+  const Real reach = P.uniform ? Real(2.0 * view.rows[row_radius]) + gap : a.radius + b.radius + gap;
+  return less_mask(dot(r, r), reach * reach);
+}
+
+template <class Real>
+void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32_t n, std::int32_t end) {
+  if (n + pairs_ahead + lane_count<Real> > end) return;
+  for (int k = 0; k < lane_count<Real>; ++k) fetch_line(view.rows + static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * row_numbers);
+}
+
+template <ContactPhysics P, class Real>
+FIBERCHAIN_FLATTEN std::int32_t near_pairs(const ContactView& view, std::int32_t count, double gap, const NearPairs& near) {
+  constexpr int lanes = lane_count<Real>;
+  std::int32_t found = 0;
+  for (std::int32_t p = 0; p < count; p += lanes) {
+    fetch_places<Real>(view, view.second, p, count);
+    for (unsigned close = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p); close != 0; close &= close - 1) {
+      const std::int32_t pair = p + __builtin_ctz(close);
+      near.pair[found] = pair;
+      near.first[found] = view.first[pair];
+      near.second[found] = view.second[pair];
+      near.touched[found++] = view.touched[pair];
+    }
+  }
+  for (; found % lanes != 0; ++found) {  // pads stand behind the last pair, or there is none
+    near.pair[found] = count - 1;
+    near.first[found] = view.padding, near.second[found] = view.padding + 1;
+    near.touched[found] = 0;
+  }
+  return found;
+}
+
+/// Nothing is remembered of a contact that begins.
+template <ContactPhysics P>
+void forget(double* memory, double* work, std::ptrdiff_t row) {
+  for (int n = 0; n < memory_numbers; ++n) memory[row * memory_numbers + n] = 0;
+  if constexpr (P.booked) {
+    for (int n = 0; n < work_numbers; ++n) work[row * work_numbers + n] = 0;
+  }
+}
+
+/// Near pairs that touch go into the task's list; those that begin or end are marked.
 template <ContactPhysics P, class Real>
 int find_touching(const ContactView& view, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
+  const NearPairs& near = task.near;
   int count = 0;
-  for (std::int32_t p = task.begin; p < task.end; p += lanes) {
-    if (p + pairs_ahead + lanes <= task.end) {
-      for (int k = 0; k < lanes; ++k) fetch_row<position_numbers>(view.position, view.second[p + pairs_ahead + k]);
+  for (std::int32_t n = 0; n < task.near_count; n += lanes) {
+    fetch_places<Real>(view, near.second, n, task.near_count);
+    const unsigned touching = closer_than<P, Real>(view, Real(0.0), near.first + n, near.second + n);
+    for (unsigned changed = flag_mask<Real>(near.touched + n) ^ touching; changed != 0; changed &= changed - 1) {
+      const int k = __builtin_ctz(changed);
+      const auto begins = static_cast<std::uint8_t>(touching >> k & 1u);
+      if (begins != 0) forget<P>(view.memory, view.work, near.pair[n + k]);
+      near.touched[n + k] = view.touched[near.pair[n + k]] = begins;
     }
-    const Balls<Real> a = balls_at<Real>(view, view.first + p), b = balls_at<Real>(view, view.second + p);
-    const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
-    const Real reach = P.uniform ? Real(2.0 * view.position[3]) : a.radius + b.radius;
-    unsigned touching = less_mask(dot(r, r), reach * reach);
-    unsigned ended = flag_mask<Real>(view.touched + p) & ~touching;
-    for (; touching != 0; touching &= touching - 1) task.touching[count++] = p + __builtin_ctz(touching);
-    for (; ended != 0; ended &= ended - 1) view.touched[p + __builtin_ctz(ended)] = 0;
+    append_lanes<Real>(touching, n, task.touching + count);
+    count += __builtin_popcount(touching);
   }
   return count;
 }
@@ -134,8 +185,8 @@ template <class Real>
 Real spring_energy(const ContactParameters<Real>& p, const ContactHistory<Real>& h) {
   using std::max;
   using std::sqrt;
-  const Real stiffness = max(p.tangential * sqrt(max(h.overlap, Real(0.0))), Real(1e-300));
-  return select(h.overlap > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
+  const Real stiffness = max(p.tangential * h.root, Real(1e-300));
+  return select(h.root > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
 }
 
 /// Energies of the step. A kick with a force takes force times the mean of the velocities before and after it: the one
@@ -151,7 +202,7 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
   const Vec<Real, 3> slip = pair.velocity - opening * pair.normal, drag = action.force + push * pair.normal;
   Real kept[work_numbers];
   load_rows<work_numbers>(work, 0, kept);
-  const auto held = before.overlap > Real(0.0);
+  const auto held = before.root > Real(0.0);
   const auto of_step_before = [&](const Real& power_now) { return select(held, Real(0.5) * dt * power_now, Real(0.0)); };
   const Vec<Real, 3> last_drag{kept[1], kept[2], kept[3]};
   const Real normal = dashpot * opening, sliding = dot(drag, slip), rolling = dot(action.moment, pair.spin);
@@ -166,41 +217,35 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
   store_rows<work_numbers>(keep, work, 0);
 }
 
-/// What contacts remember; nothing of those that did not touch a step before.
 template <class Real>
-ContactHistory<Real> remembered(const RowStarts<Real>& memory, const std::uint8_t* touched, const std::int32_t* entries) {
-  double on[lane_count<Real>];
-  for (int k = 0; k < lane_count<Real>; ++k) on[k] = touched[entries[k]];
-  const Real was = load_lanes<Real>(on);
+ContactHistory<Real> remembered(const RowStarts<Real>& memory) {
   Real n[memory_numbers];
   load_rows<memory_numbers>(memory, 0, n);
-  const auto held = was > Real(0.0);
-  const Real zero(0.0);
-  return {{select(held, n[0], zero), select(held, n[1], zero), select(held, n[2], zero)}, select(held, n[3], zero),
-          select(held, n[4], zero)};
+  return {{n[0], n[1], n[2]}, n[3], n[4]};
 }
 
 template <class Real>
 void keep(const ContactHistory<Real>& history, const RowStarts<Real>& memory) {
-  const Real n[memory_numbers] = {history.spring[0], history.spring[1], history.spring[2], history.overlap, history.opening,
-                                  Real(0.0)};
+  const Real n[memory_numbers] = {history.spring[0], history.spring[1], history.spring[2], history.root, history.opening,
+                                  Real(0.0), Real(0.0), Real(0.0)};
   store_rows<memory_numbers>(n, memory, 0);
 }
 
-/// The law for the pairs touching[0 ... lanes - 1], of which `count` count.
+/// The law for pairs of the spheres i and j in these rows, of which `count` count.
 template <ContactPhysics P, class Real>
-PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const Slots<Real>& i,
-                           const Slots<Real>& j, int count, ContactTask& task) {
+PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const Slots<Real>& i, const Slots<Real>& j,
+                           const RowStarts<Real>& rows_i, const RowStarts<Real>& rows_j, int count, ContactTask& task) {
   using std::sqrt;
   constexpr int lanes = lane_count<Real>;
-  const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
+  const auto [a, motion_i] = movers_at<Real>(rows_i);
+  const auto [b, motion_j] = movers_at<Real>(rows_j);
   const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
   const Real distance = sqrt(dot(r, r));
   ContactParameters<Real> p;
   Real reach, share = Real(0.5);
   if constexpr (P.uniform) {
     p = broadcast<Real>(view.parameters[0]);
-    reach = Real(2.0 * view.position[3]);
+    reach = Real(2.0 * view.rows[row_radius]);
   } else {
     reach = a.radius + b.radius;
     share = a.radius / reach;
@@ -208,7 +253,6 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
     for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.at[k]] * view.kinds + view.kind[j.at[k]];
     p = gather_parameters<Real>(view.parameters, entry);
   }
-  const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Real arm_i = share * distance, arm_j = distance - arm_i;
   TouchingPair<Real> pair;
   pair.normal = (Real(1.0) / distance) * r;
@@ -218,7 +262,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
   RowStarts<Real> memory;
   for (int k = 0; k < lanes; ++k) memory.at[k] = view.memory + static_cast<std::ptrdiff_t>(pairs[k]) * memory_numbers;
-  ContactHistory<Real> history = remembered<Real>(memory, view.touched, pairs);
+  ContactHistory<Real> history = remembered<Real>(memory);
   [[maybe_unused]] const ContactHistory<Real> before = history;
   const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.booked) {
@@ -227,52 +271,53 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
     book(p, pair, before, history, action, Real(view.step), count, work, task);
   }
   keep<Real>(history, memory);
-  for (int k = 0; k < count; ++k) view.touched[pairs[k]] = 1;
   const Vec<Real, 3> turn = cross(pair.normal, action.force);
   return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};
 }
 
-/// Force and moment as rows.
+/// Loads as the second lines of rows.
 template <class Real>
 struct LoadRows {
-  alignas(64) double at[lane_count<Real>][8];
+  alignas(64) double at[lane_count<Real>][line_numbers];
 };
 
 template <class Real>
 void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Real>& rows) {
   RowStarts<Real> starts;
   for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows.at[k];
-  const Real n[load_numbers] = {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
-  store_rows<load_numbers>(n, starts, 0);
+  const Real none(0.0), n[line_numbers] = {none, none, force[0], force[1], force[2], moment[0], moment[1], moment[2]};
+  store_rows<line_numbers>(n, starts, 0);
 }
 
-/// target += row; on AVX-512 in one go.
+inline constexpr int loads_in_line = row_force - line_numbers;
+
+/// Adds loads to a sphere's row; on AVX-512 in one go. Other numbers are not written: others may be reading them.
 template <class Real>
-inline __attribute__((always_inline)) void add_row(const double* row, double* target) {
+inline __attribute__((always_inline)) void add_row(const double* loads, double* row) {
+  double* line = row + line_numbers;
 #ifdef __AVX512F__
   if constexpr (lane_count<Real> == 8) {
-    const __m512d sum = _mm512_add_pd(_mm512_loadu_pd(target), _mm512_load_pd(row));
-    _mm512_mask_storeu_pd(target, (1u << load_numbers) - 1u, sum);
+    _mm512_mask_storeu_pd(line, 0xffu << loads_in_line & 0xffu, _mm512_add_pd(_mm512_loadu_pd(line), _mm512_load_pd(loads)));
     return;
   }
 #endif
-  for (int c = 0; c < load_numbers; ++c) target[c] += row[c];
+  for (int c = loads_in_line; c < line_numbers; ++c) line[c] += loads[c];
 }
 
 /// Adds pairs' loads to their spheres in the order of the pairs.
 template <class Real>
-void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j,
-               int count, ContactTask& task) {
+void add_loads(const PairLoads<Real>& loads, const Slots<Real>& j, const RowStarts<Real>& rows_i,
+               const RowStarts<Real>& rows_j, int count, ContactTask& task) {
   LoadRows<Real> first, second;
   to_rows(loads.force, loads.first_moment, first);
   to_rows(-loads.force, loads.second_moment, second);
   for (int k = 0; k < count; ++k) {
-    add_row<Real>(first.at[k], view.force + static_cast<std::ptrdiff_t>(i.at[k]) * load_numbers);
+    add_row<Real>(first.at[k], rows_i.at[k]);
     if (j.at[k] < task.slots_end) {
-      add_row<Real>(second.at[k], view.force + static_cast<std::ptrdiff_t>(j.at[k]) * load_numbers);
+      add_row<Real>(second.at[k], rows_j.at[k]);
     } else {
       DeferredForce& later = task.deferred[task.deferred_count++];
-      for (int c = 0; c < load_numbers; ++c) later.load[c] = second.at[k][c];
+      for (int c = 0; c < 6; ++c) later.load[c] = second.at[k][loads_in_line + c];
       later.slot = j.at[k];
     }
   }
@@ -282,12 +327,9 @@ void add_loads(const ContactView& view, const PairLoads<Real>& loads, const Slot
 template <class Real>
 void fetch_touching(const ContactView& view, const ContactTask& task, int n, int touching) {
   for (int k = n; k < n + lane_count<Real> && k < touching; ++k) {
-    const std::int32_t pair = task.touching[k], i = view.first[pair], j = view.second[pair];
-    fetch_row<memory_numbers>(view.memory, pair);
-    for (const std::int32_t sphere : {i, j}) {
-      fetch_row<motion_numbers>(view.motion, sphere);
-      fetch_row<load_numbers>(view.force, sphere);
-    }
+    const std::int32_t n_k = task.touching[k], i = task.near.first[n_k], j = task.near.second[n_k];
+    fetch_line(view.memory + static_cast<std::ptrdiff_t>(task.near.pair[n_k]) * memory_numbers);
+    for (const std::int32_t sphere : {i, j}) fetch_line(view.rows + static_cast<std::ptrdiff_t>(sphere) * row_numbers + line_numbers);
   }
 }
 
@@ -299,11 +341,13 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
   for (int n = 0; n < touching_ahead; n += lanes) fetch_touching<Real>(view, task, n, touching);
   for (int n = 0; n < touching; n += lanes) {
     fetch_touching<Real>(view, task, n + touching_ahead, touching);
-    std::int32_t pairs[lanes];
     const int count = touching - n < lanes ? touching - n : lanes;
-    for (int k = 0; k < lanes; ++k) pairs[k] = task.touching[n + (k < count ? k : 0)];
-    const Slots<Real> i = slots_of<Real>(view.first, pairs), j = slots_of<Real>(view.second, pairs);
-    add_loads(view, pair_loads<P, Real>(view, pairs, i, j, count, task), i, j, count, task);
+    for (int k = count; k < lanes; ++k) task.touching[n + k] = task.touching[n];
+    const std::int32_t* chosen = task.touching + n;
+    const Slots<Real> pairs = slots_of<Real>(task.near.pair, chosen);
+    const Slots<Real> i = slots_of<Real>(task.near.first, chosen), j = slots_of<Real>(task.near.second, chosen);
+    const RowStarts<Real> rows_i = rows_at<Real>(view, i.at), rows_j = rows_at<Real>(view, j.at);
+    add_loads(pair_loads<P, Real>(view, pairs.at, i, j, rows_i, rows_j, count, task), j, rows_i, rows_j, count, task);
   }
 }
 

@@ -37,12 +37,13 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = n + k;
     const Slots<Real> i = slots_of<Real>(wall.slots, entry);
-    const Balls<Real> ball = balls_at<Real>(view, i.at);
+    const RowStarts<Real> rows = rows_at<Real>(view, i.at);
+    const Balls<Real> ball = balls_at<Real>(rows);
     const WallSight<Real> seen = sight(wall, ball.center);
     const Real radius = ball.radius;
     const unsigned touching = less_mask(seen.distance, radius);
-    const unsigned ended = flag_mask<Real>(wall.touched + n) & ~touching;
-    if ((touching | ended) == 0) continue;
+    const unsigned touched = flag_mask<Real>(wall.touched + n);
+    if ((touching | touched) == 0) continue;
     ContactParameters<Real> p;
     if constexpr (P.uniform) {
       p = broadcast<Real>(wall.parameters[0]);
@@ -51,7 +52,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       for (int k = 0; k < lanes; ++k) kind[k] = view.kind[i.at[k]];
       p = gather_parameters<Real>(wall.parameters, kind);
     }
-      const Motions<Real> motion = motions_at<Real>(view, i.at);
+    const Motions<Real> motion = movers_at<Real>(rows).motion;
     const Vec<Real, 3>&v = motion.velocity, &w = motion.spin;
     TouchingPair<Real> pair;
     pair.normal = seen.normal;
@@ -61,7 +62,10 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     pair.mean_spin = Real(0.5) * w;
     RowStarts<Real> memory;
     for (int k = 0; k < lanes; ++k) memory.at[k] = wall.memory + static_cast<std::ptrdiff_t>(n + k) * memory_numbers;
-    ContactHistory<Real> history = remembered<Real>(memory, wall.touched, entry);
+    for (unsigned others = ~touched & ((1u << lanes) - 1u); others != 0; others &= others - 1) {
+      forget<P>(wall.memory, wall.work, n + __builtin_ctz(others));
+    }
+    ContactHistory<Real> history = remembered<Real>(memory);
     const ContactHistory<Real> before = history;
     const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
     const Vec<Real, 3> moment = seen.distance * cross(seen.normal, action.force) + action.moment;
@@ -72,7 +76,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       const bool here = (touching >> k & 1u) != 0;
       wall.touched[n + k] = here ? 1 : 0;
       if (!here) continue;
-      add_row<Real>(loads.at[k], view.force + static_cast<std::ptrdiff_t>(i.at[k]) * load_numbers);
+      add_row<Real>(loads.at[k], rows.at[k]);
       ++task.contacts;
     }
     if constexpr (P.booked) {

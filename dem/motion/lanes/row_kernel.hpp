@@ -23,9 +23,7 @@ inline constexpr int book_numbers = 9 + 1 + 3 + 1 + 3;
 struct RowBlock {
   int bonds;
   const std::int64_t* first;  ///< row of the first sphere of each lane
-  double* position;
-  double* motion;
-  double* load;
+  double* rows;
   double* orientation;        ///< null where it is not followed
   double* history;            ///< BondHistory, lane by lane
   const double* natural;      ///< NaturalEnds, lane by lane (curved fibers)

@@ -32,11 +32,9 @@ template <class Real>
 class BlockRows {
  public:
   explicit BlockRows(const RowBlock& block)
-      : position_(starts_of<position_numbers, Real>(block.position, block)),
-        motion_(starts_of<motion_numbers, Real>(block.motion, block)),
-        load_(starts_of<load_numbers, Real>(block.load, block)),
+      : rows_(starts_of<row_numbers, Real>(block.rows, block)),
         weight_{Real(block.weight[0]), Real(block.weight[1]), Real(block.weight[2])},
-        radius_(position_.at[0][3]),
+        radius_(rows_.at[0][row_radius]),
         oriented_(block.orientation != nullptr) {
     if (oriented_) orientation_ = starts_of<orientation_numbers, Real>(block.orientation, block);
   }
@@ -46,28 +44,29 @@ class BlockRows {
   /// Sphere `i`, the loads from outside as its forces.
   MovingSphere<Real, 3> read(std::ptrdiff_t i) const {
     MovingSphere<Real, 3> s;
-    Real numbers[6];
-    load_rows<position_numbers>(position_, i * position_numbers, numbers);
-    s.pose.position = {numbers[0], numbers[1], numbers[2]};
-    load_rows<motion_numbers>(motion_, i * motion_numbers, numbers);
-    s.velocity = {numbers[0], numbers[1], numbers[2]};
-    s.spin = {numbers[3], numbers[4], numbers[5]};
-    load_rows<load_numbers>(load_, i * load_numbers, numbers);
-    s.force = {numbers[0] + weight_[0], numbers[1] + weight_[1], numbers[2] + weight_[2]};
-    s.moment = {numbers[3], numbers[4], numbers[5]};
+    Real n[row_numbers];
+    load_rows<line_numbers>(rows_, i * row_numbers, n);
+    load_rows<line_numbers>(rows_, i * row_numbers + line_numbers, n + line_numbers);
+    s.pose.position = {n[0], n[1], n[2]};
+    s.velocity = {n[row_velocity], n[row_velocity + 1], n[row_velocity + 2]};
+    s.spin = {n[row_spin], n[row_spin + 1], n[row_spin + 2]};
+    s.force = {n[row_force] + weight_[0], n[row_force + 1] + weight_[1], n[row_force + 2] + weight_[2]};
+    s.moment = {n[row_moment], n[row_moment + 1], n[row_moment + 2]};
     s.pose.orientation = {Real(1.0), {Real(0.0), Real(0.0), Real(0.0)}};
     if (oriented_) {
-      load_rows<orientation_numbers>(orientation_, i * orientation_numbers, numbers);
-      s.pose.orientation = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
+      load_rows<orientation_numbers>(orientation_, i * orientation_numbers, n);
+      s.pose.orientation = {n[0], {n[1], n[2], n[3]}};
     }
     return s;
   }
 
+  /// The loads from outside have acted.
   void write(std::ptrdiff_t i, const MovingSphere<Real, 3>& s) const {
     const Vec<Real, 3>&x = s.pose.position, &v = s.velocity, &w = s.spin;
-    const Real position[] = {x[0], x[1], x[2], radius_}, motion[] = {v[0], v[1], v[2], w[0], w[1], w[2]};
-    store_rows<position_numbers>(position, position_, i * position_numbers);
-    store_rows<motion_numbers>(motion, motion_, i * motion_numbers);
+    const Real none(0.0), first[] = {x[0], x[1], x[2], radius_, v[0], v[1], v[2], w[0]},
+               second[] = {w[1], w[2], none, none, none, none, none, none};
+    store_rows<line_numbers>(first, rows_, i * row_numbers);
+    store_rows<line_numbers>(second, rows_, i * row_numbers + line_numbers);
     if (oriented_) {
       const auto& q = s.pose.orientation;
       const Real orientation[] = {q.w, q.v[0], q.v[1], q.v[2]};
@@ -76,7 +75,7 @@ class BlockRows {
   }
 
  private:
-  RowStarts<Real> position_, motion_, load_, orientation_{};
+  RowStarts<Real> rows_, orientation_{};
   Vec<Real, 3> weight_;
   Real radius_;
   bool oriented_;
@@ -86,15 +85,13 @@ class BlockRows {
 /// caches, and the processor does not see them coming.
 template <class Real>
 inline __attribute__((always_inline)) void fetch_ahead(const RowBlock& block, std::ptrdiff_t i) {
-  constexpr std::ptrdiff_t lanes = lane_count<Real>, line = 8;
+  constexpr std::ptrdiff_t lanes = lane_count<Real>;
   if (block.next_history == nullptr) return;
   const std::ptrdiff_t row = block.first[lanes - 1] + block.bonds + 1 + i * lanes;
   const auto fetch = [&](const double* from, std::ptrdiff_t numbers) {
-    for (std::ptrdiff_t n = 0; n < numbers; n += line) __builtin_prefetch(from + n, 1, 2);
+    for (std::ptrdiff_t n = 0; n < numbers; n += line_numbers) __builtin_prefetch(from + n, 1, 2);
   };
-  fetch(block.position + row * position_numbers, lanes * position_numbers);
-  fetch(block.motion + row * motion_numbers, lanes * motion_numbers);
-  fetch(block.load + row * load_numbers, lanes * load_numbers);
+  fetch(block.rows + row * row_numbers, lanes * row_numbers);
   constexpr std::ptrdiff_t history = sizeof(BondHistory<Real, 3>) / sizeof(double);
   fetch(block.next_history + i * history, history);
 }

@@ -72,23 +72,38 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
     transpose_4(r);
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
     return;
-  } else if constexpr (lanes == 8 && N <= 8) {
-    static_assert(N + row_overhang >= 8);
+  } else if constexpr (lanes == 8 && N == 8) {
     __m512d r[8];
     for (int k = 0; k < 8; ++k) r[k] = _mm512_loadu_pd(rows.at[k] + offset);
     transpose_8(r);
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
     return;
+  } else if constexpr (lanes == 8 && N == 2) {
+    const auto quarters = [&](int k) {  // rows k, k + 2, k + 4, k + 6
+      const auto two = [&](int l) {
+        return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[l] + offset)), _mm_loadu_pd(rows.at[l + 2] + offset), 1);
+      };
+      return _mm512_insertf64x4(_mm512_castpd256_pd512(two(k)), two(k + 4), 1);
+    };
+    const __m512d even = quarters(0), odd = quarters(1);
+    out[0] = Real(_mm512_unpacklo_pd(even, odd)), out[1] = Real(_mm512_unpackhi_pd(even, odd));
+    return;
   }
 #elif defined(__AVX2__)
-  if constexpr (lanes == 4) {
-    static_assert(N == 4 || N == 6 || N == 8);
+  if constexpr (lanes == 4 && N % 4 == 0) {
     for (int part = 0; part < N; part += 4) {
       __m256d r[4];
       for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows.at[k] + offset + part);
       transpose_4(r);
-      for (int c = part; c < N && c < part + 4; ++c) out[c] = Real(r[c - part]);
+      for (int c = 0; c < 4; ++c) out[part + c] = Real(r[c]);
     }
+    return;
+  } else if constexpr (lanes == 4 && N == 2) {
+    const auto two = [&](int k) {
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[k] + offset)), _mm_loadu_pd(rows.at[k + 2] + offset), 1);
+    };
+    const __m256d even = two(0), odd = two(1);
+    out[0] = Real(_mm256_unpacklo_pd(even, odd)), out[1] = Real(_mm256_unpackhi_pd(even, odd));
     return;
   }
 #endif
@@ -117,27 +132,20 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
       _mm256_storeu_pd(rows.at[k + 4] + offset, _mm512_extractf64x4_pd(r[k], 1));
     }
     return;
-  } else if constexpr (lanes == 8 && N <= 8) {
+  } else if constexpr (lanes == 8 && N == 8) {
     __m512d r[8];
-    for (int c = 0; c < 8; ++c) r[c] = c < N ? static_cast<__m512d>(in[c]) : _mm512_setzero_pd();
+    for (int c = 0; c < 8; ++c) r[c] = in[c];
     transpose_8(r);
-    for (int k = 0; k < 8; ++k) _mm512_mask_storeu_pd(rows.at[k] + offset, (1u << N) - 1u, r[k]);
+    for (int k = 0; k < 8; ++k) _mm512_storeu_pd(rows.at[k] + offset, r[k]);
     return;
   }
 #elif defined(__AVX2__)
-  if constexpr (lanes == 4) {
-    for (int part = 0; part + 4 <= N; part += 4) {
+  if constexpr (lanes == 4 && N % 4 == 0) {
+    for (int part = 0; part < N; part += 4) {
       __m256d r[4];
       for (int c = 0; c < 4; ++c) r[c] = in[part + c];
       transpose_4(r);
       for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset + part, r[k]);
-    }
-    if constexpr (N == 6) {
-      const __m256d low = _mm256_unpacklo_pd(in[4], in[5]), high = _mm256_unpackhi_pd(in[4], in[5]);
-      _mm_storeu_pd(rows.at[0] + offset + 4, _mm256_castpd256_pd128(low));
-      _mm_storeu_pd(rows.at[1] + offset + 4, _mm256_castpd256_pd128(high));
-      _mm_storeu_pd(rows.at[2] + offset + 4, _mm256_extractf128_pd(low, 1));
-      _mm_storeu_pd(rows.at[3] + offset + 4, _mm256_extractf128_pd(high, 1));
     }
     return;
   }

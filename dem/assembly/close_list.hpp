@@ -1,0 +1,82 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dem/assembly/sphere_rows.hpp"
+#include "dem/assembly/team.hpp"
+#include "dem/contact/cell_grid.hpp"
+
+// Which spheres are close. Every sphere is listed at a place; who is close follows from these places alone. A sphere that has
+// moved far from its place is listed at a new one, and only its neighbors are searched anew.
+namespace fiberchain::dem {
+
+struct ClosePair {
+  std::int32_t first, second;  ///< sphere numbers, first < second
+  auto operator<=>(const ClosePair&) const = default;
+};
+
+/// A sphere where it is listed.
+struct ListedSphere {
+  Vec<double, 3> place;  ///< [m]
+  double radius;         ///< [m]
+};
+
+/// Spheres by number.
+struct SphereSet {
+  std::vector<double> radius;       ///< [m]
+  std::vector<std::int32_t> fiber;  ///< neighbors along a fiber have consecutive numbers and do not contact
+  Vec<double, 3> period;            ///< [m]; 0: not periodic
+};
+
+class CloseList {
+ public:
+  CloseList() = default;
+  /// Pairs with a gap below `skin` [m] are close. Spheres are cut into stripes of consecutive numbers.
+  CloseList(SphereSet spheres, double skin, int stripes);
+
+  double skin() const { return skin_; }
+  const SphereSet& spheres() const { return spheres_; }
+  std::int32_t stripe_begin(std::int64_t stripe) const { return static_cast<std::int32_t>(count() * stripe / stripes()); }
+  int stripe_of(std::int64_t sphere) const { return static_cast<int>(((sphere + 1) * stripes() - 1) / count()); }
+  const std::vector<ListedSphere>& listed() const { return listed_; }
+
+  /// Lists all spheres at these places. Throws InvalidInput for places that are not finite, and where a periodic side is
+  /// shorter than three times 2 R + skin.
+  void list(const std::vector<Vec<double, 3>>& places, Team& team);
+  /// How far any sphere is from its place [m].
+  double farthest_moved(const SphereRows& rows, Team& team) const;
+  /// Lists those that are farther than `distance` [m] from their places where they are now; throws as list().
+  void relist(const SphereRows& rows, double distance, Team& team);
+
+  /// Spheres of a stripe that the last call has listed anew, by rising number.
+  const std::vector<std::int32_t>& listed_anew(int stripe) const { return stripes_[stripe].anew; }
+  bool is_anew(std::int32_t sphere) const { return anew_[sphere] != 0; }
+  /// Close pairs with one of these or two, whose first sphere is of the stripe, in order.
+  std::vector<ClosePair> found(int stripe) const;
+
+ private:
+  struct Stripe {
+    std::vector<std::int32_t> anew;
+    std::vector<std::vector<ClosePair>> found;  ///< by the stripe of the first
+  };
+  std::int64_t count() const { return static_cast<std::int64_t>(spheres_.radius.size()); }
+  std::int64_t stripes() const { return static_cast<std::int64_t>(stripes_.size()); }
+  void make_grid();
+  void check_finite() const;
+  void search_all(Team& team);
+  template <bool periodic>
+  void search(int stripe);
+
+  SphereSet spheres_;
+  double skin_ = 0;
+  std::vector<ListedSphere> listed_;
+  std::vector<std::uint8_t> anew_;
+  std::vector<Stripe> stripes_;
+  std::optional<CellGrid> grid_;
+  int since_grid_ = 0;
+};
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dem/assembly/contact_set.hpp"
+
+// Which pairs the loops look at, and what is kept of contacts when that changes.
+namespace fiberchain::dem {
+namespace {
+
+std::size_t whole_vectors(std::size_t count, int width) { return (count + width - 1) / width * width; }
+
+/// Of what spheres may move before one that is not listed could touch: with less left it pays to list some anew, ...
+constexpr double kWorthwhile = 0.2;
+/// ... all that have moved more than this.
+constexpr double kStays = 0.4;
+
+}  // namespace
+
+void ContactSet::PairList::begin(std::size_t most) {
+  first.clear(), second.clear();
+  memory.reset(most);
+  leaving = 0;
+}
+
+void ContactSet::list_pairs(const SphereRows& rows, double time, Team& team) {
+  std::vector<Vec<double, 3>> places(spheres());
+  for (std::int64_t i = 0; i < spheres(); ++i) places[i] = rows.place(i);
+  list_pairs(places, time, team);
+}
+
+void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& places, double time, Team& team) {
+  const std::vector<KeptContact> contacts = kept();
+  for (Stripe& stripe : stripes_) {
+    stripe.pairs.count = 0;
+    for (NearWall& near : stripe.walls) near.count = 0;
+  }
+  listed_time_ = time;
+  close_.list(places, team);
+  renew(team);
+  remember(contacts);
+}
+
+double ContactSet::follow(const SphereRows& rows, Team& team) {
+  const double limit = 0.5 * close_.skin();
+  const double room = limit - close_.farthest_moved(rows, team);
+  if (room > kWorthwhile * limit) return room;
+  close_.relist(rows, kStays * limit, team);
+  renew(team);
+  return (1 - kStays) * limit;
+}
+
+void ContactSet::renew(Team& team) {
+  near_is_old_ = true;
+  team.each(stripes(), [&](int k, int) {
+    renew_pairs(k);
+    for (std::size_t w = 0; w < surroundings_.walls.size(); ++w) renew_wall(k, static_cast<int>(w));
+  });
+}
+
+/// Pairs of spheres that stayed are as they were; all others have been found anew. Both are in order.
+void ContactSet::renew_pairs(int k) {
+  const std::vector<ClosePair> found = close_.found(k);
+  const std::int32_t end = close_.stripe_begin(k + 1);
+  PairList &old = stripes_[k].pairs, &next = stripes_[k].next_pairs;
+  next.begin(whole_vectors(old.count + found.size(), kernel_->width));
+  const auto append = [&](const ClosePair& pair) {
+    next.first.push_back(pair.first);
+    next.second.push_back(pair.second);
+    next.leaving += pair.second >= end ? 1 : 0;
+  };
+  auto f = found.begin();
+  for (std::size_t p = 0; p < old.count; ++p) {
+    const ClosePair pair{old.first[p], old.second[p]};
+    for (; f != found.end() && *f < pair; ++f) append(*f);
+    const bool again = f != found.end() && *f == pair;
+    if (again) ++f;
+    if (!again && (close_.is_anew(pair.first) || close_.is_anew(pair.second))) continue;
+    next.memory.carry(next.first.size(), old.memory, p);
+    append(pair);
+  }
+  for (; f != found.end(); ++f) append(*f);
+  next.count = next.first.size();
+  const auto pad = static_cast<std::int32_t>(spheres());
+  next.first.resize(whole_vectors(next.count, kernel_->width), pad);
+  next.second.resize(next.first.size(), pad + 1);
+  std::swap(old, next);
+  Stripe& stripe = stripes_[k];
+  const std::size_t room = stripe.pairs.first.size() + lanes_beyond;
+  for (std::vector<std::int32_t>* list : {&stripe.near.pair, &stripe.near.first, &stripe.near.second, &stripe.touching}) {
+    if (list->size() < room) list->resize(2 * room);
+  }
+  if (stripe.near.touched.size() < room) stripe.near.touched.resize(2 * room);
+  stripe.deferred.resize(stripe.pairs.leaving);
+}
+
+void ContactSet::renew_wall(int k, int w) {
+  const Wall& wall = surroundings_.walls[w];
+  NearWall &old = stripes_[k].walls[w], &next = stripes_[k].next_wall;
+  const std::vector<std::int32_t>& anew = close_.listed_anew(k);
+  next.slots.clear();
+  next.memory.reset(whole_vectors(old.count + anew.size(), kernel_->width));
+  std::size_t p = 0;
+  const auto take_old = [&](std::int32_t below) {
+    for (; p < old.count && old.slots[p] < below; ++p) {
+      next.memory.carry(next.slots.size(), old.memory, p);
+      next.slots.push_back(old.slots[p]);
+    }
+  };
+  for (const std::int32_t i : anew) {
+    take_old(i);
+    const bool was = p < old.count && old.slots[p] == i;
+    const ListedSphere& sphere = close_.listed()[i];
+    if (gap_to(wall, sphere.place, listed_time_) < sphere.radius + close_.skin()) {
+      if (was) next.memory.carry(next.slots.size(), old.memory, p);
+      next.slots.push_back(i);
+    }
+    p += was ? 1 : 0;
+  }
+  take_old(close_.stripe_begin(k + 1));
+  next.count = next.slots.size();
+  next.slots.resize(whole_vectors(next.count, kernel_->width), static_cast<std::int32_t>(spheres() + 2));
+  std::swap(old, next);
+}
+
+bool ContactSet::walls_moved_far(double time) const {
+  return std::ranges::any_of(surroundings_.walls, [&](const Wall& wall) {
+    return norm(wall.velocity) * (time - listed_time_) > 0.5 * close_.skin();
+  });
+}
+
+std::vector<KeptContact> ContactSet::kept() const {
+  std::vector<KeptContact> all;
+  const auto before = [](const KeptContact& x, const KeptContact& y) {
+    return std::pair(x.first, x.second) < std::pair(y.first, y.second);
+  };
+  for (const Stripe& stripe : stripes_) {
+    const auto own = static_cast<std::ptrdiff_t>(all.size());
+    const PairList& pairs = stripe.pairs;
+    for (std::size_t p = 0; p < pairs.count; ++p) {
+      if (pairs.memory.touched[p] != 0) all.push_back(pairs.memory.at(p, pairs.first[p], pairs.second[p]));
+    }
+    for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
+      const NearWall& near = stripe.walls[w];
+      for (std::size_t n = 0; n < near.count; ++n) {
+        if (near.memory.touched[n] != 0) all.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
+      }
+    }
+    std::sort(all.begin() + own, all.end(), before);
+  }
+  return all;
+}
+
+void ContactSet::forget() {
+  near_is_old_ = true;
+  for (Stripe& stripe : stripes_) {
+    stripe.pairs.memory.reset(stripe.pairs.first.size());
+    for (NearWall& near : stripe.walls) near.memory.reset(near.slots.size());
+  }
+}
+
+void ContactSet::remember(const std::vector<KeptContact>& contacts) {
+  near_is_old_ = true;
+  for (const KeptContact& contact : contacts) {
+    Stripe& stripe = stripes_[close_.stripe_of(contact.first)];
+    if (contact.second < 0) {
+      NearWall& near = stripe.walls[static_cast<std::size_t>(-1 - contact.second)];
+      const auto end = near.slots.begin() + static_cast<std::ptrdiff_t>(near.count);
+      const auto at = std::lower_bound(near.slots.begin(), end, contact.first);
+      if (at != end && *at == contact.first) near.memory.put(at - near.slots.begin(), contact);
+    } else {
+      PairList& pairs = stripe.pairs;
+      const auto own = std::equal_range(pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), contact.first);
+      for (auto p = own.first; p != own.second; ++p) {
+        const std::size_t n = p - pairs.first.begin();
+        if (pairs.second[n] == contact.second) pairs.memory.put(n, contact);
+      }
+    }
+  }
+}
+
+}  // namespace fiberchain::dem
