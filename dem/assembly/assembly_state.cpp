@@ -111,13 +111,13 @@ void Assembly::State::list_pairs() {
 }
 
 /// Speeds tell when a sphere may have moved so far that a pair is missing, or a wall. Whether lists were looked at.
-bool Assembly::State::keep_lists(double fastest) {
-  contacts.count_path(step * fastest);
+bool Assembly::State::keep_lists(const std::vector<double>& paths) {
+  contacts.count_paths(paths);
   if (contacts.walls_moved_far(time())) {
     list_pairs();
     return true;
   }
-  room -= step * fastest;
+  room -= *std::ranges::max_element(paths);
   if (room > 0) return false;
   room = contacts.follow(rows, team);
   return true;
@@ -153,15 +153,18 @@ double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
   return fastest;
 }
 
-/// All fibers move; the largest speed.
-double Assembly::State::move() {
-  std::vector<double> fastest(team.threads(), 0);
-  team.each(static_cast<int>(blocks.size()), [&](int b, int thread) {
-    fastest[thread] = std::max(fastest[thread], step_block(b, scratch[thread]));
-  });
+/// All fibers move; how far any sphere of each stripe has gone at most.
+std::vector<double> Assembly::State::move() {
+  std::vector<double> fastest(blocks.size()), paths(contacts.stripes(), 0);
+  team.each(static_cast<int>(blocks.size()), [&](int b, int thread) { fastest[b] = step_block(b, scratch[thread]); });
   ++steps;
   set_gradient();
-  return std::sqrt(*std::ranges::max_element(fastest));
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const int last = contacts.stripe_of(blocks[b].end(kinds[blocks[b].group()]) - 1);
+    for (int k = contacts.stripe_of(blocks[b].first(0)); k <= last; ++k) paths[k] = std::max(paths[k], fastest[b]);
+  }
+  for (double& path : paths) path = step * std::sqrt(path);
+  return paths;
 }
 
 /// Loads of all contacts onto the rows.
@@ -171,10 +174,10 @@ void Assembly::State::touch() { contacts.work_out(rows, time(), team); }
 bool Assembly::State::march_some(int count) {
   watch.lap(nullptr);
   for (int n = 0; n < count; ++n) {
-    const double fastest = move();
+    const std::vector<double> paths = move();
     watch.lap(&StepTimes::bonds_and_motion);
     try {
-      if (keep_lists(fastest)) watch.lap(&StepTimes::search);
+      if (keep_lists(paths)) watch.lap(&StepTimes::search);
     } catch (const InvalidInput&) {
       return false;
     }

@@ -78,8 +78,8 @@ struct Assembly::State {
 
  private:
   bool march_some(int count);
-  double move();
-  bool keep_lists(double fastest);
+  std::vector<double> move();
+  bool keep_lists(const std::vector<double>& paths);
   double step_block(std::size_t number, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
   std::int64_t broken() const;

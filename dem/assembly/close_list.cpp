@@ -9,13 +9,13 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Times that spheres are listed anew before the grid is fitted to them again.
-constexpr int kGridLasts = 64;
+/// How far spheres may go from where they were sorted, in parts of what they see.
+constexpr double kSlack = 0.5;
 
 }  // namespace
 
-CloseList::CloseList(SphereSet spheres, double skin, int stripes)
-    : spheres_(std::move(spheres)), skin_(skin), stripes_(stripes) {
+CloseList::CloseList(SphereSet spheres, double skin, int stripes, const ContactKernel& kernel)
+    : spheres_(std::move(spheres)), skin_(skin), stripes_(stripes), kernel_(&kernel) {
   for (Stripe& stripe : stripes_) stripe.found.resize(stripes);
 }
 
@@ -28,8 +28,8 @@ void CloseList::list(const std::vector<Vec<double, 3>>& places, Team& team) {
     for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) stripes_[k].anew.push_back(i);
   }
   check_finite();
-  make_grid();
-  search_all(team);
+  sort();
+  team.each(static_cast<int>(stripes()), [&](int k, int) { search(k); });
 }
 
 double CloseList::farthest_moved(const SphereRows& rows, Team& team) const {
@@ -58,14 +58,15 @@ void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
     }
   });
   check_finite();
-  if (++since_grid_ >= kGridLasts) {
-    make_grid();
-  } else {
-    for (const Stripe& stripe : stripes_) {
-      for (const std::int32_t i : stripe.anew) grid_->move(i, listed_[i].place);
+  bool near_first = true;
+  for (const Stripe& stripe : stripes_) {
+    for (const std::int32_t i : stripe.anew) {
+      near_first = near_first && sorted_->distance_from_first(i, listed_[i].place) <= slack_;
+      sorted_->move(i, listed_[i].place);
     }
   }
-  search_all(team);
+  if (!near_first) sort();
+  team.each(static_cast<int>(stripes()), [&](int k, int) { search(k); });
 }
 
 void CloseList::check_finite() const {
@@ -79,7 +80,7 @@ void CloseList::check_finite() const {
   }
 }
 
-void CloseList::make_grid() {
+void CloseList::sort() {
   const double reach = 2 * *std::ranges::max_element(spheres_.radius) + skin_;
   for (const double period : spheres_.period.c) {
     if (period > 0 && period < 3 * reach) {
@@ -95,37 +96,46 @@ void CloseList::make_grid() {
   for (int c = 0; c < 3; ++c) {
     if (spheres_.period[c] > 0) box.low[c] = 0;
   }
-  grid_.emplace(box, spheres_.period, reach, 64.0 * static_cast<double>(listed_.size()) + 64);
-  for (const ListedSphere& sphere : listed_) grid_->add(sphere.place);
-  since_grid_ = 0;
+  slack_ = kSlack * reach;
+  const Cells cells(box, spheres_.period, reach + slack_, 64.0 * static_cast<double>(listed_.size()) + 64);
+  sorted_.emplace(cells, listed_, spheres_.fiber);
 }
 
-void CloseList::search_all(Team& team) {
-  const bool periodic = std::ranges::any_of(spheres_.period.c, [](double p) { return p > 0; });
-  team.each(static_cast<int>(stripes()), [&](int k, int) { periodic ? search<true>(k) : search<false>(k); });
-}
-
-template <bool periodic>
 void CloseList::search(int stripe) {
   Stripe& own = stripes_[stripe];
   for (auto& pairs : own.found) pairs.clear();
+  const SortedSpheres all = sorted_->view();
+  Asking asking{};
+  for (int c = 0; c < 3; ++c) {
+    asking.period[c] = spheres_.period[c];
+    asking.inverse_period[c] = spheres_.period[c] > 0 ? 1 / spheres_.period[c] : 0;
+  }
+  SlotRange runs[CellRuns::most_runs];
+  int count = 0;
+  std::int32_t last_cell = -1;
+  std::vector<std::int32_t> near;
+  const std::int32_t begin = stripe_begin(stripe);
   for (const std::int32_t i : own.anew) {
-    const ListedSphere self = listed_[i];
-    grid_->around(self.place, [&, listed = listed_.data()](std::int32_t j) {
-      const ListedSphere& other = listed[j];
-      Vec<double, 3> r = other.place - self.place;
-      for (int c = 0; periodic && c < 3; ++c) {
-        const double period = spheres_.period[c];
-        if (period > 0) r[c] -= period * std::nearbyint(r[c] / period);
+    const ListedSphere& self = listed_[i];
+    if (const std::int32_t cell = sorted_->cell_of(self.place); cell != last_cell) {
+      last_cell = cell;
+      count = sorted_->runs_around(self.place, runs);
+      std::size_t room = 0;
+      for (int k = 0; k < count; ++k) room += runs[k].end - runs[k].begin;
+      if (near.size() < room) near.resize(2 * room);
+    }
+    std::copy_n(self.place.c, 3, asking.x);
+    asking.reach = self.radius + skin_;
+    asking.sphere = i, asking.fiber = spheres_.fiber[i];
+    const std::int32_t found = kernel_->search(all, runs, count, asking, near.data());
+    for (std::int32_t n = 0; n < found; ++n) {
+      const std::int32_t j = near[n];
+      if (j > i) {
+        own.found[stripe].push_back({i, j});
+      } else if (anew_[j] == 0) {  // otherwise found from there
+        own.found[j >= begin ? stripe : stripe_of(j)].push_back({j, i});
       }
-      const double reach = self.radius + other.radius + skin_;
-      if (!(dot(r, r) < reach * reach) || j == i) return true;
-      if (j < i && anew_[j] != 0) return true;  // found from there
-      const ClosePair pair{std::min(i, j), std::max(i, j)};
-      const bool bonded = pair.second == pair.first + 1 && spheres_.fiber[i] == spheres_.fiber[j];
-      if (!bonded) own.found[pair.first == i ? stripe : stripe_of(j)].push_back(pair);
-      return true;
-    });
+    }
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "dem/assembly/sphere_rows.hpp"
 #include "dem/assembly/team.hpp"
-#include "dem/contact/cell_grid.hpp"
+#include "dem/contact/cell_runs.hpp"
 
 // Which spheres are close. Every sphere is listed at a place; who is close follows from these places alone. A sphere that has
 // moved far from its place is listed at a new one, and only its neighbors are searched anew.
@@ -16,12 +16,6 @@ namespace fiberchain::dem {
 struct ClosePair {
   std::int32_t first, second;  ///< sphere numbers, first < second
   auto operator<=>(const ClosePair&) const = default;
-};
-
-/// A sphere where it is listed.
-struct ListedSphere {
-  Vec<double, 3> place;  ///< [m]
-  double radius;         ///< [m]
 };
 
 /// Spheres by number.
@@ -35,7 +29,8 @@ class CloseList {
  public:
   CloseList() = default;
   /// Pairs with a gap below `skin` [m] are close. Spheres are cut into stripes of consecutive numbers.
-  CloseList(SphereSet spheres, double skin, int stripes);
+  /// `kernel` is that of the scene's contacts (periodic or not).
+  CloseList(SphereSet spheres, double skin, int stripes, const ContactKernel& kernel);
 
   double skin() const { return skin_; }
   const SphereSet& spheres() const { return spheres_; }
@@ -64,10 +59,8 @@ class CloseList {
   };
   std::int64_t count() const { return static_cast<std::int64_t>(spheres_.radius.size()); }
   std::int64_t stripes() const { return static_cast<std::int64_t>(stripes_.size()); }
-  void make_grid();
+  void sort();
   void check_finite() const;
-  void search_all(Team& team);
-  template <bool periodic>
   void search(int stripe);
 
   SphereSet spheres_;
@@ -75,8 +68,9 @@ class CloseList {
   std::vector<ListedSphere> listed_;
   std::vector<std::uint8_t> anew_;
   std::vector<Stripe> stripes_;
-  std::optional<CellGrid> grid_;
-  int since_grid_ = 0;
+  const ContactKernel* kernel_ = nullptr;
+  std::optional<CellRuns> sorted_;
+  double slack_ = 0;  ///< what spheres may move from where they were sorted [m]
 };
 
 }  // namespace fiberchain::dem

@@ -20,6 +20,7 @@ void ContactSet::PairList::begin(std::size_t most) {
   first.clear(), second.clear();
   memory.reset(most);
   leaving = 0;
+  last_stripe = 0;
 }
 
 void ContactSet::list_pairs(const SphereRows& rows, double time, Team& team) {
@@ -50,7 +51,6 @@ double ContactSet::follow(const SphereRows& rows, Team& team) {
 }
 
 void ContactSet::renew(Team& team) {
-  near_is_old_ = true;
   team.each(stripes(), [&](int k, int) {
     renew_pairs(k);
     for (std::size_t w = 0; w < surroundings_.walls.size(); ++w) renew_wall(k, static_cast<int>(w));
@@ -80,11 +80,13 @@ void ContactSet::renew_pairs(int k) {
   }
   for (; f != found.end(); ++f) append(*f);
   next.count = next.first.size();
+  if (next.count > 0) next.last_stripe = close_.stripe_of(*std::ranges::max_element(next.second));
   const auto pad = static_cast<std::int32_t>(spheres());
   next.first.resize(whole_vectors(next.count, kernel_->width), pad);
   next.second.resize(next.first.size(), pad + 1);
   std::swap(old, next);
   Stripe& stripe = stripes_[k];
+  stripe.near.is_old = true;
   const std::size_t room = stripe.pairs.first.size() + lanes_beyond;
   for (std::vector<std::int32_t>* list : {&stripe.near.pair, &stripe.near.first, &stripe.near.second, &stripe.touching}) {
     if (list->size() < room) list->resize(2 * room);
@@ -151,17 +153,17 @@ std::vector<KeptContact> ContactSet::kept() const {
 }
 
 void ContactSet::forget() {
-  near_is_old_ = true;
   for (Stripe& stripe : stripes_) {
+    stripe.near.is_old = true;
     stripe.pairs.memory.reset(stripe.pairs.first.size());
     for (NearWall& near : stripe.walls) near.memory.reset(near.slots.size());
   }
 }
 
 void ContactSet::remember(const std::vector<KeptContact>& contacts) {
-  near_is_old_ = true;
   for (const KeptContact& contact : contacts) {
     Stripe& stripe = stripes_[close_.stripe_of(contact.first)];
+    stripe.near.is_old = true;
     if (contact.second < 0) {
       NearWall& near = stripe.walls[static_cast<std::size_t>(-1 - contact.second)];
       const auto end = near.slots.begin() + static_cast<std::ptrdiff_t>(near.count);

@@ -16,7 +16,7 @@ constexpr int kStripes = 16;
 /// Gap up to which a pair is listed, in radii: wide lists are read every step, narrow ones made often.
 constexpr double kSkin = 0.7;
 /// Part of that up to which a pair is looked at every step: those are chosen anew whenever one of the others might touch.
-constexpr double kNear = 0.2;
+constexpr double kNear = 0.15;
 
 void add_times(ContactBook<double>& sum, double factor, const ContactBook<double>& more) {
   sum.normal_dashpot += factor * more.normal_dashpot;
@@ -69,8 +69,8 @@ void ContactSet::pad(SphereRows& rows) {
   const bool periodic = std::ranges::any_of(surroundings_.period.c, [](double p) { return p > 0; });
   kernel_ = &contact_kernel({bodies_.size() == 1, periodic, surroundings_.contacts.rolling_friction > 0, booked_},
                             instruction_set_);
+  close_ = CloseList({radius_, fiber_, surroundings_.period}, kSkin * *std::ranges::min_element(radius_), kStripes, *kernel_);
   const std::int64_t n = spheres();
-  close_ = CloseList({radius_, fiber_, surroundings_.period}, kSkin * *std::ranges::min_element(radius_), kStripes);
   // two of no size far from each other, one that no wall is near to
   for (int c = 0; c < 3; ++c) {
     const double period = surroundings_.period[c];
@@ -133,7 +133,10 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   const ContactView contacts = view(stripe, rows);
   NearList& soon = stripe.near;
   const NearPairs pairs{soon.pair.data(), soon.first.data(), soon.second.data(), soon.touched.data()};
-  if (near_is_old_) soon.count = kernel_->near(contacts, static_cast<std::int32_t>(stripe.pairs.first.size()), kNear * close_.skin(), pairs);
+  if (soon.is_old) {
+    soon.count = kernel_->near(contacts, static_cast<std::int32_t>(stripe.pairs.first.size()), kNear * close_.skin(), pairs);
+    soon.is_old = false, soon.closer = 0;
+  }
   ContactTask task{pairs, soon.count, end, stripe.touching.data(), stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
@@ -155,16 +158,18 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   stripe.wall_work += task.wall_work, stripe.wall_power = task.wall_power;
 }
 
-void ContactSet::count_path(double path) {
-  near_room_ -= path;
-  near_is_old_ = near_is_old_ || !(near_room_ > 0);
+void ContactSet::count_paths(const std::vector<double>& paths) {
+  for (std::size_t k = 0; k < stripes_.size(); ++k) {
+    NearList& soon = stripes_[k].near;
+    const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
+    soon.closer += *first + *std::max_element(first, paths.begin() + std::max<std::ptrdiff_t>(k, stripes_[k].pairs.last_stripe) + 1);
+    soon.is_old = soon.is_old || !(soon.closer < (1 - 1e-9) * kNear * close_.skin());
+  }
 }
 
 void ContactSet::work_out(SphereRows& rows, double time, Team& team) {
   team.each(stripes(), [&](int k, int) { work_out(k, rows, time); });
   team.each(stripes(), [&](int k, int) { gather_loads(k, rows); });
-  if (near_is_old_) near_room_ = 0.5 * (1 - 1e-9) * kNear * close_.skin();  // two spheres may come closer by twice that
-  near_is_old_ = false;
 }
 
 void ContactSet::gather_loads(int k, SphereRows& rows) {

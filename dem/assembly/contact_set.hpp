@@ -36,8 +36,9 @@ class ContactSet {
   const std::vector<ListedSphere>& listed() const { return close_.listed(); }
   double listed_time() const { return listed_time_; }
 
-  /// Spheres move on by no more than `path` [m] before the next work_out().
-  void count_path(double path);
+  /// Spheres of each stripe move on by no more than `paths` [m] before the next work_out().
+  void count_paths(const std::vector<double>& paths);
+  int stripe_of(std::int64_t sphere) const { return close_.stripe_of(sphere); }
 
   int stripes() const { return static_cast<int>(stripes_.size()); }
   /// Adds the loads of all contacts to the rows.
@@ -65,6 +66,7 @@ class ContactSet {
   struct PairList {
     std::vector<std::int32_t> first, second;
     std::size_t count = 0, leaving = 0;  ///< without pads; of these with a second sphere in another stripe
+    int last_stripe = 0;                 ///< of a second sphere
     ContactMemory memory;
 
     void begin(std::size_t most);
@@ -74,6 +76,8 @@ class ContactSet {
     std::vector<std::int32_t> pair, first, second;
     std::vector<std::uint8_t> touched;
     std::int32_t count = 0;
+    double closer = 0;   ///< what other pairs may have come closer since [m]
+    bool is_old = true;  ///< to be made before it is used
   };
   /// Spheres near a wall, likewise.
   struct NearWall {
@@ -119,8 +123,6 @@ class ContactSet {
   const ContactKernel* kernel_ = nullptr;
   CloseList close_;
   double listed_time_ = 0;
-  bool near_is_old_ = true;  ///< lists of near pairs are to be made before they are used
-  double near_room_ = 0;     ///< what spheres may move before that [m]
   std::vector<Stripe> stripes_;
 };
 

@@ -10,7 +10,7 @@ namespace fiberchain::dem {
 
 namespace {
 
-CellGrid cells_for(const Box& box, const Vec<double, 3>& period, double reach, std::int64_t expected) {
+Cells cells_for(const Box& box, const Vec<double, 3>& period, double reach, std::int64_t expected) {
   for (const double p : period.c) {
     if (p > 0 && p < 2 * reach) {
       throw InvalidInput(

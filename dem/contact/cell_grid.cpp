@@ -5,7 +5,7 @@
 
 namespace fiberchain::dem {
 
-CellGrid::CellGrid(const Box& box, const Vec<double, 3>& period, double edge, double most) : low_(box.low) {
+Cells::Cells(const Box& box, const Vec<double, 3>& period, double edge, double most) : low_(box.low) {
   double length[3], cells[3];
   for (int a = 0; a < 3; ++a) {
     periodic_[a] = period[a] > 0;
@@ -24,18 +24,17 @@ CellGrid::CellGrid(const Box& box, const Vec<double, 3>& period, double edge, do
     stride_[a] = total;
     total *= count_[a];
   }
-  head_.assign(total, -1);
 }
 
-int CellGrid::along(double x, int axis) const {
+int Cells::along(double x, int axis) const {
   double at = std::floor((x - low_[axis]) * inverse_edge_[axis]);
   if (periodic_[axis]) at -= count_[axis] * std::floor(at / count_[axis]);
   return static_cast<int>(std::clamp(at, 0.0, count_[axis] - 1.0));
 }
 
-CellGrid::Cells CellGrid::cells(const Vec<double, 3>& place, int axis) const {
+Cells::Near Cells::near(const Vec<double, 3>& place, int axis) const {
   const int own = along(place[axis], axis), count = count_[axis];
-  Cells near{0, {}};
+  Near near{0, {}};
   const auto add = [&](int cell) { near.at[near.count++] = cell * stride_[axis]; };
   if (periodic_[axis]) {
     // every cell once, where there are fewer than three
@@ -46,28 +45,16 @@ CellGrid::Cells CellGrid::cells(const Vec<double, 3>& place, int axis) const {
   return near;
 }
 
-std::int32_t CellGrid::index(const Vec<double, 3>& place) const {
+std::int32_t Cells::index(const Vec<double, 3>& place) const {
   std::int32_t sum = 0;
   for (int a = 0; a < 3; ++a) sum += along(place[a], a) * stride_[a];
   return sum;
 }
 
 void CellGrid::add(const Vec<double, 3>& place) {
-  const std::int32_t cell = index(place);
-  next_.push_back(head_[cell]);
-  head_[cell] = static_cast<std::int32_t>(cell_of_.size());
-  cell_of_.push_back(cell);
-}
-
-void CellGrid::move(std::int32_t number, const Vec<double, 3>& to) {
-  const std::int32_t cell = index(to), from = cell_of_[number];
-  if (cell == from) return;
-  std::int32_t* link = &head_[from];
-  while (*link != number) link = &next_[*link];
-  *link = next_[number];
-  next_[number] = head_[cell];
-  head_[cell] = number;
-  cell_of_[number] = cell;
+  std::int32_t& head = head_[cells_.index(place)];
+  next_.push_back(head);
+  head = static_cast<std::int32_t>(next_.size()) - 1;
 }
 
 }  // namespace fiberchain::dem

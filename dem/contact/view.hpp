@@ -8,6 +8,9 @@
 // What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves all.
 namespace fiberchain::dem {
 
+/// Room that arrays need behind their end, so that whole vectors can be read or written there.
+inline constexpr int lanes_beyond = 16;
+
 /// What a contact loop has. A template argument: what a scene lacks is not compiled into it.
 struct ContactPhysics {
   bool uniform;   ///< one radius and one set of parameters for all spheres
@@ -81,8 +84,25 @@ struct ContactTask {
   double wall_power;        ///< of this moment [W]
 };
 
-/// Room that lists of pairs need behind their end.
-inline constexpr int lanes_beyond = 16;
+/// Spheres in some order, with lanes_beyond behind them.
+struct SortedSpheres {
+  const double* x[3];
+  const double* radius;
+  const std::int32_t* sphere;  ///< number
+  const std::int32_t* fiber;
+};
+
+struct SlotRange {
+  std::int32_t begin, end;
+};
+
+/// A sphere that asks who is near.
+struct Asking {
+  double x[3];
+  double reach;  ///< its radius and the gap up to which others are near
+  std::int32_t sphere, fiber;
+  double period[3], inverse_period[3];
+};
 
 struct ContactKernel {
   int width;
@@ -90,6 +110,8 @@ struct ContactKernel {
   std::int32_t (*near)(const ContactView&, std::int32_t count, double gap, const NearPairs&);
   void (*pairs)(const ContactView&, ContactTask&);
   void (*wall)(const ContactView&, const WallView&, ContactTask&);
+  /// Spheres in the runs that are near and not bonded to the asking one: written to `found`, counted.
+  std::int32_t (*search)(const SortedSpheres&, const SlotRange* runs, int count, const Asking&, std::int32_t* found);
 };
 
 }  // namespace fiberchain::dem

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "dem/contact/lanes/gather.hpp"
+#include "dem/contact/view.hpp"
+
+// Who is near a sphere: distances to as many spheres at a time as there are lanes.
+namespace fiberchain::dem {
+
+template <bool periodic, class Real>
+std::int32_t spheres_near(const SortedSpheres& all, const SlotRange* runs, int count, const Asking& own, std::int32_t* found) {
+  constexpr int lanes = lane_count<Real>;
+  const Real reach_of_own(own.reach);
+  std::int32_t n = 0;
+  for (const SlotRange* run = runs; run != runs + count; ++run) {
+    for (std::int32_t k = run->begin; k < run->end; k += lanes) {
+      Real squared(0.0);
+      for (int c = 0; c < 3; ++c) {
+        Real r = load_lanes<Real>(all.x[c] + k) - Real(own.x[c]);
+        if constexpr (periodic) r = r - Real(own.period[c]) * nearest(r * Real(own.inverse_period[c]));
+        squared = squared + r * r;
+      }
+      const Real reach = reach_of_own + load_lanes<Real>(all.radius + k);
+      unsigned near = less_mask(squared, reach * reach);
+      if (run->end - k < lanes) near &= (1u << (run->end - k)) - 1u;
+      for (; near != 0; near &= near - 1) {
+        const std::int32_t at = k + __builtin_ctz(near), apart = all.sphere[at] - own.sphere;
+        if (apart == 0 || ((apart == 1 || apart == -1) && all.fiber[at] == own.fiber)) continue;
+        found[n++] = all.sphere[at];
+      }
+    }
+  }
+  return n;
+}
+
+}  // namespace fiberchain::dem
