@@ -83,9 +83,9 @@ void CloseList::check_finite() const {
 void CloseList::sort() {
   const double reach = 2 * *std::ranges::max_element(spheres_.radius) + skin_;
   for (const double period : spheres_.period.c) {
-    if (period > 0 && period < 3 * reach) {
-      throw InvalidInput(fmt::format("period = {:g} m is not allowed: it must be at least {:g} m, three times what spheres see "
-                                     "of each other", period, 3 * reach));
+    if (period > 0 && period < 2 * reach) {
+      throw InvalidInput(fmt::format("period = {:g} m is not allowed: it must be at least {:g} m, twice what spheres see of "
+                                     "each other", period, 2 * reach));
     }
   }
   Box box{listed_[0].place, listed_[0].place};

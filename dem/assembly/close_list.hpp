@@ -39,7 +39,7 @@ class CloseList {
   const std::vector<ListedSphere>& listed() const { return listed_; }
 
   /// Lists all spheres at these places. Throws InvalidInput for places that are not finite, and where a periodic side is
-  /// shorter than three times 2 R + skin.
+  /// shorter than twice 2 R + skin.
   void list(const std::vector<Vec<double, 3>>& places, Team& team);
   /// How far any sphere is from its place [m].
   double farthest_moved(const SphereRows& rows, Team& team) const;

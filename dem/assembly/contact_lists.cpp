@@ -16,10 +16,9 @@ constexpr double kStays = 0.4;
 
 }  // namespace
 
-void ContactSet::PairList::begin(std::size_t most) {
-  first.clear(), second.clear();
-  memory.reset(most);
-  leaving = 0;
+void ContactSet::PairList::clear() {
+  first.clear(), second.clear(), contact.clear();
+  count = leaving = 0;
   last_stripe = 0;
 }
 
@@ -32,7 +31,8 @@ void ContactSet::list_pairs(const SphereRows& rows, double time, Team& team) {
 void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& places, double time, Team& team) {
   const std::vector<KeptContact> contacts = kept();
   for (Stripe& stripe : stripes_) {
-    stripe.pairs.count = 0;
+    stripe.memory.reset();
+    stripe.pairs.clear();
     for (NearWall& near : stripe.walls) near.count = 0;
   }
   listed_time_ = time;
@@ -61,37 +61,42 @@ void ContactSet::renew(Team& team) {
 void ContactSet::renew_pairs(int k) {
   const std::vector<ClosePair> found = close_.found(k);
   const std::int32_t end = close_.stripe_begin(k + 1);
-  PairList &old = stripes_[k].pairs, &next = stripes_[k].next_pairs;
-  next.begin(whole_vectors(old.count + found.size(), kernel_->width));
-  const auto append = [&](const ClosePair& pair) {
+  Stripe& stripe = stripes_[k];
+  PairList &old = stripe.pairs, &next = stripe.next_pairs;
+  next.clear();
+  const auto append = [&](const ClosePair& pair, std::int32_t contact) {
     next.first.push_back(pair.first);
     next.second.push_back(pair.second);
+    next.contact.push_back(contact);
     next.leaving += pair.second >= end ? 1 : 0;
   };
   auto f = found.begin();
   for (std::size_t p = 0; p < old.count; ++p) {
     const ClosePair pair{old.first[p], old.second[p]};
-    for (; f != found.end() && *f < pair; ++f) append(*f);
+    for (; f != found.end() && *f < pair; ++f) append(*f, 0);
     const bool again = f != found.end() && *f == pair;
     if (again) ++f;
-    if (!again && (close_.is_anew(pair.first) || close_.is_anew(pair.second))) continue;
-    next.memory.carry(next.first.size(), old.memory, p);
-    append(pair);
+    if (again || !(close_.is_anew(pair.first) || close_.is_anew(pair.second))) {
+      append(pair, old.contact[p]);
+    } else if (old.contact[p] != 0) {
+      stripe.memory.give_back(old.contact[p]);
+    }
   }
-  for (; f != found.end(); ++f) append(*f);
+  for (; f != found.end(); ++f) append(*f, 0);
   next.count = next.first.size();
   if (next.count > 0) next.last_stripe = close_.stripe_of(*std::ranges::max_element(next.second));
   const auto pad = static_cast<std::int32_t>(spheres());
   next.first.resize(whole_vectors(next.count, kernel_->width), pad);
   next.second.resize(next.first.size(), pad + 1);
+  next.contact.resize(next.first.size(), 0);
   std::swap(old, next);
-  Stripe& stripe = stripes_[k];
   stripe.near.is_old = true;
   const std::size_t room = stripe.pairs.first.size() + lanes_beyond;
-  for (std::vector<std::int32_t>* list : {&stripe.near.pair, &stripe.near.first, &stripe.near.second, &stripe.touching}) {
-    if (list->size() < room) list->resize(2 * room);
+  NearList& near = stripe.near;
+  for (std::vector<std::int32_t>* list : {&near.pair, &near.first, &near.second, &near.contact, &stripe.touching}) {
+    if (list->size() < room) list->resize(room + room / 4);
   }
-  if (stripe.near.touched.size() < room) stripe.near.touched.resize(2 * room);
+  if (near.touches.size() < room) near.touches.resize(room + room / 4);
   stripe.deferred.resize(stripe.pairs.leaving);
 }
 
@@ -99,28 +104,30 @@ void ContactSet::renew_wall(int k, int w) {
   const Wall& wall = surroundings_.walls[w];
   NearWall &old = stripes_[k].walls[w], &next = stripes_[k].next_wall;
   const std::vector<std::int32_t>& anew = close_.listed_anew(k);
-  next.slots.clear();
-  next.memory.reset(whole_vectors(old.count + anew.size(), kernel_->width));
+  next.slots.clear(), next.contact.clear();
   std::size_t p = 0;
+  const auto append = [&](std::int32_t slot, std::int32_t contact) {
+    next.slots.push_back(slot);
+    next.contact.push_back(contact);
+  };
   const auto take_old = [&](std::int32_t below) {
-    for (; p < old.count && old.slots[p] < below; ++p) {
-      next.memory.carry(next.slots.size(), old.memory, p);
-      next.slots.push_back(old.slots[p]);
-    }
+    for (; p < old.count && old.slots[p] < below; ++p) append(old.slots[p], old.contact[p]);
   };
   for (const std::int32_t i : anew) {
     take_old(i);
     const bool was = p < old.count && old.slots[p] == i;
     const ListedSphere& sphere = close_.listed()[i];
     if (gap_to(wall, sphere.place, listed_time_) < sphere.radius + close_.skin()) {
-      if (was) next.memory.carry(next.slots.size(), old.memory, p);
-      next.slots.push_back(i);
+      append(i, was ? old.contact[p] : 0);
+    } else if (was && old.contact[p] != 0) {
+      stripes_[k].memory.give_back(old.contact[p]);
     }
     p += was ? 1 : 0;
   }
   take_old(close_.stripe_begin(k + 1));
   next.count = next.slots.size();
   next.slots.resize(whole_vectors(next.count, kernel_->width), static_cast<std::int32_t>(spheres() + 2));
+  next.contact.resize(next.slots.size(), 0);
   std::swap(old, next);
 }
 
@@ -139,12 +146,13 @@ std::vector<KeptContact> ContactSet::kept() const {
     const auto own = static_cast<std::ptrdiff_t>(all.size());
     const PairList& pairs = stripe.pairs;
     for (std::size_t p = 0; p < pairs.count; ++p) {
-      if (pairs.memory.touched[p] != 0) all.push_back(pairs.memory.at(p, pairs.first[p], pairs.second[p]));
+      if (pairs.contact[p] != 0) all.push_back(stripe.memory.at(pairs.contact[p], pairs.first[p], pairs.second[p]));
     }
     for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
       const NearWall& near = stripe.walls[w];
       for (std::size_t n = 0; n < near.count; ++n) {
-        if (near.memory.touched[n] != 0) all.push_back(near.memory.at(n, near.slots[n], -1 - static_cast<std::int64_t>(w)));
+        if (near.contact[n] == 0) continue;
+        all.push_back(stripe.memory.at(near.contact[n], near.slots[n], -1 - static_cast<std::int64_t>(w)));
       }
     }
     std::sort(all.begin() + own, all.end(), before);
@@ -155,8 +163,9 @@ std::vector<KeptContact> ContactSet::kept() const {
 void ContactSet::forget() {
   for (Stripe& stripe : stripes_) {
     stripe.near.is_old = true;
-    stripe.pairs.memory.reset(stripe.pairs.first.size());
-    for (NearWall& near : stripe.walls) near.memory.reset(near.slots.size());
+    stripe.memory.reset();
+    std::ranges::fill(stripe.pairs.contact, 0);
+    for (NearWall& near : stripe.walls) std::ranges::fill(near.contact, 0);
   }
 }
 
@@ -164,17 +173,22 @@ void ContactSet::remember(const std::vector<KeptContact>& contacts) {
   for (const KeptContact& contact : contacts) {
     Stripe& stripe = stripes_[close_.stripe_of(contact.first)];
     stripe.near.is_old = true;
+    stripe.memory.make_room(1);
+    const auto put = [&](std::int32_t& number) {
+      number = stripe.memory.take();
+      stripe.memory.put(number, contact);
+    };
     if (contact.second < 0) {
       NearWall& near = stripe.walls[static_cast<std::size_t>(-1 - contact.second)];
       const auto end = near.slots.begin() + static_cast<std::ptrdiff_t>(near.count);
       const auto at = std::lower_bound(near.slots.begin(), end, contact.first);
-      if (at != end && *at == contact.first) near.memory.put(at - near.slots.begin(), contact);
+      if (at != end && *at == contact.first) put(near.contact[at - near.slots.begin()]);
     } else {
       PairList& pairs = stripe.pairs;
       const auto own = std::equal_range(pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), contact.first);
       for (auto p = own.first; p != own.second; ++p) {
         const std::size_t n = p - pairs.first.begin();
-        if (pairs.second[n] == contact.second) pairs.memory.put(n, contact);
+        if (pairs.second[n] == contact.second) put(pairs.contact[n]);
       }
     }
   }

@@ -3,33 +3,43 @@
 #include <algorithm>
 
 namespace fiberchain::dem {
+namespace {
 
-void ContactMemory::reset(std::size_t size) {
-  touched.assign(size, 0);
-  if (rows.size() < size * memory_numbers) rows = LaneArray(2 * size * memory_numbers);
-  if (booked && work.size() < size * work_numbers) work = LaneArray(2 * size * work_numbers);
+LaneArray grown(const LaneArray& from, std::size_t size) {
+  LaneArray larger(size);
+  std::copy_n(from.data(), from.size(), larger.data());
+  return larger;
 }
 
-void ContactMemory::carry(std::size_t i, const ContactMemory& from, std::size_t p) {
-  if (from.touched[p] == 0) return;
-  touched[i] = 1;
-  std::copy_n(from.rows.data() + p * memory_numbers, memory_numbers, rows.data() + i * memory_numbers);
-  if (booked) std::copy_n(from.work.data() + p * work_numbers, work_numbers, work.data() + i * work_numbers);
+}  // namespace
+
+void ContactMemory::reset() {
+  free_count = 0;
+  for (auto number = static_cast<std::int32_t>(free.size()) - 1; number > 0; --number) give_back(number);
 }
 
-KeptContact ContactMemory::at(std::size_t i, std::int64_t first, std::int64_t second) const {
-  const double* n = rows.data() + i * memory_numbers;
+void ContactMemory::make_room(std::size_t numbers) {
+  const auto there = static_cast<std::size_t>(free_count);
+  if (there >= numbers && !free.empty()) return;
+  const std::size_t before = std::max<std::size_t>(free.size(), 1), after = before + (numbers - there) + numbers / 4 + 16;
+  rows = grown(rows, after * memory_numbers);
+  if (booked) work = grown(work, after * work_numbers);
+  free.resize(after);
+  for (std::size_t number = after - 1; number >= before; --number) give_back(static_cast<std::int32_t>(number));
+}
+
+KeptContact ContactMemory::at(std::int32_t number, std::int64_t first, std::int64_t second) const {
+  const double* n = rows.data() + static_cast<std::ptrdiff_t>(number) * memory_numbers;
   KeptContact contact{first, second, {n[0], n[1], n[2]}, n[3], n[4]};
-  if (booked) std::copy_n(work.data() + i * work_numbers, work_numbers, contact.work);
+  if (booked) std::copy_n(work.data() + static_cast<std::ptrdiff_t>(number) * work_numbers, work_numbers, contact.work);
   return contact;
 }
 
-void ContactMemory::put(std::size_t i, const KeptContact& c) {
-  double* n = rows.data() + i * memory_numbers;
+void ContactMemory::put(std::int32_t number, const KeptContact& c) {
+  double* n = rows.data() + static_cast<std::ptrdiff_t>(number) * memory_numbers;
   for (int k = 0; k < 3; ++k) n[k] = c.spring[k];
   n[3] = c.root, n[4] = c.opening;
-  if (booked) std::copy_n(c.work, work_numbers, work.data() + i * work_numbers);
-  touched[i] = 1;
+  if (booked) std::copy_n(c.work, work_numbers, work.data() + static_cast<std::ptrdiff_t>(number) * work_numbers);
 }
 
 }  // namespace fiberchain::dem

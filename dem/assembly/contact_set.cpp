@@ -31,8 +31,7 @@ ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& 
   for (Stripe& stripe : stripes_) {
     stripe.walls.resize(surroundings.walls.size());
     stripe.for_stripe.resize(kStripes);
-    stripe.pairs.memory.booked = stripe.next_pairs.memory.booked = stripe.next_wall.memory.booked = booked_;
-    for (NearWall& near : stripe.walls) near.memory.booked = booked_;
+    stripe.memory.booked = booked_;
   }
 }
 
@@ -80,6 +79,12 @@ void ContactSet::pad(SphereRows& rows) {
   kind_of_sphere_.resize(n + SphereRows::pads, 0);
 }
 
+std::size_t ContactSet::may_begin(const Stripe& stripe) const {
+  std::size_t sum = stripe.near.count;
+  for (const NearWall& near : stripe.walls) sum += near.count;
+  return sum;
+}
+
 ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
   ContactView view{};
   view.rows = rows.numbers.data();
@@ -90,9 +95,9 @@ ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
     view.period[c] = surroundings_.period[c];
     view.inverse_period[c] = view.period[c] > 0 ? 1 / view.period[c] : 0;
   }
-  view.memory = stripe.pairs.memory.rows.data();
-  view.touched = stripe.pairs.memory.touched.data();
-  view.work = stripe.pairs.memory.work.data();
+  view.contact = stripe.pairs.contact.data();
+  view.memory = stripe.memory.rows.data();
+  view.work = stripe.memory.work.data();
   view.parameters = pair_parameters_.data();
   view.padding = static_cast<std::int32_t>(spheres());
   view.kinds = static_cast<std::int32_t>(bodies_.size());
@@ -120,9 +125,7 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
   view.slots = near.slots.data();
   view.begin = 0;
   view.end = static_cast<std::int32_t>(near.slots.size());
-  view.memory = near.memory.rows.data();
-  view.touched = near.memory.touched.data();
-  view.work = near.memory.work.data();
+  view.contact = near.contact.data();
   view.parameters = wall_parameters_.data();
   return view;
 }
@@ -130,24 +133,25 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
 void ContactSet::work_out(int k, SphereRows& rows, double time) {
   Stripe& stripe = stripes_[k];
   const std::int32_t end = close_.stripe_begin(k + 1);
-  const ContactView contacts = view(stripe, rows);
   NearList& soon = stripe.near;
-  const NearPairs pairs{soon.pair.data(), soon.first.data(), soon.second.data(), soon.touched.data()};
+  const NearPairs pairs{soon.pair.data(), soon.first.data(), soon.second.data(), soon.contact.data(), soon.touches.data()};
   if (soon.is_old) {
-    soon.count = kernel_->near(contacts, static_cast<std::int32_t>(stripe.pairs.first.size()), kNear * close_.skin(), pairs);
+    soon.count = kernel_->near(view(stripe, rows), static_cast<std::int32_t>(stripe.pairs.first.size()), kNear * close_.skin(), pairs);
     soon.is_old = false, soon.closer = 0;
   }
-  ContactTask task{pairs, soon.count, end, stripe.touching.data(), stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
+  for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
+    if (!is_there(surroundings_.walls[w], time)) drop(stripe.walls[w], static_cast<int>(w), stripe);
+  }
+  stripe.memory.make_room(may_begin(stripe));
+  const ContactView contacts = view(stripe, rows);
+  ContactTask task{pairs, soon.count, end, stripe.touching.data(), stripe.memory.free.data(), stripe.memory.free_count,
+                   stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
-    NearWall& near = stripe.walls[w];
-    if (near.slots.empty()) continue;
-    if (is_there(surroundings_.walls[w], time)) {
-      kernel_->wall(contacts, wall_view(static_cast<int>(w), near, time), task);
-    } else {
-      drop(near, static_cast<int>(w), stripe);
-    }
+    if (!is_there(surroundings_.walls[w], time)) continue;
+    kernel_->wall(contacts, wall_view(static_cast<int>(w), stripe.walls[w], time), task);
   }
+  stripe.memory.free_count = task.free_count;
   for (auto& entries : stripe.for_stripe) entries.clear();
   for (std::int32_t n = 0; n < task.deferred_count; ++n) {
     const int target = close_.stripe_of(stripe.deferred[n].slot);
@@ -231,10 +235,12 @@ double ContactSet::stored_energy() const {
 }
 
 void ContactSet::drop(NearWall& near, int wall, Stripe& stripe) const {
-  for (std::size_t n = 0; n < near.slots.size() && booked_; ++n) {
-    if (near.memory.touched[n] != 0) stripe.wall_work -= energy_of(near.memory.at(n, near.slots[n], -1 - wall));
+  for (std::size_t n = 0; n < near.count; ++n) {
+    if (near.contact[n] == 0) continue;
+    if (booked_) stripe.wall_work -= energy_of(stripe.memory.at(near.contact[n], near.slots[n], -1 - wall));
+    stripe.memory.give_back(near.contact[n]);
+    near.contact[n] = 0;
   }
-  near.memory.reset(near.slots.size());
 }
 
 std::vector<double> ContactSet::sums() const {

@@ -62,34 +62,33 @@ class ContactSet {
   void set_sums(const double* from);
 
  private:
-  /// Close pairs, in order, padded to whole vectors, and what they remember.
+  /// Close pairs, in order, padded to whole vectors.
   struct PairList {
-    std::vector<std::int32_t> first, second;
+    std::vector<std::int32_t> first, second, contact;  ///< spheres, and numbers in the memory
     std::size_t count = 0, leaving = 0;  ///< without pads; of these with a second sphere in another stripe
     int last_stripe = 0;                 ///< of a second sphere
-    ContactMemory memory;
 
-    void begin(std::size_t most);
+    void clear();
   };
   /// Those of the pairs that may touch soon.
   struct NearList {
-    std::vector<std::int32_t> pair, first, second;
-    std::vector<std::uint8_t> touched;
+    std::vector<std::int32_t> pair, first, second, contact;
+    std::vector<std::uint8_t> touches;
     std::int32_t count = 0;
     double closer = 0;   ///< what other pairs may have come closer since [m]
     bool is_old = true;  ///< to be made before it is used
   };
   /// Spheres near a wall, likewise.
   struct NearWall {
-    std::vector<std::int32_t> slots;
+    std::vector<std::int32_t> slots, contact;
     std::size_t count = 0;
-    ContactMemory memory;
   };
   struct Stripe {
     PairList pairs, next_pairs;  ///< those to come while they are made
     NearList near;
     std::vector<NearWall> walls;
     NearWall next_wall;
+    ContactMemory memory;  ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
     std::vector<DeferredForce> deferred;
     std::vector<std::vector<std::int32_t>> for_stripe;  ///< places in deferred
@@ -111,6 +110,8 @@ class ContactSet {
   int kind_of(const ContactBody& body);
   ContactView view(Stripe& stripe, SphereRows& rows);
   WallView wall_view(int wall, NearWall& near, double time) const;
+  /// Numbers in the memory that a step may need.
+  std::size_t may_begin(const Stripe& stripe) const;
 
   Surroundings surroundings_;
   bool booked_;

@@ -32,9 +32,9 @@ struct ContactView {
   const std::int32_t* kind;  ///< of each slot
   const std::int32_t* first;
   const std::int32_t* second;
-  double* memory;            ///< a row a pair, where it touched a step before
-  std::uint8_t* touched;     ///< whether each pair did: 1 or 0
-  double* work;              ///< booked: a row a pair, what dissipated in the step before
+  std::int32_t* contact;     ///< of each pair that touched a step before: its number; 0 of others
+  double* memory;            ///< a row a number
+  double* work;              ///< booked: a row a number, what dissipated in the step before
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
   std::int32_t padding;      ///< this slot and the next one: spheres of no size far from each other
@@ -44,8 +44,8 @@ struct ContactView {
 
 /// Pairs that may touch soon, padded to whole vectors.
 struct NearPairs {
-  std::int32_t *pair, *first, *second;
-  std::uint8_t* touched;  ///< as of the pairs
+  std::int32_t *pair, *first, *second, *contact;
+  std::uint8_t* touches;  ///< whether it has a number: 1 or 0
 };
 
 /// What a pair does to a sphere of a later stripe, which that stripe adds up itself.
@@ -62,9 +62,7 @@ struct WallView {
   double velocity[3];
   const std::int32_t* slots;
   std::int32_t begin, end;  ///< padded to whole vectors
-  double* memory;           ///< as of pairs
-  std::uint8_t* touched;
-  double* work;
+  std::int32_t* contact;    ///< as of pairs
   const ContactParameters<double>* parameters;  ///< of each kind
 };
 
@@ -75,6 +73,8 @@ struct ContactTask {
   std::int32_t near_count;  ///< padded to whole vectors
   std::int32_t slots_end;
   std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
+  std::int32_t* free;       ///< numbers for contacts that begin, those that end give them back
+  std::int32_t free_count;
   DeferredForce* deferred;  ///< room for all pairs that leave the stripe
   std::int32_t deferred_count;
   std::int64_t contacts;    ///< counted

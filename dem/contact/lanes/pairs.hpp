@@ -103,24 +103,37 @@ FIBERCHAIN_FLATTEN std::int32_t near_pairs(const ContactView& view, std::int32_t
       near.pair[found] = pair;
       near.first[found] = view.first[pair];
       near.second[found] = view.second[pair];
-      near.touched[found++] = view.touched[pair];
+      near.contact[found] = view.contact[pair];
+      near.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
     }
   }
-  for (; found % lanes != 0; ++found) {  // pads stand behind the last pair, or there is none
-    near.pair[found] = count - 1;
+  for (; found % lanes != 0; ++found) {
+    near.pair[found] = near.contact[found] = 0;
     near.first[found] = view.padding, near.second[found] = view.padding + 1;
-    near.touched[found] = 0;
+    near.touches[found] = 0;
   }
   return found;
 }
 
-/// Nothing is remembered of a contact that begins.
 template <ContactPhysics P>
-void forget(double* memory, double* work, std::ptrdiff_t row) {
-  for (int n = 0; n < memory_numbers; ++n) memory[row * memory_numbers + n] = 0;
+void forget(const ContactView& view, std::ptrdiff_t contact) {
+  for (int n = 0; n < memory_numbers; ++n) view.memory[contact * memory_numbers + n] = 0;
   if constexpr (P.booked) {
-    for (int n = 0; n < work_numbers; ++n) work[row * work_numbers + n] = 0;
+    for (int n = 0; n < work_numbers; ++n) view.work[contact * work_numbers + n] = 0;
   }
+}
+
+/// A number for a contact that begins: nothing is remembered of it.
+template <ContactPhysics P>
+std::int32_t begin_contact(const ContactView& view, ContactTask& task) {
+  const std::int32_t contact = task.free[--task.free_count];
+  forget<P>(view, contact);
+  return contact;
+}
+
+inline std::int32_t end_contact(std::int32_t contact, ContactTask& task) {
+  task.free[task.free_count++] = contact;
+  return 0;
 }
 
 /// Near pairs that touch go into the task's list; those that begin or end are marked.
@@ -132,11 +145,11 @@ int find_touching(const ContactView& view, ContactTask& task) {
   for (std::int32_t n = 0; n < task.near_count; n += lanes) {
     fetch_places<Real>(view, near.second, n, task.near_count);
     const unsigned touching = closer_than<P, Real>(view, Real(0.0), near.first + n, near.second + n);
-    for (unsigned changed = flag_mask<Real>(near.touched + n) ^ touching; changed != 0; changed &= changed - 1) {
-      const int k = __builtin_ctz(changed);
-      const auto begins = static_cast<std::uint8_t>(touching >> k & 1u);
-      if (begins != 0) forget<P>(view.memory, view.work, near.pair[n + k]);
-      near.touched[n + k] = view.touched[near.pair[n + k]] = begins;
+    for (unsigned changed = flag_mask<Real>(near.touches + n) ^ touching; changed != 0; changed &= changed - 1) {
+      const int k = n + __builtin_ctz(changed);
+      near.touches[k] ^= 1;
+      near.contact[k] = near.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(near.contact[k], task);
+      view.contact[near.pair[k]] = near.contact[k];
     }
     append_lanes<Real>(touching, n, task.touching + count);
     count += __builtin_popcount(touching);
@@ -217,6 +230,13 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
   store_rows<work_numbers>(keep, work, 0);
 }
 
+template <int N, class Real>
+RowStarts<Real> rows_of_contacts(double* rows, const Slots<Real>& contacts) {
+  RowStarts<Real> starts;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(contacts.at[k]) * N;
+  return starts;
+}
+
 template <class Real>
 ContactHistory<Real> remembered(const RowStarts<Real>& memory) {
   Real n[memory_numbers];
@@ -233,7 +253,7 @@ void keep(const ContactHistory<Real>& history, const RowStarts<Real>& memory) {
 
 /// The law for pairs of the spheres i and j in these rows, of which `count` count.
 template <ContactPhysics P, class Real>
-PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, const Slots<Real>& i, const Slots<Real>& j,
+PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i, const Slots<Real>& j,
                            const RowStarts<Real>& rows_i, const RowStarts<Real>& rows_j, int count, ContactTask& task) {
   using std::sqrt;
   constexpr int lanes = lane_count<Real>;
@@ -260,14 +280,12 @@ PairLoads<Real> pair_loads(const ContactView& view, const std::int32_t* pairs, c
   pair.velocity = motion_j.velocity - motion_i.velocity - cross(arm_i * motion_i.spin + arm_j * motion_j.spin, pair.normal);
   pair.spin = motion_j.spin - motion_i.spin;
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
-  RowStarts<Real> memory;
-  for (int k = 0; k < lanes; ++k) memory.at[k] = view.memory + static_cast<std::ptrdiff_t>(pairs[k]) * memory_numbers;
+  const RowStarts<Real> memory = rows_of_contacts<memory_numbers>(view.memory, contacts);
   ContactHistory<Real> history = remembered<Real>(memory);
   [[maybe_unused]] const ContactHistory<Real> before = history;
   const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.booked) {
-    RowStarts<Real> work;
-    for (int k = 0; k < lanes; ++k) work.at[k] = view.work + static_cast<std::ptrdiff_t>(pairs[k]) * work_numbers;
+    const RowStarts<Real> work = rows_of_contacts<work_numbers>(view.work, contacts);
     book(p, pair, before, history, action, Real(view.step), count, work, task);
   }
   keep<Real>(history, memory);
@@ -328,7 +346,7 @@ template <class Real>
 void fetch_touching(const ContactView& view, const ContactTask& task, int n, int touching) {
   for (int k = n; k < n + lane_count<Real> && k < touching; ++k) {
     const std::int32_t n_k = task.touching[k], i = task.near.first[n_k], j = task.near.second[n_k];
-    fetch_line(view.memory + static_cast<std::ptrdiff_t>(task.near.pair[n_k]) * memory_numbers);
+    fetch_line(view.memory + static_cast<std::ptrdiff_t>(task.near.contact[n_k]) * memory_numbers);
     for (const std::int32_t sphere : {i, j}) fetch_line(view.rows + static_cast<std::ptrdiff_t>(sphere) * row_numbers + line_numbers);
   }
 }
@@ -344,10 +362,10 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
     const int count = touching - n < lanes ? touching - n : lanes;
     for (int k = count; k < lanes; ++k) task.touching[n + k] = task.touching[n];
     const std::int32_t* chosen = task.touching + n;
-    const Slots<Real> pairs = slots_of<Real>(task.near.pair, chosen);
+    const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
     const Slots<Real> i = slots_of<Real>(task.near.first, chosen), j = slots_of<Real>(task.near.second, chosen);
     const RowStarts<Real> rows_i = rows_at<Real>(view, i.at), rows_j = rows_at<Real>(view, j.at);
-    add_loads(pair_loads<P, Real>(view, pairs.at, i, j, rows_i, rows_j, count, task), j, rows_i, rows_j, count, task);
+    add_loads(pair_loads<P, Real>(view, contacts, i, j, rows_i, rows_j, count, task), j, rows_i, rows_j, count, task);
   }
 }
 

@@ -42,8 +42,13 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     const WallSight<Real> seen = sight(wall, ball.center);
     const Real radius = ball.radius;
     const unsigned touching = less_mask(seen.distance, radius);
-    const unsigned touched = flag_mask<Real>(wall.touched + n);
+    unsigned touched = 0;
+    for (int k = 0; k < lanes; ++k) touched |= wall.contact[n + k] != 0 ? 1u << k : 0u;
     if ((touching | touched) == 0) continue;
+    for (unsigned begins = touching & ~touched; begins != 0; begins &= begins - 1) {
+      wall.contact[n + __builtin_ctz(begins)] = begin_contact<P>(view, task);
+    }
+    forget<P>(view, 0);  // of lanes that do not touch
     ContactParameters<Real> p;
     if constexpr (P.uniform) {
       p = broadcast<Real>(wall.parameters[0]);
@@ -60,11 +65,8 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     pair.velocity = wall_velocity - v - cross(seen.distance * w, seen.normal);
     pair.spin = -w;
     pair.mean_spin = Real(0.5) * w;
-    RowStarts<Real> memory;
-    for (int k = 0; k < lanes; ++k) memory.at[k] = wall.memory + static_cast<std::ptrdiff_t>(n + k) * memory_numbers;
-    for (unsigned others = ~touched & ((1u << lanes) - 1u); others != 0; others &= others - 1) {
-      forget<P>(wall.memory, wall.work, n + __builtin_ctz(others));
-    }
+    const Slots<Real> contacts = slots_of<Real>(wall.contact, entry);
+    const RowStarts<Real> memory = rows_of_contacts<memory_numbers>(view.memory, contacts);
     ContactHistory<Real> history = remembered<Real>(memory);
     const ContactHistory<Real> before = history;
     const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
@@ -73,9 +75,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     LoadRows<Real> loads;
     to_rows(action.force, moment, loads);
     for (int k = 0; k < lanes; ++k) {
-      const bool here = (touching >> k & 1u) != 0;
-      wall.touched[n + k] = here ? 1 : 0;
-      if (!here) continue;
+      if ((touching >> k & 1u) == 0) continue;
       add_row<Real>(loads.at[k], rows.at[k]);
       ++task.contacts;
     }
@@ -86,12 +86,15 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       there.velocity = on * pair.velocity;
       ContactHistory<Real> was = before, is = history;
       was.spring = on * was.spring, is.spring = on * is.spring;
-      RowStarts<Real> work;
-      for (int k = 0; k < lanes; ++k) work.at[k] = wall.work + static_cast<std::ptrdiff_t>(n + k) * work_numbers;
+      const RowStarts<Real> work = rows_of_contacts<work_numbers>(view.work, contacts);
       book(p, there, was, is, counted, Real(view.step), lanes, work, task);
       const double power = summed<Real>(dot(counted.force, wall_velocity), lanes);
       task.wall_work += view.step * power;
       task.wall_power += power;
+    }
+    for (unsigned ends = touched & ~touching; ends != 0; ends &= ends - 1) {
+      std::int32_t& contact = wall.contact[n + __builtin_ctz(ends)];
+      contact = end_contact(contact, task);
     }
   }
 }
