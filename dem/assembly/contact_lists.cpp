@@ -18,7 +18,7 @@ constexpr double kStays = 0.4;
 
 void ContactSet::PairList::clear() {
   first.clear(), second.clear(), contact.clear();
-  count = leaving = 0;
+  count = 0;
   last_stripe = 0;
 }
 
@@ -60,15 +60,15 @@ void ContactSet::renew(Team& team) {
 /// Pairs of spheres that stayed are as they were; all others have been found anew. Both are in order.
 void ContactSet::renew_pairs(int k) {
   const std::vector<ClosePair> found = close_.found(k);
-  const std::int32_t end = close_.stripe_begin(k + 1);
   Stripe& stripe = stripes_[k];
   PairList &old = stripe.pairs, &next = stripe.next_pairs;
   next.clear();
+  const std::size_t most = whole_vectors(old.count + found.size(), kernel_->width);
+  for (std::vector<std::int32_t>* list : {&next.first, &next.second, &next.contact}) list->reserve(most);
   const auto append = [&](const ClosePair& pair, std::int32_t contact) {
     next.first.push_back(pair.first);
     next.second.push_back(pair.second);
     next.contact.push_back(contact);
-    next.leaving += pair.second >= end ? 1 : 0;
   };
   auto f = found.begin();
   for (std::size_t p = 0; p < old.count; ++p) {
@@ -94,10 +94,9 @@ void ContactSet::renew_pairs(int k) {
   const std::size_t room = stripe.pairs.first.size() + lanes_beyond;
   NearList& near = stripe.near;
   for (std::vector<std::int32_t>* list : {&near.pair, &near.first, &near.second, &near.contact, &stripe.touching}) {
-    if (list->size() < room) list->resize(room + room / 4);
+    if (list->size() < room) list->resize(room + room / 8);
   }
-  if (near.touches.size() < room) near.touches.resize(room + room / 4);
-  stripe.deferred.resize(stripe.pairs.leaving);
+  if (near.touches.size() < room) near.touches.resize(room + room / 8);
 }
 
 void ContactSet::renew_wall(int k, int w) {

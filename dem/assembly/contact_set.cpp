@@ -14,9 +14,9 @@ namespace {
 constexpr int kStripes = 16;
 
 /// Gap up to which a pair is listed, in radii: wide lists are read every step, narrow ones made often.
-constexpr double kSkin = 0.7;
+constexpr double kSkin = 0.6;
 /// Part of that up to which a pair is looked at every step: those are chosen anew whenever one of the others might touch.
-constexpr double kNear = 0.15;
+constexpr double kNear = 0.18;
 
 void add_times(ContactBook<double>& sum, double factor, const ContactBook<double>& more) {
   sum.normal_dashpot += factor * more.normal_dashpot;
@@ -138,6 +138,7 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   if (soon.is_old) {
     soon.count = kernel_->near(view(stripe, rows), static_cast<std::int32_t>(stripe.pairs.first.size()), kNear * close_.skin(), pairs);
     soon.is_old = false, soon.closer = 0;
+    if (stripe.deferred.size() < static_cast<std::size_t>(soon.count)) stripe.deferred.resize(soon.count);
   }
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     if (!is_there(surroundings_.walls[w], time)) drop(stripe.walls[w], static_cast<int>(w), stripe);

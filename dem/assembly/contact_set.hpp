@@ -65,8 +65,8 @@ class ContactSet {
   /// Close pairs, in order, padded to whole vectors.
   struct PairList {
     std::vector<std::int32_t> first, second, contact;  ///< spheres, and numbers in the memory
-    std::size_t count = 0, leaving = 0;  ///< without pads; of these with a second sphere in another stripe
-    int last_stripe = 0;                 ///< of a second sphere
+    std::size_t count = 0;  ///< without pads
+    int last_stripe = 0;    ///< of a second sphere
 
     void clear();
   };

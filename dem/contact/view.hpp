@@ -75,7 +75,7 @@ struct ContactTask {
   std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
   std::int32_t* free;       ///< numbers for contacts that begin, those that end give them back
   std::int32_t free_count;
-  DeferredForce* deferred;  ///< room for all pairs that leave the stripe
+  DeferredForce* deferred;  ///< room for all near pairs
   std::int32_t deferred_count;
   std::int64_t contacts;    ///< counted
   ContactBook<double> book;

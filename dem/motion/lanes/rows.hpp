@@ -222,7 +222,7 @@ void book_bond(const RowBlock& block, const ChainBlock<P, Real>& chain, int bond
 }
 
 template <Physics P, class Real>
-void book_rows(const RowBlock& block, const BondBook& book) {
+FIBERCHAIN_FLATTEN void book_rows(const RowBlock& block, const BondBook& book) {
   static_assert(sizeof(KeptWork<Real>) == book_numbers * sizeof(Real));
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
   const BlockRows<Real> rows(block);
