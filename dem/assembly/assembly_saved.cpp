@@ -29,7 +29,7 @@ std::vector<double> Assembly::saved() const {
                           static_cast<double>(s.rows.count)};
   const std::vector<double> sums = s.contacts.sums();
   all.insert(all.end(), sums.begin(), sums.end());
-  for (const ListedSphere& sphere : s.contacts.listed()) all.insert(all.end(), sphere.place.c, sphere.place.c + 3);
+  for (const auto& x : s.contacts.listed_at()) all.insert(all.end(), x.c, x.c + 3);
   for (const LaneArray* a : arrays(s.rows)) all.insert(all.end(), a->data(), a->data() + a->size());
   for (const FiberBlock& block : s.blocks) block.save(all);
   const std::vector<KeptContact> kept = s.contacts.kept();
@@ -65,7 +65,7 @@ void Assembly::restore(const std::vector<double>& saved) {
     std::copy_n(from + 7, work_numbers, c.work);
     from += kept_numbers;
   }
-  s.contacts.list_pairs(listed, saved[1], s.team);
+  s.contacts.list_pairs(std::move(listed), saved[1], s.team);
   s.contacts.forget();
   s.contacts.remember(kept);
   s.contacts.set_sums(sums);

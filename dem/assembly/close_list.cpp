@@ -19,17 +19,16 @@ CloseList::CloseList(SphereSet spheres, double skin, int stripes, const ContactK
   for (Stripe& stripe : stripes_) stripe.found.resize(stripes);
 }
 
-void CloseList::list(const std::vector<Vec<double, 3>>& places, Team& team) {
-  listed_.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) listed_[i] = {places[i], spheres_.radius[i]};
-  anew_.assign(places.size(), 1);
+void CloseList::list(std::vector<Vec<double, 3>> places, Team& team) {
+  places_ = std::move(places);
+  anew_.assign(places_.size(), 1);
   for (int k = 0; k < stripes(); ++k) {
     stripes_[k].anew.clear();
     for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) stripes_[k].anew.push_back(i);
   }
   check_finite();
   sort();
-  team.each(static_cast<int>(stripes()), [&](int k, int) { search(k); });
+  search(team);
 }
 
 double CloseList::farthest_moved(const SphereRows& rows, Team& team) const {
@@ -37,7 +36,7 @@ double CloseList::farthest_moved(const SphereRows& rows, Team& team) const {
   team.each(static_cast<int>(stripes()), [&](int k, int) {
     double farthest = 0;
     for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) {
-      const Vec<double, 3> moved = rows.place(i) - listed_[i].place;
+      const Vec<double, 3> moved = rows.place(i) - places_[i];
       farthest = std::max(farthest, dot(moved, moved));
     }
     squared[k] = farthest;
@@ -50,29 +49,29 @@ void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
     std::vector<std::int32_t>& anew = stripes_[k].anew;
     anew.clear();
     for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) {
-      const Vec<double, 3> place = rows.place(i), moved = place - listed_[i].place;
+      const Vec<double, 3> place = rows.place(i), moved = place - places_[i];
       anew_[i] = dot(moved, moved) > distance * distance ? 1 : 0;
       if (anew_[i] == 0) continue;
       anew.push_back(i);
-      listed_[i].place = place;
+      places_[i] = place;
     }
   });
   check_finite();
   bool near_first = true;
   for (const Stripe& stripe : stripes_) {
     for (const std::int32_t i : stripe.anew) {
-      near_first = near_first && sorted_->distance_from_first(i, listed_[i].place) <= slack_;
-      sorted_->move(i, listed_[i].place);
+      near_first = near_first && sorted_->distance_from_first(i, places_[i]) <= slack_;
+      sorted_->move(i, places_[i]);
     }
   }
   if (!near_first) sort();
-  team.each(static_cast<int>(stripes()), [&](int k, int) { search(k); });
+  search(team);
 }
 
 void CloseList::check_finite() const {
   for (const Stripe& stripe : stripes_) {
     for (const std::int32_t i : stripe.anew) {
-      const Vec<double, 3>& x = listed_[i].place;
+      const Vec<double, 3>& x = places_[i];
       if (!std::isfinite(x[0] + x[1] + x[2])) {
         throw InvalidInput(fmt::format("the position of sphere {} is not finite", i));
       }
@@ -88,17 +87,20 @@ void CloseList::sort() {
                                      "each other", period, 2 * reach));
     }
   }
-  Box box{listed_[0].place, listed_[0].place};
-  for (const ListedSphere& sphere : listed_) {
-    const Vec<double, 3>& x = sphere.place;
+  Box box{places_[0], places_[0]};
+  for (const Vec<double, 3>& x : places_) {
     for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
   }
   for (int c = 0; c < 3; ++c) {
     if (spheres_.period[c] > 0) box.low[c] = 0;
   }
   slack_ = kSlack * reach;
-  const Cells cells(box, spheres_.period, reach + slack_, 64.0 * static_cast<double>(listed_.size()) + 64);
-  sorted_.emplace(cells, listed_, spheres_.fiber);
+  const Cells cells(box, spheres_.period, reach + slack_, 64.0 * static_cast<double>(places_.size()) + 64);
+  sorted_.emplace(cells, places_, spheres_.radius, spheres_.fiber);
+}
+
+void CloseList::search(Team& team) {
+  team.each(static_cast<int>(stripes()), [&](int k, int) { search(k); });
 }
 
 void CloseList::search(int stripe) {
@@ -116,16 +118,16 @@ void CloseList::search(int stripe) {
   std::vector<std::int32_t> near;
   const std::int32_t begin = stripe_begin(stripe);
   for (const std::int32_t i : own.anew) {
-    const ListedSphere& self = listed_[i];
-    if (const std::int32_t cell = sorted_->cell_of(self.place); cell != last_cell) {
+    const Vec<double, 3>& place = places_[i];
+    if (const std::int32_t cell = sorted_->cell_of(place); cell != last_cell) {
       last_cell = cell;
-      count = sorted_->runs_around(self.place, runs);
+      count = sorted_->runs_around(place, runs);
       std::size_t room = 0;
       for (int k = 0; k < count; ++k) room += runs[k].end - runs[k].begin;
       if (near.size() < room) near.resize(2 * room);
     }
-    std::copy_n(self.place.c, 3, asking.x);
-    asking.reach = self.radius + skin_;
+    std::copy_n(place.c, 3, asking.x);
+    asking.reach = spheres_.radius[i] + skin_;
     asking.sphere = i, asking.fiber = spheres_.fiber[i];
     const std::int32_t found = kernel_->search(all, runs, count, asking, near.data());
     for (std::int32_t n = 0; n < found; ++n) {

@@ -36,11 +36,11 @@ class CloseList {
   const SphereSet& spheres() const { return spheres_; }
   std::int32_t stripe_begin(std::int64_t stripe) const { return static_cast<std::int32_t>(count() * stripe / stripes()); }
   int stripe_of(std::int64_t sphere) const { return static_cast<int>(((sphere + 1) * stripes() - 1) / count()); }
-  const std::vector<ListedSphere>& listed() const { return listed_; }
+  const std::vector<Vec<double, 3>>& places() const { return places_; }
 
   /// Lists all spheres at these places. Throws InvalidInput for places that are not finite, and where a periodic side is
   /// shorter than twice 2 R + skin.
-  void list(const std::vector<Vec<double, 3>>& places, Team& team);
+  void list(std::vector<Vec<double, 3>> places, Team& team);
   /// How far any sphere is from its place [m].
   double farthest_moved(const SphereRows& rows, Team& team) const;
   /// Lists those that are farther than `distance` [m] from their places where they are now; throws as list().
@@ -61,11 +61,12 @@ class CloseList {
   std::int64_t stripes() const { return static_cast<std::int64_t>(stripes_.size()); }
   void sort();
   void check_finite() const;
+  void search(Team& team);
   void search(int stripe);
 
   SphereSet spheres_;
   double skin_ = 0;
-  std::vector<ListedSphere> listed_;
+  std::vector<Vec<double, 3>> places_;
   std::vector<std::uint8_t> anew_;
   std::vector<Stripe> stripes_;
   const ContactKernel* kernel_ = nullptr;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "dem/assembly/contact_set.hpp"
 
@@ -25,10 +24,10 @@ void ContactSet::PairList::clear() {
 void ContactSet::list_pairs(const SphereRows& rows, double time, Team& team) {
   std::vector<Vec<double, 3>> places(spheres());
   for (std::int64_t i = 0; i < spheres(); ++i) places[i] = rows.place(i);
-  list_pairs(places, time, team);
+  list_pairs(std::move(places), time, team);
 }
 
-void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& places, double time, Team& team) {
+void ContactSet::list_pairs(std::vector<Vec<double, 3>> places, double time, Team& team) {
   const std::vector<KeptContact> contacts = kept();
   for (Stripe& stripe : stripes_) {
     stripe.memory.reset();
@@ -36,7 +35,7 @@ void ContactSet::list_pairs(const std::vector<Vec<double, 3>>& places, double ti
     for (NearWall& near : stripe.walls) near.count = 0;
   }
   listed_time_ = time;
-  close_.list(places, team);
+  close_.list(std::move(places), team);
   renew(team);
   remember(contacts);
 }
@@ -115,8 +114,7 @@ void ContactSet::renew_wall(int k, int w) {
   for (const std::int32_t i : anew) {
     take_old(i);
     const bool was = p < old.count && old.slots[p] == i;
-    const ListedSphere& sphere = close_.listed()[i];
-    if (gap_to(wall, sphere.place, listed_time_) < sphere.radius + close_.skin()) {
+    if (gap_to(wall, close_.places()[i], listed_time_) < radius_[i] + close_.skin()) {
       append(i, was ? old.contact[p] : 0);
     } else if (was && old.contact[p] != 0) {
       stripes_[k].memory.give_back(old.contact[p]);

@@ -13,7 +13,7 @@ namespace {
 /// Fixed, so that sums are the same for any number of threads.
 constexpr int kStripes = 16;
 
-/// Gap up to which a pair is listed, in radii: wide lists are read every step, narrow ones made often.
+/// Gap up to which a pair is listed, in radii: wide lists are long, narrow ones searched for often.
 constexpr double kSkin = 0.6;
 /// Part of that up to which a pair is looked at every step: those are chosen anew whenever one of the others might touch.
 constexpr double kNear = 0.18;
@@ -123,8 +123,7 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
     view.velocity[c] = wall.velocity[c];
   }
   view.slots = near.slots.data();
-  view.begin = 0;
-  view.end = static_cast<std::int32_t>(near.slots.size());
+  view.count = static_cast<std::int32_t>(near.slots.size());
   view.contact = near.contact.data();
   view.parameters = wall_parameters_.data();
   return view;

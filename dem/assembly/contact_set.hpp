@@ -26,14 +26,14 @@ class ContactSet {
   double skin() const { return close_.skin(); }
 
   /// Lists all spheres at these places, who is close to whom; contacts that touch keep what they remember.
-  void list_pairs(const std::vector<Vec<double, 3>>& places, double time, Team& team);
+  void list_pairs(std::vector<Vec<double, 3>> places, double time, Team& team);
   /// The same at the rows' places.
   void list_pairs(const SphereRows& rows, double time, Team& team);
   /// Lists spheres that have come far anew, where some have; how far any may move before it must be asked again [m].
   double follow(const SphereRows& rows, Team& team);
   /// Whether a wall has moved so far that spheres near it may be missing: time for list_pairs().
   bool walls_moved_far(double time) const;
-  const std::vector<ListedSphere>& listed() const { return close_.listed(); }
+  const std::vector<Vec<double, 3>>& listed_at() const { return close_.places(); }
   double listed_time() const { return listed_time_; }
 
   /// Spheres of each stripe move on by no more than `paths` [m] before the next work_out().

@@ -2,13 +2,13 @@
 
 namespace fiberchain::dem {
 
-CellRuns::CellRuns(const Cells& cells, std::span<const ListedSphere> spheres, std::span<const std::int32_t> fiber)
-    : cells_(cells), begin_(cells.count() + 1, 0) {
-  const auto n = static_cast<std::int32_t>(spheres.size());
+CellRuns::CellRuns(const Cells& cells, std::span<const Vec<double, 3>> places, std::span<const double> radius,
+                   std::span<const std::int32_t> fiber)
+    : cells_(cells), first_place_(places.begin(), places.end()), begin_(cells.count() + 1, 0) {
+  const auto n = static_cast<std::int32_t>(places.size());
   std::vector<std::int32_t> cell(n);
   for (std::int32_t i = 0; i < n; ++i) {
-    first_place_.push_back(spheres[i].place);
-    cell[i] = cells.index(spheres[i].place);
+    cell[i] = cells.index(places[i]);
     ++begin_[cell[i] + 1];
   }
   for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
@@ -18,10 +18,10 @@ CellRuns::CellRuns(const Cells& cells, std::span<const ListedSphere> spheres, st
   std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::int32_t i = 0; i < n; ++i) {
     const std::int32_t at = slot_[i] = next[cell[i]]++;
-    radius_[at] = spheres[i].radius;
+    radius_[at] = radius[i];
     fiber_[at] = fiber[i];
     sphere_[at] = i;
-    move(i, spheres[i].place);
+    move(i, places[i]);
   }
 }
 

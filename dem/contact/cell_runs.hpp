@@ -8,19 +8,14 @@
 
 namespace fiberchain::dem {
 
-/// A sphere where it is listed.
-struct ListedSphere {
-  Vec<double, 3> place;  ///< [m]
-  double radius;         ///< [m]
-};
-
 /// Spheres in the order of the cells where they stood first: those near a place are a few runs of consecutive ones.
 class CellRuns {
  public:
   static constexpr int most_runs = 27;
 
   /// The arrays behind the view stay where they are.
-  CellRuns(const Cells& cells, std::span<const ListedSphere> spheres, std::span<const std::int32_t> fiber);
+  CellRuns(const Cells& cells, std::span<const Vec<double, 3>> places, std::span<const double> radius,
+           std::span<const std::int32_t> fiber);
 
   /// A sphere moves, not far: it stays in the cell where it stood first.
   void move(std::int32_t sphere, const Vec<double, 3>& to);

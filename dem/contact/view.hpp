@@ -61,7 +61,7 @@ struct WallView {
   double radius;
   double velocity[3];
   const std::int32_t* slots;
-  std::int32_t begin, end;  ///< padded to whole vectors
+  std::int32_t count;       ///< padded to whole vectors
   std::int32_t* contact;    ///< as of pairs
   const ContactParameters<double>* parameters;  ///< of each kind
 };

@@ -118,7 +118,7 @@ Pairs brute_pairs(const dem::CloseList& list) {
   const auto n = static_cast<std::int32_t>(all.radius.size());
   for (std::int32_t i = 0; i < n; ++i) {
     for (std::int32_t j = i + 1; j < n; ++j) {
-      Vec3 r = list.listed()[j].place - list.listed()[i].place;
+      Vec3 r = list.places()[j] - list.places()[i];
       for (int c = 0; c < 3; ++c) {
         if (all.period[c] > 0) r[c] -= all.period[c] * std::round(r[c] / all.period[c]);
       }

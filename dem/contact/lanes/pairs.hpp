@@ -5,7 +5,7 @@
 #include "dem/motion/lanes/flatten.hpp"
 #include "dem/motion/lanes/transpose.hpp"
 
-// The contact loop: distances of all close pairs, then the law for those that touch, as many at a time as there are lanes.
+// The contact loop: distances of the near pairs, then the law for those that touch, as many at a time as there are lanes.
 namespace fiberchain::dem {
 
 /// Slots of some spheres, one a lane.
@@ -197,7 +197,6 @@ double summed(const Real& value, int count) {
 template <class Real>
 Real spring_energy(const ContactParameters<Real>& p, const ContactHistory<Real>& h) {
   using std::max;
-  using std::sqrt;
   const Real stiffness = max(p.tangential * h.root, Real(1e-300));
   return select(h.root > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
 }

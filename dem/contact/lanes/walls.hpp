@@ -33,7 +33,7 @@ template <ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wall, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
   const Vec<Real, 3> wall_velocity = broadcast_vector<Real>(wall.velocity);
-  for (std::int32_t n = wall.begin; n < wall.end; n += lanes) {
+  for (std::int32_t n = 0; n < wall.count; n += lanes) {
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = n + k;
     const Slots<Real> i = slots_of<Real>(wall.slots, entry);
