@@ -44,7 +44,7 @@ std::vector<double> Assembly::saved() const {
 
 void Assembly::restore(const std::vector<double>& saved) {
   State& s = *state_;
-  const std::size_t fixed = fixed_numbers(s, s.contacts.stripes());
+  const std::size_t fixed = fixed_numbers(s, s.contacts.stripes().count());
   if (saved.size() < fixed || saved[head_numbers - 1] != static_cast<double>(s.rows.count) || !(saved[fixed - 1] >= 0) ||
       static_cast<double>(saved.size()) != static_cast<double>(fixed) + kept_numbers * saved[fixed - 1]) {
     throw InvalidInput("these numbers are not a state of this assembly");
@@ -52,7 +52,7 @@ void Assembly::restore(const std::vector<double>& saved) {
   const double* from = saved.data() + head_numbers;
   std::vector<Vec<double, 3>> listed(s.rows.count);
   const double* sums = from;
-  from += static_cast<std::size_t>(s.contacts.stripes()) * ContactSet::sums_a_stripe;
+  from += static_cast<std::size_t>(s.contacts.stripes().count()) * ContactSet::sums_a_stripe;
   for (auto& x : listed) x = {from[0], from[1], from[2]}, from += 3;
   for (LaneArray* a : {&s.rows.numbers, &s.rows.orientation}) {
     std::copy_n(from, a->size(), a->data());

@@ -38,6 +38,9 @@ double dashpot_power(const BondParameters<double>& law, const MovingSphere<doubl
   return power_taken(loads, motion.velocity, a.spin, b.spin);
 }
 
+/// Fibers side by side at most.
+constexpr int widest_block = 8;
+
 /// Steps between two looks at all spheres.
 constexpr int kStepsBetweenLooks = 256;
 
@@ -75,10 +78,32 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   }
   scratch.clear();
   for (int t = 0; t < options.threads; ++t) scratch.emplace_back(scratch_size);
-  contacts.pad(rows);
   set_gradient();
-  list_pairs();
+  own_times.resize(options.threads);
+  contacts.begin(rows, stripes_of_blocks(), time(), team);
+  room = 0.5 * contacts.skin();
+  wave = PairedWork(contacts.stripes().count());
+  paths.assign(contacts.stripes().count(), 0);
   return first_new;
+}
+
+/// Whole blocks of any width, so that the cuts do not depend on it.
+Stripes Assembly::State::stripes_of_blocks() {
+  std::vector<std::int32_t> ends;
+  for (std::size_t g = 0; g < kinds.size(); ++g) {
+    for (int f = 0; f < fibers[g]; f += widest_block) {
+      const int last = std::min(f + widest_block, fibers[g]) - 1;
+      ends.push_back(static_cast<std::int32_t>(first_sphere(static_cast<int>(g), last)) + kinds[g].spheres());
+    }
+  }
+  Stripes stripes = cached_stripes(ends);
+  stripe_blocks.assign(1, 0);
+  for (int k = 0; k < stripes.count(); ++k) {
+    int b = stripe_blocks.back();
+    while (b < static_cast<int>(blocks.size()) && blocks[b].first(0) < stripes.end(k)) ++b;
+    stripe_blocks.push_back(b);
+  }
+  return stripes;
 }
 
 void Assembly::State::start_blocks(int from) {
@@ -111,7 +136,7 @@ void Assembly::State::list_pairs() {
 }
 
 /// Speeds tell when a sphere may have moved so far that a pair is missing, or a wall. Whether lists were looked at.
-bool Assembly::State::keep_lists(const std::vector<double>& paths) {
+bool Assembly::State::keep_lists() {
   contacts.count_paths(paths);
   if (contacts.walls_moved_far(time())) {
     list_pairs();
@@ -153,37 +178,61 @@ double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
   return fastest;
 }
 
-/// All fibers move; how far any sphere of each stripe has gone at most.
-std::vector<double> Assembly::State::move() {
-  std::vector<double> fastest(blocks.size()), paths(contacts.stripes(), 0);
-  team.each(static_cast<int>(blocks.size()), [&](int b, int thread) { fastest[b] = step_block(b, scratch[thread]); });
+void Assembly::State::move_stripe(int stripe, int thread) {
+  double fastest = 0;
+  for (int b = stripe_blocks[stripe]; b < stripe_blocks[stripe + 1]; ++b) fastest = std::max(fastest, step_block(b, scratch[thread]));
+  paths[stripe] = step * std::sqrt(fastest);
+}
+
+void Assembly::State::has_moved() {
   ++steps;
   set_gradient();
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const int last = contacts.stripe_of(blocks[b].end(kinds[blocks[b].group()]) - 1);
-    for (int k = contacts.stripe_of(blocks[b].first(0)); k <= last; ++k) paths[k] = std::max(paths[k], fastest[b]);
-  }
-  for (double& path : paths) path = step * std::sqrt(path);
-  return paths;
+}
+
+/// All fibers move.
+void Assembly::State::move() {
+  team.each(contacts.stripes().count(), [&](int k, int thread) { move_stripe(k, thread); });
+  has_moved();
+  watch.lap(&StepTimes::bonds_and_motion);
 }
 
 /// Loads of all contacts onto the rows.
-void Assembly::State::touch() { contacts.work_out(rows, time(), team); }
+void Assembly::State::touch() {
+  contacts.work_out(rows, time(), team);
+  watch.lap(&StepTimes::contacts);
+}
+
+/// Both of these, stripe by stripe: what contacts have read and written is moved while it is at hand.
+void Assembly::State::touch_and_move() {
+  for (StepTimes& own : own_times) own = {};
+  const double now = time();
+  wave.run(
+      team, [&](int k) { return contacts.reach(k); },
+      [&](int k, int thread) {
+        const TimedPart timed(watch.on, own_times[thread].contacts);
+        contacts.work_out(k, rows, now);
+      },
+      [&](int k, int thread) {
+        const TimedPart timed(watch.on, own_times[thread].bonds_and_motion);
+        contacts.gather_loads(k, rows);
+        move_stripe(k, thread);
+      });
+  has_moved();
+  watch.lap(own_times);
+}
 
 /// False where positions are no longer finite.
 bool Assembly::State::march_some(int count) {
   watch.lap(nullptr);
   for (int n = 0; n < count; ++n) {
-    const std::vector<double> paths = move();
-    watch.lap(&StepTimes::bonds_and_motion);
+    n == 0 ? move() : touch_and_move();
     try {
-      if (keep_lists(paths)) watch.lap(&StepTimes::search);
+      if (keep_lists()) watch.lap(&StepTimes::search);
     } catch (const InvalidInput&) {
       return false;
     }
-    touch();
-    watch.lap(&StepTimes::contacts);
   }
+  touch();
   return true;
 }
 

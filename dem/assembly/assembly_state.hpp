@@ -6,6 +6,7 @@
 #include "dem/assembly/assembly.hpp"
 #include "dem/assembly/contact_set.hpp"
 #include "dem/assembly/fiber_block.hpp"
+#include "dem/assembly/paired_work.hpp"
 #include "dem/assembly/team.hpp"
 
 namespace fiberchain::dem {
@@ -24,6 +25,35 @@ struct StopWatch {
     if (part != nullptr) times.*part += std::chrono::duration<double>(now - last).count();
     last = now;
   }
+
+  /// Adds it to all parts, in proportion to what threads spent on them.
+  void lap(const std::vector<StepTimes>& threads) {
+    if (!on) return;
+    const Clock::time_point now = Clock::now();
+    StepTimes sum{};
+    for (const StepTimes& t : threads) sum.bonds_and_motion += t.bonds_and_motion, sum.contacts += t.contacts;
+    const double all = std::chrono::duration<double>(now - last).count(), share = all / (sum.bonds_and_motion + sum.contacts);
+    times.bonds_and_motion += share * sum.bonds_and_motion;
+    times.contacts += share * sum.contacts;
+    last = now;
+  }
+};
+
+/// Adds the time that it lives.
+class TimedPart {
+ public:
+  TimedPart(bool on, double& sum) : sum_(on ? &sum : nullptr) {
+    if (on) start_ = StopWatch::Clock::now();
+  }
+  ~TimedPart() {
+    if (sum_ != nullptr) *sum_ += std::chrono::duration<double>(StopWatch::Clock::now() - start_).count();
+  }
+  TimedPart(const TimedPart&) = delete;
+  TimedPart& operator=(const TimedPart&) = delete;
+
+ private:
+  double* sum_;
+  StopWatch::Clock::time_point start_;
 };
 
 /// The inside of an assembly: rows of spheres, blocks of fibers that move them, contacts between them.
@@ -36,11 +66,15 @@ struct Assembly::State {
   std::vector<int> fibers;       ///< in each group
   std::vector<int> first_block;  ///< of each group
   std::vector<FiberBlock> blocks;
+  std::vector<int> stripe_blocks;  ///< the first block of each stripe of spheres, and one past the last
   SphereRows rows;
   Team team;
   ContactSet contacts;
   LaneArray gradient;               ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;   ///< one a thread
+  std::vector<double> paths;        ///< how far spheres of each stripe went in the last step at most [m]
+  std::vector<StepTimes> own_times; ///< one a thread, where parts run side by side
+  PairedWork wave{0};
   double room = 0;                  ///< what spheres may move before their distance from where they were listed is looked at [m]
   StopWatch watch;
   double inserted = 0;              ///< energy that fibers brought with them [J]
@@ -78,8 +112,12 @@ struct Assembly::State {
 
  private:
   bool march_some(int count);
-  std::vector<double> move();
-  bool keep_lists(const std::vector<double>& paths);
+  Stripes stripes_of_blocks();
+  void move();
+  void touch_and_move();
+  void has_moved();
+  void move_stripe(int stripe, int thread);
+  bool keep_lists();
   double step_block(std::size_t number, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
   std::int64_t broken() const;

@@ -14,17 +14,17 @@ constexpr double kSlack = 0.5;
 
 }  // namespace
 
-CloseList::CloseList(SphereSet spheres, double skin, int stripes, const ContactKernel& kernel)
-    : spheres_(std::move(spheres)), skin_(skin), stripes_(stripes), kernel_(&kernel) {
-  for (Stripe& stripe : stripes_) stripe.found.resize(stripes);
+CloseList::CloseList(SphereSet spheres, double skin, Stripes stripes, const ContactKernel& kernel)
+    : spheres_(std::move(spheres)), skin_(skin), stripes_(std::move(stripes)), searches_(stripes_.count()), kernel_(&kernel) {
+  for (Search& search : searches_) search.found.resize(searches_.size());
 }
 
 void CloseList::list(std::vector<Vec<double, 3>> places, Team& team) {
   places_ = std::move(places);
   anew_.assign(places_.size(), 1);
-  for (int k = 0; k < stripes(); ++k) {
-    stripes_[k].anew.clear();
-    for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) stripes_[k].anew.push_back(i);
+  for (int k = 0; k < stripes_.count(); ++k) {
+    searches_[k].anew.clear();
+    for (std::int32_t i = stripes_.begin(k); i < stripes_.end(k); ++i) searches_[k].anew.push_back(i);
   }
   check_finite();
   sort();
@@ -32,10 +32,10 @@ void CloseList::list(std::vector<Vec<double, 3>> places, Team& team) {
 }
 
 double CloseList::farthest_moved(const SphereRows& rows, Team& team) const {
-  std::vector<double> squared(stripes_.size(), 0);
-  team.each(static_cast<int>(stripes()), [&](int k, int) {
+  std::vector<double> squared(searches_.size(), 0);
+  team.each(stripes_.count(), [&](int k, int) {
     double farthest = 0;
-    for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) {
+    for (std::int32_t i = stripes_.begin(k); i < stripes_.end(k); ++i) {
       const Vec<double, 3> moved = rows.place(i) - places_[i];
       farthest = std::max(farthest, dot(moved, moved));
     }
@@ -45,10 +45,10 @@ double CloseList::farthest_moved(const SphereRows& rows, Team& team) const {
 }
 
 void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
-  team.each(static_cast<int>(stripes()), [&](int k, int) {
-    std::vector<std::int32_t>& anew = stripes_[k].anew;
+  team.each(stripes_.count(), [&](int k, int) {
+    std::vector<std::int32_t>& anew = searches_[k].anew;
     anew.clear();
-    for (std::int32_t i = stripe_begin(k), end = stripe_begin(k + 1); i < end; ++i) {
+    for (std::int32_t i = stripes_.begin(k); i < stripes_.end(k); ++i) {
       const Vec<double, 3> place = rows.place(i), moved = place - places_[i];
       anew_[i] = dot(moved, moved) > distance * distance ? 1 : 0;
       if (anew_[i] == 0) continue;
@@ -58,8 +58,8 @@ void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
   });
   check_finite();
   bool near_first = true;
-  for (const Stripe& stripe : stripes_) {
-    for (const std::int32_t i : stripe.anew) {
+  for (const Search& search : searches_) {
+    for (const std::int32_t i : search.anew) {
       near_first = near_first && sorted_->distance_from_first(i, places_[i]) <= slack_;
       sorted_->move(i, places_[i]);
     }
@@ -69,8 +69,8 @@ void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
 }
 
 void CloseList::check_finite() const {
-  for (const Stripe& stripe : stripes_) {
-    for (const std::int32_t i : stripe.anew) {
+  for (const Search& search : searches_) {
+    for (const std::int32_t i : search.anew) {
       const Vec<double, 3>& x = places_[i];
       if (!std::isfinite(x[0] + x[1] + x[2])) {
         throw InvalidInput(fmt::format("the position of sphere {} is not finite", i));
@@ -100,11 +100,11 @@ void CloseList::sort() {
 }
 
 void CloseList::search(Team& team) {
-  team.each(static_cast<int>(stripes()), [&](int k, int) { search(k); });
+  team.each(stripes_.count(), [&](int k, int) { search(k); });
 }
 
 void CloseList::search(int stripe) {
-  Stripe& own = stripes_[stripe];
+  Search& own = searches_[stripe];
   for (auto& pairs : own.found) pairs.clear();
   const SortedSpheres all = sorted_->view();
   Asking asking{};
@@ -116,7 +116,7 @@ void CloseList::search(int stripe) {
   int count = 0;
   std::int32_t last_cell = -1;
   std::vector<std::int32_t> near;
-  const std::int32_t begin = stripe_begin(stripe);
+  const std::int32_t begin = stripes_.begin(stripe);
   for (const std::int32_t i : own.anew) {
     const Vec<double, 3>& place = places_[i];
     if (const std::int32_t cell = sorted_->cell_of(place); cell != last_cell) {
@@ -135,7 +135,7 @@ void CloseList::search(int stripe) {
       if (j > i) {
         own.found[stripe].push_back({i, j});
       } else if (anew_[j] == 0) {  // otherwise found from there
-        own.found[j >= begin ? stripe : stripe_of(j)].push_back({j, i});
+        own.found[j >= begin ? stripe : stripes_.of(j)].push_back({j, i});
       }
     }
   }
@@ -143,7 +143,7 @@ void CloseList::search(int stripe) {
 
 std::vector<ClosePair> CloseList::found(int stripe) const {
   std::vector<ClosePair> pairs;
-  for (const Stripe& from : stripes_) pairs.insert(pairs.end(), from.found[stripe].begin(), from.found[stripe].end());
+  for (const Search& from : searches_) pairs.insert(pairs.end(), from.found[stripe].begin(), from.found[stripe].end());
   std::ranges::sort(pairs);
   return pairs;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem/assembly/sphere_rows.hpp"
+#include "dem/assembly/stripes.hpp"
 #include "dem/assembly/team.hpp"
 #include "dem/contact/cell_runs.hpp"
 
@@ -28,14 +29,12 @@ struct SphereSet {
 class CloseList {
  public:
   CloseList() = default;
-  /// Pairs with a gap below `skin` [m] are close. Spheres are cut into stripes of consecutive numbers.
-  /// `kernel` is that of the scene's contacts (periodic or not).
-  CloseList(SphereSet spheres, double skin, int stripes, const ContactKernel& kernel);
+  /// Pairs with a gap below `skin` [m] are close. `kernel` is that of the scene's contacts (periodic or not).
+  CloseList(SphereSet spheres, double skin, Stripes stripes, const ContactKernel& kernel);
 
   double skin() const { return skin_; }
   const SphereSet& spheres() const { return spheres_; }
-  std::int32_t stripe_begin(std::int64_t stripe) const { return static_cast<std::int32_t>(count() * stripe / stripes()); }
-  int stripe_of(std::int64_t sphere) const { return static_cast<int>(((sphere + 1) * stripes() - 1) / count()); }
+  const Stripes& stripes() const { return stripes_; }
   const std::vector<Vec<double, 3>>& places() const { return places_; }
 
   /// Lists all spheres at these places. Throws InvalidInput for places that are not finite, and where a periodic side is
@@ -47,18 +46,17 @@ class CloseList {
   void relist(const SphereRows& rows, double distance, Team& team);
 
   /// Spheres of a stripe that the last call has listed anew, by rising number.
-  const std::vector<std::int32_t>& listed_anew(int stripe) const { return stripes_[stripe].anew; }
+  const std::vector<std::int32_t>& listed_anew(int stripe) const { return searches_[stripe].anew; }
   bool is_anew(std::int32_t sphere) const { return anew_[sphere] != 0; }
   /// Close pairs with one of these or two, whose first sphere is of the stripe, in order.
   std::vector<ClosePair> found(int stripe) const;
 
  private:
-  struct Stripe {
+  /// What has come of a stripe's spheres.
+  struct Search {
     std::vector<std::int32_t> anew;
     std::vector<std::vector<ClosePair>> found;  ///< by the stripe of the first
   };
-  std::int64_t count() const { return static_cast<std::int64_t>(spheres_.radius.size()); }
-  std::int64_t stripes() const { return static_cast<std::int64_t>(stripes_.size()); }
   void sort();
   void check_finite() const;
   void search(Team& team);
@@ -68,7 +66,8 @@ class CloseList {
   double skin_ = 0;
   std::vector<Vec<double, 3>> places_;
   std::vector<std::uint8_t> anew_;
-  std::vector<Stripe> stripes_;
+  Stripes stripes_;
+  std::vector<Search> searches_;
   const ContactKernel* kernel_ = nullptr;
   std::optional<CellRuns> sorted_;
   double slack_ = 0;  ///< what spheres may move from where they were sorted [m]

@@ -13,12 +13,17 @@ constexpr double kWorthwhile = 0.2;
 /// ... all that have moved more than this.
 constexpr double kStays = 0.4;
 
+/// Part of the skin up to which a pair is looked at every step: those are chosen anew whenever one of the others might touch.
+constexpr double kNear = 0.18;
+/// Pairs of which near ones are chosen before more room is made for these: whole vectors.
+constexpr std::int32_t kPairsAtOnce = 1024;
+
 }  // namespace
 
 void ContactSet::PairList::clear() {
   first.clear(), second.clear(), contact.clear();
   count = 0;
-  last_stripe = 0;
+  last_stripe = -1;
 }
 
 void ContactSet::list_pairs(const SphereRows& rows, double time, Team& team) {
@@ -50,7 +55,7 @@ double ContactSet::follow(const SphereRows& rows, Team& team) {
 }
 
 void ContactSet::renew(Team& team) {
-  team.each(stripes(), [&](int k, int) {
+  team.each(close_.stripes().count(), [&](int k, int) {
     renew_pairs(k);
     for (std::size_t w = 0; w < surroundings_.walls.size(); ++w) renew_wall(k, static_cast<int>(w));
   });
@@ -83,19 +88,43 @@ void ContactSet::renew_pairs(int k) {
   }
   for (; f != found.end(); ++f) append(*f, 0);
   next.count = next.first.size();
-  if (next.count > 0) next.last_stripe = close_.stripe_of(*std::ranges::max_element(next.second));
+  if (next.count > 0) next.last_stripe = close_.stripes().of(*std::ranges::max_element(next.second));
   const auto pad = static_cast<std::int32_t>(spheres());
   next.first.resize(whole_vectors(next.count, kernel_->width), pad);
   next.second.resize(next.first.size(), pad + 1);
   next.contact.resize(next.first.size(), 0);
   std::swap(old, next);
   stripe.near.is_old = true;
-  const std::size_t room = stripe.pairs.first.size() + lanes_beyond;
-  NearList& near = stripe.near;
-  for (std::vector<std::int32_t>* list : {&near.pair, &near.first, &near.second, &near.contact, &stripe.touching}) {
-    if (list->size() < room) list->resize(room + room / 8);
+}
+
+void ContactSet::NearList::make_room(std::size_t numbers) {
+  const std::size_t with_rest = numbers + numbers / 8;
+  for (std::vector<std::int32_t>* list : {&pair, &first, &second, &contact}) {
+    if (list->size() < numbers) list->resize(with_rest);
   }
-  if (near.touches.size() < room) near.touches.resize(room + room / 8);
+  if (touches.size() < numbers) touches.resize(with_rest);
+}
+
+double ContactSet::near_gap() const { return kNear * close_.skin(); }
+
+void ContactSet::choose_near(Stripe& stripe, std::int32_t stripe_end, SphereRows& rows) {
+  NearList& near = stripe.near;
+  const auto count = static_cast<std::int32_t>(stripe.pairs.first.size());
+  std::int32_t found = 0;
+  for (std::int32_t begin = 0; begin < count; begin += kPairsAtOnce) {
+    near.make_room(static_cast<std::size_t>(found) + kPairsAtOnce + lanes_beyond);
+    found = kernel_->near(view(stripe, rows), begin, std::min(begin + kPairsAtOnce, count), near_gap(), near.view(), found);
+  }
+  const auto leaving = std::count_if(near.second.begin(), near.second.begin() + found, [&](std::int32_t j) { return j >= stripe_end; });
+  if (stripe.deferred.size() < static_cast<std::size_t>(leaving)) stripe.deferred.resize(leaving);
+  for (; found % kernel_->width != 0; ++found) {
+    near.pair[found] = near.contact[found] = 0;
+    near.first[found] = static_cast<std::int32_t>(spheres()), near.second[found] = near.first[found] + 1;
+    near.touches[found] = 0;
+  }
+  near.count = found;
+  near.is_old = false, near.closer = 0;
+  if (stripe.touching.size() < static_cast<std::size_t>(found) + lanes_beyond) stripe.touching.resize(found + lanes_beyond);
 }
 
 void ContactSet::renew_wall(int k, int w) {
@@ -121,7 +150,7 @@ void ContactSet::renew_wall(int k, int w) {
     }
     p += was ? 1 : 0;
   }
-  take_old(close_.stripe_begin(k + 1));
+  take_old(close_.stripes().end(k));
   next.count = next.slots.size();
   next.slots.resize(whole_vectors(next.count, kernel_->width), static_cast<std::int32_t>(spheres() + 2));
   next.contact.resize(next.slots.size(), 0);
@@ -168,7 +197,7 @@ void ContactSet::forget() {
 
 void ContactSet::remember(const std::vector<KeptContact>& contacts) {
   for (const KeptContact& contact : contacts) {
-    Stripe& stripe = stripes_[close_.stripe_of(contact.first)];
+    Stripe& stripe = stripes_[close_.stripes().of(contact.first)];
     stripe.near.is_old = true;
     stripe.memory.make_room(1);
     const auto put = [&](std::int32_t& number) {

@@ -10,13 +10,8 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Fixed, so that sums are the same for any number of threads.
-constexpr int kStripes = 16;
-
 /// Gap up to which a pair is listed, in radii: wide lists are long, narrow ones searched for often.
 constexpr double kSkin = 0.6;
-/// Part of that up to which a pair is looked at every step: those are chosen anew whenever one of the others might touch.
-constexpr double kNear = 0.18;
 
 void add_times(ContactBook<double>& sum, double factor, const ContactBook<double>& more) {
   sum.normal_dashpot += factor * more.normal_dashpot;
@@ -27,13 +22,7 @@ void add_times(ContactBook<double>& sum, double factor, const ContactBook<double
 }  // namespace
 
 ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step)
-    : surroundings_(surroundings), booked_(options.book_energy), instruction_set_(options.instruction_set), step_(step), stripes_(kStripes) {
-  for (Stripe& stripe : stripes_) {
-    stripe.walls.resize(surroundings.walls.size());
-    stripe.for_stripe.resize(kStripes);
-    stripe.memory.booked = booked_;
-  }
-}
+    : surroundings_(surroundings), booked_(options.book_energy), instruction_set_(options.instruction_set), step_(step) {}
 
 int ContactSet::kind_of(const ContactBody& body) {
   const auto found = std::ranges::find(bodies_, body);
@@ -55,7 +44,38 @@ void ContactSet::add(const Fiber& fiber, int count) {
   kind_of_sphere_.resize(fiber_.size(), kind);
 }
 
-void ContactSet::pad(SphereRows& rows) {
+void ContactSet::cut(int stripes) {
+  Stripe sum;
+  for (const Stripe& s : stripes_) {
+    sum.contacts += s.contacts;
+    add_times(sum.book, 1, s.book);
+    add_times(sum.power, 1, s.power);
+    sum.wall_work += s.wall_work;
+    sum.wall_power += s.wall_power;
+  }
+  stripes_ = std::vector<Stripe>(stripes);
+  for (Stripe& stripe : stripes_) {
+    stripe.walls.resize(surroundings_.walls.size());
+    stripe.for_stripe.resize(stripes);
+    stripe.memory.booked = booked_;
+  }
+  Stripe& first = stripes_[0];
+  first.contacts = sum.contacts;
+  first.book = sum.book, first.power = sum.power;
+  first.wall_work = sum.wall_work, first.wall_power = sum.wall_power;
+}
+
+void ContactSet::pad(SphereRows& rows) const {
+  // two of no size far from each other, one that no wall is near to
+  const std::int64_t n = spheres();
+  for (int c = 0; c < 3; ++c) {
+    const double period = surroundings_.period[c];
+    rows.row(n + 1)[c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
+  }
+  rows.row(n + 2)[row_radius] = -std::numeric_limits<double>::max();
+}
+
+void ContactSet::set_parameters() {
   pair_parameters_.clear();
   wall_parameters_.clear();
   const ContactBody wall = wall_body(surroundings_);
@@ -65,18 +85,20 @@ void ContactSet::pad(SphereRows& rows) {
     }
     wall_parameters_.push_back(contact_parameters(body, wall, surroundings_.contacts, step_));
   }
+}
+
+void ContactSet::begin(SphereRows& rows, Stripes stripes, double time, Team& team) {
+  const std::vector<KeptContact> contacts = kept();
+  set_parameters();
   const bool periodic = std::ranges::any_of(surroundings_.period.c, [](double p) { return p > 0; });
   kernel_ = &contact_kernel({bodies_.size() == 1, periodic, surroundings_.contacts.rolling_friction > 0, booked_},
                             instruction_set_);
-  close_ = CloseList({radius_, fiber_, surroundings_.period}, kSkin * *std::ranges::min_element(radius_), kStripes, *kernel_);
-  const std::int64_t n = spheres();
-  // two of no size far from each other, one that no wall is near to
-  for (int c = 0; c < 3; ++c) {
-    const double period = surroundings_.period[c];
-    rows.row(n + 1)[c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
-  }
-  rows.row(n + 2)[row_radius] = -std::numeric_limits<double>::max();
-  kind_of_sphere_.resize(n + SphereRows::pads, 0);
+  cut(stripes.count());
+  close_ = CloseList({radius_, fiber_, surroundings_.period}, kSkin * *std::ranges::min_element(radius_), std::move(stripes), *kernel_);
+  kind_of_sphere_.resize(spheres() + SphereRows::pads, 0);
+  pad(rows);
+  list_pairs(rows, time, team);
+  remember(contacts);
 }
 
 std::size_t ContactSet::may_begin(const Stripe& stripe) const {
@@ -99,7 +121,6 @@ ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
   view.memory = stripe.memory.rows.data();
   view.work = stripe.memory.work.data();
   view.parameters = pair_parameters_.data();
-  view.padding = static_cast<std::int32_t>(spheres());
   view.kinds = static_cast<std::int32_t>(bodies_.size());
   view.step = step_;
   return view;
@@ -131,20 +152,14 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
 
 void ContactSet::work_out(int k, SphereRows& rows, double time) {
   Stripe& stripe = stripes_[k];
-  const std::int32_t end = close_.stripe_begin(k + 1);
-  NearList& soon = stripe.near;
-  const NearPairs pairs{soon.pair.data(), soon.first.data(), soon.second.data(), soon.contact.data(), soon.touches.data()};
-  if (soon.is_old) {
-    soon.count = kernel_->near(view(stripe, rows), static_cast<std::int32_t>(stripe.pairs.first.size()), kNear * close_.skin(), pairs);
-    soon.is_old = false, soon.closer = 0;
-    if (stripe.deferred.size() < static_cast<std::size_t>(soon.count)) stripe.deferred.resize(soon.count);
-  }
+  const std::int32_t end = stripes().end(k);
+  if (stripe.near.is_old) choose_near(stripe, end, rows);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     if (!is_there(surroundings_.walls[w], time)) drop(stripe.walls[w], static_cast<int>(w), stripe);
   }
   stripe.memory.make_room(may_begin(stripe));
   const ContactView contacts = view(stripe, rows);
-  ContactTask task{pairs, soon.count, end, stripe.touching.data(), stripe.memory.free.data(), stripe.memory.free_count,
+  ContactTask task{stripe.near.view(), stripe.near.count, end, stripe.touching.data(), stripe.memory.free.data(), stripe.memory.free_count,
                    stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
@@ -154,7 +169,7 @@ void ContactSet::work_out(int k, SphereRows& rows, double time) {
   stripe.memory.free_count = task.free_count;
   for (auto& entries : stripe.for_stripe) entries.clear();
   for (std::int32_t n = 0; n < task.deferred_count; ++n) {
-    const int target = close_.stripe_of(stripe.deferred[n].slot);
+    const int target = stripes().of(stripe.deferred[n].slot);
     stripe.for_stripe[target].push_back(n);
   }
   stripe.contacts = task.contacts;
@@ -166,14 +181,14 @@ void ContactSet::count_paths(const std::vector<double>& paths) {
   for (std::size_t k = 0; k < stripes_.size(); ++k) {
     NearList& soon = stripes_[k].near;
     const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
-    soon.closer += *first + *std::max_element(first, paths.begin() + std::max<std::ptrdiff_t>(k, stripes_[k].pairs.last_stripe) + 1);
-    soon.is_old = soon.is_old || !(soon.closer < (1 - 1e-9) * kNear * close_.skin());
+    soon.closer += *first + *std::max_element(first, paths.begin() + reach(static_cast<int>(k)) + 1);
+    soon.is_old = soon.is_old || !(soon.closer < (1 - 1e-9) * near_gap());
   }
 }
 
 void ContactSet::work_out(SphereRows& rows, double time, Team& team) {
-  team.each(stripes(), [&](int k, int) { work_out(k, rows, time); });
-  team.each(stripes(), [&](int k, int) { gather_loads(k, rows); });
+  team.each(stripes().count(), [&](int k, int) { work_out(k, rows, time); });
+  team.each(stripes().count(), [&](int k, int) { gather_loads(k, rows); });
 }
 
 void ContactSet::gather_loads(int k, SphereRows& rows) {

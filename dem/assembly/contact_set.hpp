@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
@@ -19,8 +20,8 @@ class ContactSet {
 
   /// More fibers, after those that are there.
   void add(const Fiber& fiber, int count);
-  /// Once all have been added: sets what stands behind the spheres' rows.
-  void pad(SphereRows& rows);
+  /// Once all have been added: cuts the spheres into stripes and lists them; contacts that touch keep what they remember.
+  void begin(SphereRows& rows, Stripes stripes, double time, Team& team);
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
   double skin() const { return close_.skin(); }
@@ -38,10 +39,15 @@ class ContactSet {
 
   /// Spheres of each stripe move on by no more than `paths` [m] before the next work_out().
   void count_paths(const std::vector<double>& paths);
-  int stripe_of(std::int64_t sphere) const { return close_.stripe_of(sphere); }
+  const Stripes& stripes() const { return close_.stripes(); }
 
-  int stripes() const { return static_cast<int>(stripes_.size()); }
-  /// Adds the loads of all contacts to the rows.
+  /// The last stripe of which a stripe's contacts read spheres, or for which they have loads.
+  int reach(int stripe) const { return std::max(stripe, stripes_[stripe].pairs.last_stripe); }
+  /// Adds the loads of a stripe's contacts to its own rows; what leaves the stripe waits for gather_loads().
+  void work_out(int stripe, SphereRows& rows, double time);
+  /// Adds what earlier stripes have for this one, in their order.
+  void gather_loads(int stripe, SphereRows& rows);
+  /// Both for all stripes.
   void work_out(SphereRows& rows, double time, Team& team);
 
   std::int64_t touching() const;
@@ -66,7 +72,7 @@ class ContactSet {
   struct PairList {
     std::vector<std::int32_t> first, second, contact;  ///< spheres, and numbers in the memory
     std::size_t count = 0;  ///< without pads
-    int last_stripe = 0;    ///< of a second sphere
+    int last_stripe = -1;   ///< of a second sphere
 
     void clear();
   };
@@ -77,6 +83,9 @@ class ContactSet {
     std::int32_t count = 0;
     double closer = 0;   ///< what other pairs may have come closer since [m]
     bool is_old = true;  ///< to be made before it is used
+
+    void make_room(std::size_t numbers);
+    NearPairs view() { return {pair.data(), first.data(), second.data(), contact.data(), touches.data()}; }
   };
   /// Spheres near a wall, likewise.
   struct NearWall {
@@ -97,10 +106,14 @@ class ContactSet {
     double wall_work = 0, wall_power = 0;
   };
 
-  /// Loads of a stripe's pairs and walls; what leaves the stripe waits for gather_loads().
-  void work_out(int stripe, SphereRows& rows, double time);
-  /// Adds what other stripes have for this one, in their order.
-  void gather_loads(int stripe, SphereRows& rows);
+  /// Sets what stands behind the spheres' rows.
+  void pad(SphereRows& rows) const;
+  void set_parameters();
+  /// As many stripes, the sums of all in the first.
+  void cut(int stripes);
+  double near_gap() const;  ///< [m]
+  /// The near pairs of a stripe from now on.
+  void choose_near(Stripe& stripe, std::int32_t stripe_end, SphereRows& rows);
   void renew(Team& team);
   void renew_pairs(int stripe);
   void renew_wall(int stripe, int wall);

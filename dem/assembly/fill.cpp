@@ -161,6 +161,19 @@ class Filler {
   SphereGrid grid_;
 };
 
+/// Neighbors in space become neighbors in memory: fibers in the order of their middles along the region's longest side.
+void sort_by_place(std::vector<ChainState<3>>& fibers, const Box& region) {
+  int longest = 0;
+  for (int a = 1; a < 3; ++a) {
+    if (region.high[a] - region.low[a] > region.high[longest] - region.low[longest]) longest = a;
+  }
+  std::ranges::stable_sort(fibers, {}, [&](const ChainState<3>& fiber) {
+    double sum = 0;
+    for (const auto& pose : fiber.poses) sum += pose.position[longest];
+    return sum;
+  });
+}
+
 }  // namespace
 
 double distance_to(const Wall& wall, const V& point, double time) {
@@ -213,6 +226,7 @@ std::vector<FiberGroup> fill(const std::vector<FillCount>& counts, const FillRul
       }
       groups[g].fibers.push_back(std::move(*state));
     }
+    sort_by_place(groups[g].fibers, rules.region);
   }
   return groups;
 }

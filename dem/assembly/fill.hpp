@@ -45,7 +45,8 @@ struct FillCount {
 /// One group a count, its fibers beside each other and beside spheres that are there already. Each fiber
 /// draws its orientation, then its place uniformly among those where it lies in the region, until nothing is
 /// in its way; the largest chains come first. What is in the way favors aligned neighbors, as for any random
-/// insertion: a dense filling is not quite as isotropic as asked. Throws InvalidInput for rules that make no
+/// insertion: a dense filling is not quite as isotropic as asked. Fibers of a group are numbered in the order of their
+/// middles along the region's longest side. Throws InvalidInput for rules that make no
 /// sense, NoRoom when a fiber finds no place.
 std::vector<FiberGroup> fill(const std::vector<FillCount>& counts, const FillRules& rules,
                              const Surroundings& surroundings, const PlacedSpheres& present = {});

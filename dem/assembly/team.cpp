@@ -1,26 +1,13 @@
 #include "dem/assembly/team.hpp"
 
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
+#include "dem/assembly/pause.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
-/// Looks before a thread sleeps: some 20 microseconds.
-constexpr int looks = 400;
-
-void pause() {
-#if defined(__x86_64__)
-  _mm_pause();
-#else
-  std::this_thread::yield();
-#endif
-}
-
 /// Returns when `value` is no longer `old`.
 unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
-  for (int n = 0; n < looks; ++n) {
+  for (int n = 0; n < patient_looks; ++n) {
     const unsigned now = value.load(std::memory_order_acquire);
     if (now != old) return now;
     pause();

@@ -32,6 +32,12 @@ class Team {
     start_and_finish();
   }
 
+  /// work(thread), once by each thread that is free; back when all are done. `work` must not throw.
+  template <class Work>
+  void each_thread(Work&& work) {
+    each(threads(), [&](int, int thread) { work(thread); });
+  }
+
  private:
   void start_and_finish();
   void do_all(int thread);

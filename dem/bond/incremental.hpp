@@ -50,20 +50,29 @@ BondVector<Real, Dim> earlier(const BondVector<Real, Dim>& end, const Vec<Real, 
   return {vector, squared, end.inverse_length * inverse_sqrt_below_one(Real(1.0) - ratio)};
 }
 
-/// Turn of the bond over the step: the smallest that brings its old axis to the new one, then the mean spin of its
-/// spheres about it. As half-angle tangent vector: applying it needs no trigonometry. Turns within a step are small:
-/// 2 / (1 + cos) in powers of (1 - cos) / 2, what is left out is of eighth order.
+/// The smallest turn that brings the bond's old axis to the new one, as half-angle tangent vector: applying it needs no
+/// trigonometry. With r_0, r_1 = m -+ s / 2 it is r_0 x r_1 / (|r_0| |r_1| + r_0.r_1) = m x s / (2 m^2 (1 - k)), k = (m.s / 2 m^2)^2;
+/// against it what is left out is of fourth order in s / |m|.
 template <class Real>
-Vec<Real, 3> bond_turn(const Vec<Real, 3>& old_axis, const Vec<Real, 3>& new_axis, const Real& axial_angle) {
-  const Real g = Real(0.5) - Real(0.5) * dot(old_axis, new_axis);
-  const Vec<Real, 3> swing = (Real(0.5) * polynomial(g, 1.0, 1.0, 1.0, 1.0)) * cross(old_axis, new_axis);
-  return swing + (Real(0.5) * axial_angle) * (new_axis + cross(new_axis, swing));
+Vec<Real, 3> swing_of(const Vec<Real, 3>& middle, const Vec<Real, 3>& slide, const Real& inverse_length) {
+  const Real scale = Real(0.5) * (inverse_length * inverse_length);
+  const Real stretch = scale * dot(middle, slide);
+  const Vec<Real, 3> swing = scale * cross(middle, slide);
+  return swing + (stretch * stretch) * swing;
+}
+
+/// Turn of the bond over the step: the swing, then the mean spin of its spheres about the new axis, likewise.
+template <class Real>
+Vec<Real, 3> bond_turn(const Vec<Real, 3>& swing, const Vec<Real, 3>& new_axis, const Real& axial_angle) {
+  const Vec<Real, 3> about = (Real(0.5) * axial_angle) * new_axis;
+  return (swing + about) + cross(about, swing);
 }
 
 /// Scale 2 / (1 + t.t) of turn_by, in powers of t.t to eighth order.
 template <class Real>
 Real turn_scale(const Vec<Real, 3>& half_tangent) {
-  return polynomial(dot(half_tangent, half_tangent), 2.0, -2.0, 2.0, -2.0);
+  const Real tt = dot(half_tangent, half_tangent), two = Real(2.0) - Real(2.0) * tt;
+  return two + two * (tt * tt);
 }
 
 template <class Real>
@@ -87,11 +96,9 @@ template <class Real>
 void advance(BondHistory<Real, 3>& history, const BondVector<Real, 3>& end, const RelativeMotion<Real, 3>& motion,
              const Real& dt) {
   const Vec<Real, 3> slide = dt * motion.velocity;
-  const BondVector<Real, 3> start = earlier(end, end.vector - slide);
   const BondVector<Real, 3> middle = earlier(end, end.vector - Real(0.5) * slide);
   const Real axial_angle = dt * middle.inverse_length * dot(motion.mean_spin, middle.vector);
-  const Vec<Real, 3> turn =
-      bond_turn(start.inverse_length * start.vector, end.inverse_length * end.vector, axial_angle);
+  const Vec<Real, 3> turn = bond_turn(swing_of(middle.vector, slide, middle.inverse_length), end.inverse_length * end.vector, axial_angle);
   const Real scale = turn_scale(turn);
   const Vec<Real, 3> half_slide = (Real(0.5) * dt) * (motion.velocity - cross(motion.mean_spin, middle.vector));
   const Vec<Real, 3> half_rotation = (Real(0.5) * dt) * motion.relative_spin;

@@ -37,7 +37,6 @@ struct ContactView {
   double* work;              ///< booked: a row a number, what dissipated in the step before
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
-  std::int32_t padding;      ///< this slot and the next one: spheres of no size far from each other
   double period[3], inverse_period[3];
   double step;
 };
@@ -75,7 +74,7 @@ struct ContactTask {
   std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
   std::int32_t* free;       ///< numbers for contacts that begin, those that end give them back
   std::int32_t free_count;
-  DeferredForce* deferred;  ///< room for all near pairs
+  DeferredForce* deferred;  ///< room for all near pairs with a sphere of a later stripe
   std::int32_t deferred_count;
   std::int64_t contacts;    ///< counted
   ContactBook<double> book;
@@ -106,8 +105,8 @@ struct Asking {
 
 struct ContactKernel {
   int width;
-  /// Chooses those of the first `count` pairs, padded to whole vectors, that have a gap below `gap` [m]; how many, padded.
-  std::int32_t (*near)(const ContactView&, std::int32_t count, double gap, const NearPairs&);
+  /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] to the first `found`; how many then.
+  std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap, const NearPairs&, std::int32_t found);
   void (*pairs)(const ContactView&, ContactTask&);
   void (*wall)(const ContactView&, const WallView&, ContactTask&);
   /// Spheres in the runs that are near and not bonded to the asking one: written to `found`, counted.

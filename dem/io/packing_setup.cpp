@@ -42,7 +42,7 @@ Chain<3> chain_of(const FiberKind& kind) { return arc_chain(kind.fiber, kind.ben
 
 namespace {
 
-/// Threads that are worth waiting for each other several times a step.
+/// Threads that are worth waiting for each other every step.
 int useful_threads(const PackingScene& scene, int threads) {
   constexpr std::int64_t spheres_a_thread = 5000;
   return static_cast<int>(std::clamp<std::int64_t>(spheres_in(scene) / spheres_a_thread, 1, threads));

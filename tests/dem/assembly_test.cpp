@@ -137,7 +137,7 @@ Pairs followed(const Pairs& before, const dem::CloseList& list, int stripes) {
   }
   for (int k = 0; k < stripes; ++k) {
     for (const dem::ClosePair& pair : list.found(k)) {
-      BOOST_TEST(list.stripe_of(pair.first) == k);
+      BOOST_TEST(list.stripes().of(pair.first) == k);
       pairs.push_back(pair);
     }
   }
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
     }
     dem::Team team(2);
     const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::CloseList list(set, 0.007, stripes, dem::contact_kernel({false, periodic, false, false}, instructions));
+    dem::CloseList list(set, 0.007, dem::even_stripes(n, stripes), dem::contact_kernel({false, periodic, false, false}, instructions));
     list.list(places, team);
     Pairs pairs = followed({}, list, stripes);
     BOOST_TEST(pairs.size() > 400u);

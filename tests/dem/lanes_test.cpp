@@ -69,7 +69,8 @@ void lanes_equal_scalar(const dem::Physics& physics, dem::InstructionSet set) {
       worst = std::max(worst, dem::norm(poses[i].position - expected[lane][i].position) / L);
       moved = std::max(moved, dem::norm(poses[i].position - chains[lane].poses[i].position) / L);
     }
-    BOOST_TEST(worst < 1e-12);
+    // round-off decides a step at which an explicit sign turns where the spin just passes zero: that step shows
+    BOOST_TEST(worst < (physics.rolling == dem::Rolling::explicit_sign ? 1e-11 : 1e-12));
     BOOST_TEST(moved > 1e-3);
   }
 }

@@ -93,11 +93,11 @@ void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32
 }
 
 template <ContactPhysics P, class Real>
-FIBERCHAIN_FLATTEN std::int32_t near_pairs(const ContactView& view, std::int32_t count, double gap, const NearPairs& near) {
+FIBERCHAIN_FLATTEN std::int32_t near_pairs(const ContactView& view, std::int32_t begin, std::int32_t end, double gap, const NearPairs& near,
+                                           std::int32_t found) {
   constexpr int lanes = lane_count<Real>;
-  std::int32_t found = 0;
-  for (std::int32_t p = 0; p < count; p += lanes) {
-    fetch_places<Real>(view, view.second, p, count);
+  for (std::int32_t p = begin; p < end; p += lanes) {
+    fetch_places<Real>(view, view.second, p, end);
     for (unsigned close = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p); close != 0; close &= close - 1) {
       const std::int32_t pair = p + __builtin_ctz(close);
       near.pair[found] = pair;
@@ -106,11 +106,6 @@ FIBERCHAIN_FLATTEN std::int32_t near_pairs(const ContactView& view, std::int32_t
       near.contact[found] = view.contact[pair];
       near.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
     }
-  }
-  for (; found % lanes != 0; ++found) {
-    near.pair[found] = near.contact[found] = 0;
-    near.first[found] = view.padding, near.second[found] = view.padding + 1;
-    near.touches[found] = 0;
   }
   return found;
 }

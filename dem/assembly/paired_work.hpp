@@ -1,0 +1,61 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "dem/assembly/team.hpp"
+
+namespace fiberchain::dem {
+
+/// Two pieces of work a stripe: the first may read what the second changes of its own and of later stripes, up to the last
+/// one that it reaches, and leaves something for them. So second(k) waits for first(j) of all j <= k that reach k, and for
+/// nothing else: a stripe's numbers are still in the inner cache when its second piece comes.
+class PairedWork {
+ public:
+  explicit PairedWork(int stripes) : first_(stripes), second_(stripes) {}
+
+  /// first(stripe, thread) and second(stripe, thread) of all stripes; `reach(stripe)` >= stripe. Neither may throw.
+  template <class Reach, class First, class Second>
+  void run(Team& team, const Reach& reach, const First& first, const Second& second) {
+    const int count = static_cast<int>(first_.size()), n = team.threads();
+    for (int k = 0; k < count; ++k) {
+      first_[k].store(open, std::memory_order_relaxed);
+      second_[k].store(open, std::memory_order_relaxed);
+    }
+    const auto try_first = [&](int k, int thread) {
+      if (!take(first_[k])) return;
+      first(k, thread);
+      first_[k].store(done, std::memory_order_release);
+    };
+    const auto both = [&](int k, int thread) {
+      if (!take(second_[k])) return;
+      for (int j = k; j >= 0; --j) {
+        if (reach(j) >= k) try_first(j, thread);
+      }
+      for (int j = k; j >= 0; --j) {
+        if (reach(j) >= k) wait_until_done(first_[j]);
+      }
+      second(k, thread);
+    };
+    team.each_thread([&](int thread) {
+      for (int k = count * thread / n; k < count * (thread + 1) / n; ++k) both(k, thread);
+      // what others have left, from their ends on
+      for (int other = 1; other < n; ++other) {
+        const int whose = (thread + other) % n;
+        for (int k = count * (whose + 1) / n - 1; k >= count * whose / n; --k) both(k, thread);
+      }
+    });
+  }
+
+ private:
+  enum Progress : int { open, taken, done };
+  static bool take(std::atomic<int>& piece) {
+    int expected = open;
+    return piece.load(std::memory_order_relaxed) == open && piece.compare_exchange_strong(expected, taken, std::memory_order_relaxed);
+  }
+  static void wait_until_done(const std::atomic<int>& piece);
+
+  std::vector<std::atomic<int>> first_, second_;
+};
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,35 @@
+#include "dem/assembly/stripes.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace fiberchain::dem {
+namespace {
+
+/// Some 250 bytes a sphere: a quarter of a cache of 2 MB.
+constexpr std::int64_t kSpheres = 2048;
+/// Enough for threads to share, few enough to be numbered.
+constexpr std::int64_t kFewest = 16, kMost = 512;
+
+}  // namespace
+
+Stripes::Stripes(std::vector<std::int32_t> begins) : begins_(std::move(begins)) {
+  for (int k = 0; k < count(); ++k) stripe_.resize(end(k), static_cast<std::uint16_t>(k));
+}
+
+Stripes even_stripes(std::int32_t spheres, int count) {
+  std::vector<std::int32_t> begins;
+  for (std::int64_t k = 0; k <= count; ++k) begins.push_back(static_cast<std::int32_t>(spheres * k / count));
+  return Stripes(std::move(begins));
+}
+
+Stripes cached_stripes(const std::vector<std::int32_t>& ends) {
+  const std::int64_t spheres = ends.back(), count = std::clamp(spheres / kSpheres, kFewest, kMost);
+  std::vector<std::int32_t> begins{0};
+  for (const std::int32_t end : ends) {
+    if (static_cast<std::int64_t>(end) * count >= spheres * static_cast<std::int64_t>(begins.size())) begins.push_back(end);
+  }
+  return Stripes(std::move(begins));
+}
+
+}  // namespace fiberchain::dem
