@@ -107,7 +107,7 @@ double energy_drift(const PackingRun& booked) {
 std::string label_of(const PackingCase& asked) {
   std::string label = fmt::format("ξ_b = {:g}", asked.bond_damping);
   if (asked.rolling_friction > 0) label += fmt::format(", ξ_r = {:g}", asked.rolling_friction);
-  if (asked.stiffness != 1) label += fmt::format(", {:g} {{/:Italic E}}", asked.stiffness);
+  if (asked.stiffness != 1) label += fmt::format(", {:g} E", asked.stiffness);
   if (asked.step_ratio != 1) label += fmt::format(", {:g} of the step", asked.step_ratio);
   return label;
 }
