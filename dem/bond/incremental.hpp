@@ -65,7 +65,7 @@ Vec<Real, 3> swing_of(const Vec<Real, 3>& middle, const Vec<Real, 3>& slide, con
 template <class Real>
 Vec<Real, 3> bond_turn(const Vec<Real, 3>& swing, const Vec<Real, 3>& new_axis, const Real& axial_angle) {
   const Vec<Real, 3> about = (Real(0.5) * axial_angle) * new_axis;
-  return (swing + about) + cross(about, swing);
+  return plus_cross(swing + about, about, swing);
 }
 
 /// Scale 2 / (1 + t.t) of turn_by, in powers of t.t to eighth order.
@@ -78,7 +78,7 @@ Real turn_scale(const Vec<Real, 3>& half_tangent) {
 template <class Real>
 Vec<Real, 3> turn_by(const Vec<Real, 3>& half_tangent, const Real& scale, const Vec<Real, 3>& u) {
   const Vec<Real, 3> t = cross(half_tangent, u);
-  return u + scale * (t + cross(half_tangent, t));
+  return u + scale * plus_cross(t, half_tangent, t);
 }
 
 template <class Real>
@@ -100,7 +100,7 @@ void advance(BondHistory<Real, 3>& history, const BondVector<Real, 3>& end, cons
   const Real axial_angle = dt * middle.inverse_length * dot(motion.mean_spin, middle.vector);
   const Vec<Real, 3> turn = bond_turn(swing_of(middle.vector, slide, middle.inverse_length), end.inverse_length * end.vector, axial_angle);
   const Real scale = turn_scale(turn);
-  const Vec<Real, 3> half_slide = (Real(0.5) * dt) * (motion.velocity - cross(motion.mean_spin, middle.vector));
+  const Vec<Real, 3> half_slide = (Real(0.5) * dt) * plus_cross(motion.velocity, middle.vector, motion.mean_spin);
   const Vec<Real, 3> half_rotation = (Real(0.5) * dt) * motion.relative_spin;
   history.displacement = turn_by(turn, scale, history.displacement + half_slide) + half_slide;
   history.rotation = turn_by(turn, scale, history.rotation + half_rotation) + half_rotation;
@@ -149,7 +149,7 @@ BondAction<Real, 3> incremental_action(const BondParameters<Real>& bond, const B
   Vec<Real, 3> force = bond.shear * history.displacement, moment = bend * history.rotation;
   Real along = N - bond.shear * stretch, about = (bond.twist - bend) * twist;
   if constexpr (damped) {
-    force = force + bond.dash_shear * (motion.velocity - cross(motion.mean_spin, b.vector));
+    force = force + bond.dash_shear * plus_cross(motion.velocity, b.vector, motion.mean_spin);
     along = along + (bond.dash_stretch - bond.dash_shear) * dot(motion.velocity, e);
     moment = moment + bond.dash_bend * motion.relative_spin;
     about = about + (bond.dash_twist - bond.dash_bend) * dot(motion.relative_spin, e);
