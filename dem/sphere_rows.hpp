@@ -1,14 +1,20 @@
 #pragma once
 
-// How the numbers of many spheres and contacts lie in memory: rows of whole cache lines.
+// How the numbers of many spheres and contacts lie in memory: in rows, together what is wanted together. Scenes are larger
+// than the inner caches, and a step then takes as long as its bytes need to come and go.
 namespace fiberchain::dem {
 
-/// A sphere's row: center and radius, velocity and spin half a step before, force and moment from outside the fiber.
-inline constexpr int row_numbers = 16, row_position = 0, row_radius = 3, row_velocity = 4, row_spin = 7, row_force = 10, row_moment = 13;
-/// Numbers of a line.
-inline constexpr int line_numbers = 8;
+inline constexpr int place_numbers = 4, place_radius = 3;  ///< center and radius of a sphere
+
+inline constexpr int motion_numbers = 6, motion_spin = 3;  ///< velocity and spin half a step before
+
+/// Force and moment from outside the fiber, 2 unused. Only a few stripes of spheres have any at a time.
+inline constexpr int load_numbers = 8, load_moment = 3;
 
 inline constexpr int orientation_numbers = 4;  ///< quaternion
+
+/// Numbers of a cache line.
+inline constexpr int line_numbers = 8;
 
 inline constexpr int memory_numbers = 8;  ///< of a contact: tangential spring, root of the overlap, opening velocity, 3 unused
 

@@ -118,7 +118,7 @@ PlacedSpheres Assembly::placed() const {
   PlacedSpheres all;
   for (std::int64_t i = 0; i < state_->rows.count; ++i) {
     all.position.push_back(state_->rows.place(i));
-    all.radius.push_back(state_->rows.row(i)[row_radius]);
+    all.radius.push_back(state_->rows.radius(i));
   }
   return all;
 }
@@ -135,7 +135,7 @@ struct Looked {
   BlockLook now;
 
   Looked(const Assembly::State& s, int number)
-      : all(s), block(s.blocks[number]), kind(s.kinds[block.group()]), now(s.look(number)) {}
+      : all(s), block(s.blocks[number]), kind(s.kinds[block.group()]), now(s.look(block)) {}
 
   ChainState<3> state(int lane) const {
     ChainState<3> state;

@@ -12,10 +12,10 @@ constexpr std::size_t head_numbers = 5;
 /// Of a contact.
 constexpr std::size_t kept_numbers = 7 + work_numbers;
 
-std::array<const LaneArray*, 2> arrays(const SphereRows& rows) { return {&rows.numbers, &rows.orientation}; }
+std::array<const LaneArray*, 3> arrays(const SphereRows& rows) { return {&rows.places, &rows.motions, &rows.orientation}; }
 
 std::size_t fixed_numbers(const Assembly::State& s, std::size_t stripes) {
-  std::size_t sum = head_numbers + stripes * ContactSet::sums_a_stripe + 3 * s.rows.count + 1;
+  std::size_t sum = head_numbers + stripes * ContactSet::sums_a_stripe + (3 + load_numbers) * s.rows.count + 1;
   for (const LaneArray* a : arrays(s.rows)) sum += a->size();
   for (const FiberBlock& block : s.blocks) sum += block.saved_size();
   return sum;
@@ -31,6 +31,8 @@ std::vector<double> Assembly::saved() const {
   all.insert(all.end(), sums.begin(), sums.end());
   for (const auto& x : s.contacts.listed_at()) all.insert(all.end(), x.c, x.c + 3);
   for (const LaneArray* a : arrays(s.rows)) all.insert(all.end(), a->data(), a->data() + a->size());
+  const std::vector<double> loads = s.loads.all();
+  all.insert(all.end(), loads.begin(), loads.end());
   for (const FiberBlock& block : s.blocks) block.save(all);
   const std::vector<KeptContact> kept = s.contacts.kept();
   all.push_back(static_cast<double>(kept.size()));
@@ -54,10 +56,13 @@ void Assembly::restore(const std::vector<double>& saved) {
   const double* sums = from;
   from += static_cast<std::size_t>(s.contacts.stripes().count()) * ContactSet::sums_a_stripe;
   for (auto& x : listed) x = {from[0], from[1], from[2]}, from += 3;
-  for (LaneArray* a : {&s.rows.numbers, &s.rows.orientation}) {
+  for (LaneArray* a : {&s.rows.places, &s.rows.motions, &s.rows.orientation}) {
     std::copy_n(from, a->size(), a->data());
     from += a->size();
   }
+  const std::size_t loads = load_numbers * s.rows.count;
+  s.loads.set(from, loads);
+  from += loads;
   for (FiberBlock& block : s.blocks) from = block.restore(from);
   std::vector<KeptContact> kept(static_cast<std::size_t>(*from++));
   for (KeptContact& c : kept) {

@@ -25,7 +25,8 @@ SphereRows grown(const SphereRows& from, std::int64_t count, bool oriented) {
   const auto copy = [&](const LaneArray& source, LaneArray& target, int numbers) {
     std::copy_n(source.data(), from.count * numbers, target.data());
   };
-  copy(from.numbers, rows.numbers, row_numbers);
+  copy(from.places, rows.places, place_numbers);
+  copy(from.motions, rows.motions, motion_numbers);
   if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_numbers);
   return rows;
 }
@@ -80,7 +81,10 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   for (int t = 0; t < options.threads; ++t) scratch.emplace_back(scratch_size);
   set_gradient();
   own_times.resize(options.threads);
+  const std::vector<double> loads_before = loads.all();
   contacts.begin(rows, stripes_of_blocks(), time(), team);
+  loads = StripeLoads(contacts.stripes(), options.threads);
+  loads.set(loads_before.data(), loads_before.size());
   room = 0.5 * contacts.skin();
   wave = PairedWork(contacts.stripes().count());
   paths.assign(contacts.stripes().count(), 0);
@@ -108,7 +112,7 @@ Stripes Assembly::State::stripes_of_blocks() {
 
 void Assembly::State::start_blocks(int from) {
   for (std::size_t b = from; b < blocks.size(); ++b) {
-    blocks[b].start(kinds[blocks[b].group()], rows, gradient.data(), gradient_now());
+    blocks[b].start(kinds[blocks[b].group()], rows, loads.of(stripe_of(blocks[b])), gradient.data(), gradient_now());
   }
 }
 
@@ -166,21 +170,23 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& be
   return taken;
 }
 
-double Assembly::State::step_block(std::size_t number, LaneArray& own_scratch) {
+double Assembly::State::step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch) {
   FiberBlock& block = blocks[number];
   const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
   const FiberKind& kind = kinds[block.group()];
   if (options.book_energy) block.book(kind, rows, own_scratch);
-  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_scratch, gradient.data(), next);
-  const BlockLook before = block.look(kind, rows, gradient.data());
-  const double fastest = block.step(kind, rows, own_scratch, gradient.data(), next);
+  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next);
+  const BlockLook before = block.look(kind, rows, own_loads, gradient.data());
+  const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next);
   block.add_fluid_taken(fluid_taken(block, before));
   return fastest;
 }
 
 void Assembly::State::move_stripe(int stripe, int thread) {
   double fastest = 0;
-  for (int b = stripe_blocks[stripe]; b < stripe_blocks[stripe + 1]; ++b) fastest = std::max(fastest, step_block(b, scratch[thread]));
+  const LoadRange own = loads.of(stripe);
+  for (int b = stripe_blocks[stripe]; b < stripe_blocks[stripe + 1]; ++b) fastest = std::max(fastest, step_block(b, own, scratch[thread]));
+  loads.give_back(stripe, thread);
   paths[stripe] = step * std::sqrt(fastest);
 }
 
@@ -196,9 +202,9 @@ void Assembly::State::move() {
   watch.lap(&StepTimes::bonds_and_motion);
 }
 
-/// Loads of all contacts onto the rows.
+/// Loads of all contacts.
 void Assembly::State::touch() {
-  contacts.work_out(rows, time(), team);
+  contacts.work_out(rows, time(), loads, team);
   watch.lap(&StepTimes::contacts);
 }
 
@@ -210,11 +216,11 @@ void Assembly::State::touch_and_move() {
       team, [&](int k) { return contacts.reach(k); },
       [&](int k, int thread) {
         const TimedPart timed(watch.on, own_times[thread].contacts);
-        contacts.work_out(k, rows, now);
+        contacts.work_out(k, rows, now, loads.take(k, thread));
       },
       [&](int k, int thread) {
         const TimedPart timed(watch.on, own_times[thread].bonds_and_motion);
-        contacts.gather_loads(k, rows);
+        contacts.gather_loads(k, loads.of(k));
         move_stripe(k, thread);
       });
   has_moved();
@@ -253,8 +259,8 @@ std::int64_t Assembly::State::broken() const {
     const double l = bond_length(kind.chain.fiber);
     for (int lane = 0; lane < block.lanes(); ++lane) {
       for (std::int64_t i = block.first(lane); i < block.first(lane) + kind.spheres(); ++i) {
-        const double* v = rows.row(i) + row_velocity;
-        const double sum = v[0] + v[1] + v[2] + v[3] + v[4] + v[5];
+        const Vec<double, 3> v = rows.velocity(i), w = rows.spin(i);
+        const double sum = v[0] + v[1] + v[2] + w[0] + w[1] + w[2];
         const double length = i > block.first(lane) ? norm(rows.place(i) - rows.place(i - 1)) : l + 0 * norm(rows.place(i));
         if (!std::isfinite(sum) || blown_up(length, l)) return i;
       }
@@ -282,7 +288,7 @@ EnergyBalance Assembly::State::energy() const {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const FiberBlock& block = blocks[b];
     const FiberKind& kind = kinds[block.group()];
-    const BlockLook now = look(static_cast<int>(b));
+    const BlockLook now = look(block);
     for (int lane = 0; lane < block.lanes(); ++lane) {
       Poses<3> poses;
       MovingSphere<double, 3> before{};

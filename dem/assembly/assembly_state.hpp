@@ -68,6 +68,7 @@ struct Assembly::State {
   std::vector<FiberBlock> blocks;
   std::vector<int> stripe_blocks;  ///< the first block of each stripe of spheres, and one past the last
   SphereRows rows;
+  StripeLoads loads;             ///< of contacts at this moment
   Team team;
   ContactSet contacts;
   LaneArray gradient;               ///< fluid: A now, lane by lane
@@ -100,7 +101,10 @@ struct Assembly::State {
   /// Blocks from this one on have the velocities of this moment: half a step back.
   void start_blocks(int from);
 
-  BlockLook look(int block) const { return blocks[block].look(kinds[blocks[block].group()], rows, gradient.data()); }
+  int stripe_of(const FiberBlock& block) const { return contacts.stripes().of(block.first(0)); }
+  BlockLook look(const FiberBlock& block) const {
+    return block.look(kinds[block.group()], rows, loads.of(stripe_of(block)), gradient.data());
+  }
   /// With the velocities of this moment.
   MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockLook& look, int lane, int i) const;
   Gradient gradient_now() const;
@@ -118,7 +122,7 @@ struct Assembly::State {
   void has_moved();
   void move_stripe(int stripe, int thread);
   bool keep_lists();
-  double step_block(std::size_t number, LaneArray& own_scratch);
+  double step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
   std::int64_t broken() const;
   [[noreturn]] void fail(std::int64_t sphere, std::int64_t from) const;

@@ -107,7 +107,7 @@ void ContactSet::NearList::make_room(std::size_t numbers) {
 
 double ContactSet::near_gap() const { return kNear * close_.skin(); }
 
-void ContactSet::choose_near(Stripe& stripe, std::int32_t stripe_end, SphereRows& rows) {
+void ContactSet::choose_near(Stripe& stripe, std::int32_t stripe_end, const SphereRows& rows) {
   NearList& near = stripe.near;
   const auto count = static_cast<std::int32_t>(stripe.pairs.first.size());
   std::int32_t found = 0;

@@ -70,9 +70,9 @@ void ContactSet::pad(SphereRows& rows) const {
   const std::int64_t n = spheres();
   for (int c = 0; c < 3; ++c) {
     const double period = surroundings_.period[c];
-    rows.row(n + 1)[c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
+    rows.place_row(n + 1)[c] = period > 0 ? 0.5 * period : 1e6 * radius_[0];
   }
-  rows.row(n + 2)[row_radius] = -std::numeric_limits<double>::max();
+  rows.place_row(n + 2)[place_radius] = -std::numeric_limits<double>::max();
 }
 
 void ContactSet::set_parameters() {
@@ -107,9 +107,10 @@ std::size_t ContactSet::may_begin(const Stripe& stripe) const {
   return sum;
 }
 
-ContactView ContactSet::view(Stripe& stripe, SphereRows& rows) {
+ContactView ContactSet::view(Stripe& stripe, const SphereRows& rows) {
   ContactView view{};
-  view.rows = rows.numbers.data();
+  view.places = rows.places.data();
+  view.motions = rows.motions.data();
   view.kind = kind_of_sphere_.data();
   view.first = stripe.pairs.first.data();
   view.second = stripe.pairs.second.data();
@@ -150,17 +151,17 @@ WallView ContactSet::wall_view(int w, NearWall& near, double time) const {
   return view;
 }
 
-void ContactSet::work_out(int k, SphereRows& rows, double time) {
+void ContactSet::work_out(int k, const SphereRows& rows, double time, LoadRange loads) {
   Stripe& stripe = stripes_[k];
-  const std::int32_t end = stripes().end(k);
+  const std::int32_t begin = stripes().begin(k), end = stripes().end(k);
   if (stripe.near.is_old) choose_near(stripe, end, rows);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     if (!is_there(surroundings_.walls[w], time)) drop(stripe.walls[w], static_cast<int>(w), stripe);
   }
   stripe.memory.make_room(may_begin(stripe));
   const ContactView contacts = view(stripe, rows);
-  ContactTask task{stripe.near.view(), stripe.near.count, end, stripe.touching.data(), stripe.memory.free.data(), stripe.memory.free_count,
-                   stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
+  ContactTask task{stripe.near.view(), stripe.near.count, begin, end, loads.rows, stripe.touching.data(), stripe.memory.free.data(),
+                   stripe.memory.free_count, stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     if (!is_there(surroundings_.walls[w], time)) continue;
@@ -186,17 +187,17 @@ void ContactSet::count_paths(const std::vector<double>& paths) {
   }
 }
 
-void ContactSet::work_out(SphereRows& rows, double time, Team& team) {
-  team.each(stripes().count(), [&](int k, int) { work_out(k, rows, time); });
-  team.each(stripes().count(), [&](int k, int) { gather_loads(k, rows); });
+void ContactSet::work_out(const SphereRows& rows, double time, StripeLoads& loads, Team& team) {
+  team.each(stripes().count(), [&](int k, int thread) { work_out(k, rows, time, loads.take(k, thread)); });
+  team.each(stripes().count(), [&](int k, int) { gather_loads(k, loads.of(k)); });
 }
 
-void ContactSet::gather_loads(int k, SphereRows& rows) {
+void ContactSet::gather_loads(int k, LoadRange loads) {
   for (int from = 0; from < k; ++from) {
     const Stripe& other = stripes_[from];
     for (const std::int32_t n : other.for_stripe[k]) {
       const DeferredForce& later = other.deferred[n];
-      double* load = rows.row(later.slot) + row_force;
+      double* load = loads.rows + (later.slot - loads.first) * load_numbers;
       for (int c = 0; c < 6; ++c) load[c] += later.load[c];
     }
   }

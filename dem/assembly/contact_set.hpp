@@ -8,6 +8,7 @@
 #include "dem/assembly/contact_memory.hpp"
 #include "dem/assembly/contact_parameters.hpp"
 #include "dem/assembly/sphere_rows.hpp"
+#include "dem/assembly/stripe_loads.hpp"
 #include "dem/assembly/team.hpp"
 #include "dem/contact/view.hpp"
 
@@ -43,12 +44,12 @@ class ContactSet {
 
   /// The last stripe of which a stripe's contacts read spheres, or for which they have loads.
   int reach(int stripe) const { return std::max(stripe, stripes_[stripe].pairs.last_stripe); }
-  /// Adds the loads of a stripe's contacts to its own rows; what leaves the stripe waits for gather_loads().
-  void work_out(int stripe, SphereRows& rows, double time);
+  /// Adds the loads of a stripe's contacts to its own; what leaves the stripe waits for gather_loads().
+  void work_out(int stripe, const SphereRows& rows, double time, LoadRange loads);
   /// Adds what earlier stripes have for this one, in their order.
-  void gather_loads(int stripe, SphereRows& rows);
-  /// Both for all stripes.
-  void work_out(SphereRows& rows, double time, Team& team);
+  void gather_loads(int stripe, LoadRange loads);
+  /// Both for all stripes, none of which has loads.
+  void work_out(const SphereRows& rows, double time, StripeLoads& loads, Team& team);
 
   std::int64_t touching() const;
   /// Since the start up to this moment [J]: half of what the kick takes that is centered on it.
@@ -113,7 +114,7 @@ class ContactSet {
   void cut(int stripes);
   double near_gap() const;  ///< [m]
   /// The near pairs of a stripe from now on.
-  void choose_near(Stripe& stripe, std::int32_t stripe_end, SphereRows& rows);
+  void choose_near(Stripe& stripe, std::int32_t stripe_end, const SphereRows& rows);
   void renew(Team& team);
   void renew_pairs(int stripe);
   void renew_wall(int stripe, int wall);
@@ -121,7 +122,7 @@ class ContactSet {
   /// A wall that is gone takes what its contacts stored.
   void drop(NearWall& near, int wall, Stripe& stripe) const;
   int kind_of(const ContactBody& body);
-  ContactView view(Stripe& stripe, SphereRows& rows);
+  ContactView view(Stripe& stripe, const SphereRows& rows);
   WallView wall_view(int wall, NearWall& near, double time) const;
   /// Numbers in the memory that a step may need.
   std::size_t may_begin(const Stripe& stripe) const;

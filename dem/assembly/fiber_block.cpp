@@ -21,13 +21,13 @@ double sum_of_lanes(const double* numbers, int lanes) {
 
 void put_rows(SphereRows& rows, std::int64_t row, const ChainState<3>& state, double radius) {
   for (std::size_t i = 0; i < state.poses.size(); ++i, ++row) {
-    double* own = rows.row(row);
+    double *place = rows.place_row(row), *motion = rows.motion_row(row);
     for (int c = 0; c < 3; ++c) {
-      own[row_position + c] = state.poses[i].position[c];
-      own[row_velocity + c] = state.velocity[i][c];
-      own[row_spin + c] = state.spin[i][c];
+      place[c] = state.poses[i].position[c];
+      motion[c] = state.velocity[i][c];
+      motion[motion_spin + c] = state.spin[i][c];
     }
-    own[row_radius] = radius;
+    place[place_radius] = radius;
     if (!rows.oriented()) continue;
     const Quaternion<double>& turn = state.poses[i].orientation;
     double* q = rows.orientation.data() + row * orientation_numbers;
@@ -77,10 +77,13 @@ FiberBlock::FiberBlock(FiberKind& kind, int group, int number, std::int64_t firs
   for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
 }
 
-RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient) {
+RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient) {
   return {kind.chain.fiber.aspect_ratio,
           first_.data(),
-          rows.numbers.data(),
+          rows.places.data(),
+          rows.motions.data(),
+          loads.rows,
+          loads.first,
           rows.oriented() ? rows.orientation.data() : nullptr,
           history_,
           kind.lane_natural.data(),
@@ -93,9 +96,9 @@ RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LaneArray& sc
           led_};
 }
 
-double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient,
+double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
                         const FiberBlock* next) {
-  RowBlock block = view(kind, rows, scratch, gradient);
+  RowBlock block = view(kind, rows, loads, scratch, gradient);
   if (next != nullptr) block.next_history = next->history_;
   const double fastest = kind.kernel->step(block);
   led_ = kind.parameters.step;
@@ -104,16 +107,16 @@ double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LaneArray& scra
 
 void FiberBlock::book(const FiberKind& kind, SphereRows& rows, LaneArray& scratch) {
   if (kept_.size() == 0) return;
-  kind.kernel->book(view(kind, rows, scratch, nullptr), {kept_.data(), taken_.data(), taken_.data() + kind.kernel->width});
+  kind.kernel->book(view(kind, rows, {nullptr, first_[0]}, scratch, nullptr), {kept_.data(), taken_.data(), taken_.data() + kind.kernel->width});
 }
 
-BlockLook FiberBlock::look(const FiberKind& kind, const SphereRows& rows, const double* gradient) const {
+BlockLook FiberBlock::look(const FiberKind& kind, const SphereRows& rows, LoadRange loads, const double* gradient) const {
   BlockLook look{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_size_)};
   std::copy_n(history_, history_size_, look.history.data());
   LaneArray workspace(workspace_.size());
   std::copy_n(workspace_.data(), workspace_.size(), workspace.data());
   // what a look writes are its own copies
-  RowBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereRows&>(rows), look.spheres, gradient);
+  RowBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereRows&>(rows), loads, look.spheres, gradient);
   view.history = look.history.data();
   view.workspace = workspace.data();
   kind.kernel->look(view);
@@ -134,14 +137,14 @@ BondHistory<double, 3> FiberBlock::history(const FiberKind& kind, const BlockLoo
   return history;
 }
 
-void FiberBlock::start(const FiberKind& kind, SphereRows& rows, const double* gradient, const Gradient& A) {
-  const BlockLook now = look(kind, rows, gradient);
+void FiberBlock::start(const FiberKind& kind, SphereRows& rows, LoadRange loads, const double* gradient, const Gradient& A) {
+  const BlockLook now = look(kind, rows, loads, gradient);
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       Sphere s = sphere(kind, now, lane, i);
       move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
-      double* own = rows.row(first_[lane] + i);
-      for (int c = 0; c < 3; ++c) own[row_velocity + c] = s.velocity[c], own[row_spin + c] = s.spin[c];
+      double* own = rows.motion_row(first_[lane] + i);
+      for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[motion_spin + c] = s.spin[c];
     }
   }
 }

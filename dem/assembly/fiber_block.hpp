@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dem/assembly/sphere_rows.hpp"
+#include "dem/assembly/stripe_loads.hpp"
 #include "dem/assembly/surroundings.hpp"
 #include "dem/motion/chain_state.hpp"
 #include "dem/motion/lanes/row_kernel.hpp"
@@ -51,14 +52,16 @@ class FiberBlock {
   std::int64_t end(const FiberKind& kind) const { return first_[lanes_ - 1] + kind.spheres(); }
 
   /// Velocities were those of the start's moment: half a step back they go.
-  void start(const FiberKind& kind, SphereRows& rows, const double* gradient, const Gradient& A);
+  void start(const FiberKind& kind, SphereRows& rows, LoadRange loads, const double* gradient, const Gradient& A);
 
-  /// One step; takes the rows' loads. Returns the square of the largest speed. `next` is stepped after it, if any.
-  double step(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient, const FiberBlock* next);
+  /// One step; the loads have acted and are zero then. Returns the square of the largest speed. `next` is stepped after it,
+  /// if any.
+  double step(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
+              const FiberBlock* next);
   /// Before a step: books what the bonds took in the last one.
   void book(const FiberKind& kind, SphereRows& rows, LaneArray& scratch);
 
-  BlockLook look(const FiberKind& kind, const SphereRows& rows, const double* gradient) const;
+  BlockLook look(const FiberKind& kind, const SphereRows& rows, LoadRange loads, const double* gradient) const;
   MovingSphere<double, 3> sphere(const FiberKind& kind, const BlockLook& look, int lane, int index) const;
   BondHistory<double, 3> history(const FiberKind& kind, const BlockLook& look, int lane, int bond) const;
 
@@ -73,7 +76,7 @@ class FiberBlock {
   const double* restore(const double* from);
 
  private:
-  RowBlock view(const FiberKind& kind, SphereRows& rows, LaneArray& scratch, const double* gradient);
+  RowBlock view(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient);
 
   int group_, lanes_;
   double* history_;  ///< in the kind's histories

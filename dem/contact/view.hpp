@@ -28,7 +28,7 @@ constexpr int contact_index(const ContactPhysics& p) {
 
 /// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
 struct ContactView {
-  double* rows;
+  const double *places, *motions;
   const std::int32_t* kind;  ///< of each slot
   const std::int32_t* first;
   const std::int32_t* second;
@@ -70,7 +70,8 @@ struct WallView {
 struct ContactTask {
   NearPairs near;
   std::int32_t near_count;  ///< padded to whole vectors
-  std::int32_t slots_end;
+  std::int32_t slots_begin, slots_end;
+  double* loads;            ///< of these slots
   std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
   std::int32_t* free;       ///< numbers for contacts that begin, those that end give them back
   std::int32_t free_count;

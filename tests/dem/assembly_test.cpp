@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
     for (int round = 0; round < 150; ++round) {
       for (int i = 0; i < n; ++i) {
         const double step = i % 3 == 0 ? 0.02 : round % 50 == 0 ? 0.7 : 0.0005;
-        for (int c = 0; c < 3; ++c) rows.row(i)[c] = places[i][c] += step * (uniform(random) - 0.5);
+        for (int c = 0; c < 3; ++c) rows.place_row(i)[c] = places[i][c] += step * (uniform(random) - 0.5);
       }
       if (round % 5 != 0) continue;
       const double farthest = list.farthest_moved(rows, team);

@@ -21,10 +21,11 @@ Slots<Real> slots_of(const std::int32_t* slots, const std::int32_t* entries) {
   return chosen;
 }
 
-template <class Real>
-RowStarts<Real> rows_at(const ContactView& view, const std::int32_t* slots) {
-  RowStarts<Real> starts;
-  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = view.rows + static_cast<std::ptrdiff_t>(slots[k]) * row_numbers;
+/// Rows of N numbers of these slots, or of these contacts.
+template <int N, class Real, class Number>
+RowStarts<Real, Number> rows_at(Number* rows, const std::int32_t* entries) {
+  RowStarts<Real, Number> starts;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(entries[k]) * N;
   return starts;
 }
 
@@ -36,10 +37,10 @@ struct Balls {
 };
 
 template <class Real>
-Balls<Real> balls_at(const RowStarts<Real>& rows) {
-  Real n[4];
-  load_rows<4>(rows, row_position, n);
-  return {{n[0], n[1], n[2]}, n[3]};
+Balls<Real> balls_at(const ContactView& view, const std::int32_t* slots) {
+  Real n[place_numbers];
+  load_rows<place_numbers>(rows_at<place_numbers, Real>(view.places, slots), 0, n);
+  return {{n[0], n[1], n[2]}, n[place_radius]};
 }
 
 template <class Real>
@@ -48,18 +49,10 @@ struct Motions {
 };
 
 template <class Real>
-struct Movers {
-  Balls<Real> ball;
-  Motions<Real> motion;
-};
-
-template <class Real>
-Movers<Real> movers_at(const RowStarts<Real>& rows) {
-  Real n[line_numbers + 2];
-  load_rows<line_numbers>(rows, 0, n);
-  load_rows<2>(rows, line_numbers, n + line_numbers);
-  return {{{n[0], n[1], n[2]}, n[row_radius]},
-          {{n[row_velocity], n[row_velocity + 1], n[row_velocity + 2]}, {n[row_spin], n[row_spin + 1], n[row_spin + 2]}}};
+Motions<Real> motions_at(const ContactView& view, const std::int32_t* slots) {
+  Real n[motion_numbers];
+  load_rows<motion_numbers>(rows_at<motion_numbers, Real>(view.motions, slots), 0, n);
+  return {{n[0], n[1], n[2]}, {n[motion_spin], n[motion_spin + 1], n[motion_spin + 2]}};
 }
 
 /// The nearest image of a separation in a periodic cell.
@@ -72,7 +65,7 @@ Vec<Real, 3> nearest_image(const ContactView& view, Vec<Real, 3> r) {
 }
 
 /// Fetches a line ahead of its use: which rows pairs need is known long before, but not to the processor.
-inline __attribute__((always_inline)) void fetch_line(const double* line) { __builtin_prefetch(line, 1, 3); }
+inline __attribute__((always_inline)) void fetch_line(const double* line) { __builtin_prefetch(line, 0, 3); }
 
 /// Numbers of pairs ahead that rows are fetched.
 inline constexpr int pairs_ahead = 48, touching_ahead = 24;
@@ -80,16 +73,16 @@ inline constexpr int pairs_ahead = 48, touching_ahead = 24;
 /// Lanes in which spheres have a gap below `gap`.
 template <ContactPhysics P, class Real>
 unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first, const std::int32_t* second) {
-  const Balls<Real> a = balls_at<Real>(rows_at<Real>(view, first)), b = balls_at<Real>(rows_at<Real>(view, second));
+  const Balls<Real> a = balls_at<Real>(view, first), b = balls_at<Real>(view, second);
   const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
-  const Real reach = P.uniform ? Real(2.0 * view.rows[row_radius]) + gap : a.radius + b.radius + gap;
+  const Real reach = P.uniform ? Real(2.0 * view.places[place_radius]) + gap : a.radius + b.radius + gap;
   return less_mask(dot(r, r), reach * reach);
 }
 
 template <class Real>
 void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32_t n, std::int32_t end) {
   if (n + pairs_ahead + lane_count<Real> > end) return;
-  for (int k = 0; k < lane_count<Real>; ++k) fetch_line(view.rows + static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * row_numbers);
+  for (int k = 0; k < lane_count<Real>; ++k) fetch_line(view.places + static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * place_numbers);
 }
 
 template <ContactPhysics P, class Real>
@@ -224,13 +217,6 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
   store_rows<work_numbers>(keep, work, 0);
 }
 
-template <int N, class Real>
-RowStarts<Real> rows_of_contacts(double* rows, const Slots<Real>& contacts) {
-  RowStarts<Real> starts;
-  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(contacts.at[k]) * N;
-  return starts;
-}
-
 template <class Real>
 ContactHistory<Real> remembered(const RowStarts<Real>& memory) {
   Real n[memory_numbers];
@@ -245,21 +231,21 @@ void keep(const ContactHistory<Real>& history, const RowStarts<Real>& memory) {
   store_rows<memory_numbers>(n, memory, 0);
 }
 
-/// The law for pairs of the spheres i and j in these rows, of which `count` count.
+/// The law for pairs of the spheres i and j, of which `count` count.
 template <ContactPhysics P, class Real>
 PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i, const Slots<Real>& j,
-                           const RowStarts<Real>& rows_i, const RowStarts<Real>& rows_j, int count, ContactTask& task) {
+                           int count, ContactTask& task) {
   using std::sqrt;
   constexpr int lanes = lane_count<Real>;
-  const auto [a, motion_i] = movers_at<Real>(rows_i);
-  const auto [b, motion_j] = movers_at<Real>(rows_j);
+  const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
+  const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
   const Real distance = sqrt(dot(r, r));
   ContactParameters<Real> p;
   Real reach, share = Real(0.5);
   if constexpr (P.uniform) {
     p = broadcast<Real>(view.parameters[0]);
-    reach = Real(2.0 * view.rows[row_radius]);
+    reach = Real(2.0 * view.places[place_radius]);
   } else {
     reach = a.radius + b.radius;
     share = a.radius / reach;
@@ -271,15 +257,15 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   TouchingPair<Real> pair;
   pair.normal = (Real(1.0) / distance) * r;
   pair.overlap = reach - distance;
-  pair.velocity = motion_j.velocity - motion_i.velocity - cross(arm_i * motion_i.spin + arm_j * motion_j.spin, pair.normal);
+  pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal, arm_i * motion_i.spin + arm_j * motion_j.spin);
   pair.spin = motion_j.spin - motion_i.spin;
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
-  const RowStarts<Real> memory = rows_of_contacts<memory_numbers>(view.memory, contacts);
+  const RowStarts<Real> memory = rows_at<memory_numbers, Real>(view.memory, contacts.at);
   ContactHistory<Real> history = remembered<Real>(memory);
   [[maybe_unused]] const ContactHistory<Real> before = history;
   const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.booked) {
-    const RowStarts<Real> work = rows_of_contacts<work_numbers>(view.work, contacts);
+    const RowStarts<Real> work = rows_at<work_numbers, Real>(view.work, contacts.at);
     book(p, pair, before, history, action, Real(view.step), count, work, task);
   }
   keep<Real>(history, memory);
@@ -287,49 +273,46 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};
 }
 
-/// Loads as the second lines of rows.
+/// Loads as rows.
 template <class Real>
 struct LoadRows {
-  alignas(64) double at[lane_count<Real>][line_numbers];
+  alignas(64) double at[lane_count<Real>][load_numbers];
 };
 
 template <class Real>
 void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Real>& rows) {
   RowStarts<Real> starts;
   for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows.at[k];
-  const Real none(0.0), n[line_numbers] = {none, none, force[0], force[1], force[2], moment[0], moment[1], moment[2]};
-  store_rows<line_numbers>(n, starts, 0);
+  const Real none(0.0), n[load_numbers] = {force[0], force[1], force[2], moment[0], moment[1], moment[2], none, none};
+  store_rows<load_numbers>(n, starts, 0);
 }
 
-inline constexpr int loads_in_line = row_force - line_numbers;
-
-/// Adds loads to a sphere's row; on AVX-512 in one go. Other numbers are not written: others may be reading them.
+/// Adds loads to those of a sphere of the stripe; on AVX-512 in one go.
 template <class Real>
-inline __attribute__((always_inline)) void add_row(const double* loads, double* row) {
-  double* line = row + line_numbers;
+inline __attribute__((always_inline)) void add_row(const double* loads, std::int32_t slot, const ContactTask& task) {
+  double* row = task.loads + static_cast<std::ptrdiff_t>(slot - task.slots_begin) * load_numbers;
 #ifdef __AVX512F__
   if constexpr (lane_count<Real> == 8) {
-    _mm512_mask_storeu_pd(line, 0xffu << loads_in_line & 0xffu, _mm512_add_pd(_mm512_loadu_pd(line), _mm512_load_pd(loads)));
+    _mm512_store_pd(row, _mm512_add_pd(_mm512_load_pd(row), _mm512_load_pd(loads)));
     return;
   }
 #endif
-  for (int c = loads_in_line; c < line_numbers; ++c) line[c] += loads[c];
+  for (int c = 0; c < load_moment + 3; ++c) row[c] += loads[c];
 }
 
 /// Adds pairs' loads to their spheres in the order of the pairs.
 template <class Real>
-void add_loads(const PairLoads<Real>& loads, const Slots<Real>& j, const RowStarts<Real>& rows_i,
-               const RowStarts<Real>& rows_j, int count, ContactTask& task) {
+void add_loads(const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j, int count, ContactTask& task) {
   LoadRows<Real> first, second;
   to_rows(loads.force, loads.first_moment, first);
   to_rows(-loads.force, loads.second_moment, second);
   for (int k = 0; k < count; ++k) {
-    add_row<Real>(first.at[k], rows_i.at[k]);
+    add_row<Real>(first.at[k], i.at[k], task);
     if (j.at[k] < task.slots_end) {
-      add_row<Real>(second.at[k], rows_j.at[k]);
+      add_row<Real>(second.at[k], j.at[k], task);
     } else {
       DeferredForce& later = task.deferred[task.deferred_count++];
-      for (int c = 0; c < 6; ++c) later.load[c] = second.at[k][loads_in_line + c];
+      for (int c = 0; c < 6; ++c) later.load[c] = second.at[k][c];
       later.slot = j.at[k];
     }
   }
@@ -341,7 +324,10 @@ void fetch_touching(const ContactView& view, const ContactTask& task, int n, int
   for (int k = n; k < n + lane_count<Real> && k < touching; ++k) {
     const std::int32_t n_k = task.touching[k], i = task.near.first[n_k], j = task.near.second[n_k];
     fetch_line(view.memory + static_cast<std::ptrdiff_t>(task.near.contact[n_k]) * memory_numbers);
-    for (const std::int32_t sphere : {i, j}) fetch_line(view.rows + static_cast<std::ptrdiff_t>(sphere) * row_numbers + line_numbers);
+    for (const std::int32_t sphere : {i, j}) {
+      const double* motion = view.motions + static_cast<std::ptrdiff_t>(sphere) * motion_numbers;
+      fetch_line(motion), fetch_line(motion + motion_numbers - 1);
+    }
   }
 }
 
@@ -358,8 +344,7 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
     const std::int32_t* chosen = task.touching + n;
     const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
     const Slots<Real> i = slots_of<Real>(task.near.first, chosen), j = slots_of<Real>(task.near.second, chosen);
-    const RowStarts<Real> rows_i = rows_at<Real>(view, i.at), rows_j = rows_at<Real>(view, j.at);
-    add_loads(pair_loads<P, Real>(view, contacts, i, j, rows_i, rows_j, count, task), j, rows_i, rows_j, count, task);
+    add_loads(pair_loads<P, Real>(view, contacts, i, j, count, task), i, j, count, task);
   }
 }
 

@@ -37,8 +37,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = n + k;
     const Slots<Real> i = slots_of<Real>(wall.slots, entry);
-    const RowStarts<Real> rows = rows_at<Real>(view, i.at);
-    const Balls<Real> ball = balls_at<Real>(rows);
+    const Balls<Real> ball = balls_at<Real>(view, i.at);
     const WallSight<Real> seen = sight(wall, ball.center);
     const Real radius = ball.radius;
     const unsigned touching = less_mask(seen.distance, radius);
@@ -57,7 +56,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       for (int k = 0; k < lanes; ++k) kind[k] = view.kind[i.at[k]];
       p = gather_parameters<Real>(wall.parameters, kind);
     }
-    const Motions<Real> motion = movers_at<Real>(rows).motion;
+    const Motions<Real> motion = motions_at<Real>(view, i.at);
     const Vec<Real, 3>&v = motion.velocity, &w = motion.spin;
     TouchingPair<Real> pair;
     pair.normal = seen.normal;
@@ -66,7 +65,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     pair.spin = -w;
     pair.mean_spin = Real(0.5) * w;
     const Slots<Real> contacts = slots_of<Real>(wall.contact, entry);
-    const RowStarts<Real> memory = rows_of_contacts<memory_numbers>(view.memory, contacts);
+    const RowStarts<Real> memory = rows_at<memory_numbers, Real>(view.memory, contacts.at);
     ContactHistory<Real> history = remembered<Real>(memory);
     const ContactHistory<Real> before = history;
     const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
@@ -76,7 +75,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     to_rows(action.force, moment, loads);
     for (int k = 0; k < lanes; ++k) {
       if ((touching >> k & 1u) == 0) continue;
-      add_row<Real>(loads.at[k], rows.at[k]);
+      add_row<Real>(loads.at[k], i.at[k], task);
       ++task.contacts;
     }
     if constexpr (P.booked) {
@@ -86,7 +85,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       there.velocity = on * pair.velocity;
       ContactHistory<Real> was = before, is = history;
       was.spring = on * was.spring, is.spring = on * is.spring;
-      const RowStarts<Real> work = rows_of_contacts<work_numbers>(view.work, contacts);
+      const RowStarts<Real> work = rows_at<work_numbers, Real>(view.work, contacts.at);
       book(p, there, was, is, counted, Real(view.step), lanes, work, task);
       const double power = summed<Real>(dot(counted.force, wall_velocity), lanes);
       task.wall_work += view.step * power;

@@ -23,7 +23,10 @@ inline constexpr int book_numbers = 9 + 1 + 3 + 1 + 3;
 struct RowBlock {
   int bonds;
   const std::int64_t* first;  ///< row of the first sphere of each lane
-  double* rows;
+  double* places;
+  double* motions;
+  double* loads;              ///< of the rows from `first_loaded` on
+  std::int64_t first_loaded;
   double* orientation;        ///< null where it is not followed
   double* history;            ///< BondHistory, lane by lane
   const double* natural;      ///< NaturalEnds, lane by lane (curved fibers)
@@ -40,7 +43,7 @@ struct RowKernel {
   int width;
   std::size_t (*workspace)(int bonds);  ///< doubles a lane that solving along the chain needs, kept from step to step
   std::size_t (*scratch)(int bonds);    ///< doubles in all
-  /// One step; the square of the largest speed after it.
+  /// One step, after which the loads are zero; the square of the largest speed after it.
   double (*step)(const RowBlock&);
   /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history moves on.
   void (*look)(const RowBlock&);

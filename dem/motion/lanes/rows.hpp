@@ -21,9 +21,9 @@ ChainBlock<P, Real> chain_of(const RowBlock& block) {
 }
 
 template <int N, class Real>
-RowStarts<Real> starts_of(double* rows, const RowBlock& block) {
+RowStarts<Real> starts_of(double* rows, const RowBlock& block, std::int64_t from = 0) {
   RowStarts<Real> starts;
-  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + block.first[k] * N;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + (block.first[k] - from) * N;
   return starts;
 }
 
@@ -32,41 +32,52 @@ template <class Real>
 class BlockRows {
  public:
   explicit BlockRows(const RowBlock& block)
-      : rows_(starts_of<row_numbers, Real>(block.rows, block)),
+      : places_(starts_of<place_numbers, Real>(block.places, block)),
+        motions_(starts_of<motion_numbers, Real>(block.motions, block)),
+        loads_(starts_of<load_numbers, Real>(block.loads, block, block.first_loaded)),
         weight_{Real(block.weight[0]), Real(block.weight[1]), Real(block.weight[2])},
-        radius_(rows_.at[0][row_radius]),
+        radius_(places_.at[0][place_radius]),
         oriented_(block.orientation != nullptr) {
     if (oriented_) orientation_ = starts_of<orientation_numbers, Real>(block.orientation, block);
   }
 
   bool oriented() const { return oriented_; }
 
-  /// Sphere `i`, the loads from outside as its forces.
-  MovingSphere<Real, 3> read(std::ptrdiff_t i) const {
+  /// Sphere `i` without forces.
+  MovingSphere<Real, 3> read_unloaded(std::ptrdiff_t i) const {
     MovingSphere<Real, 3> s;
-    Real n[row_numbers];
-    load_rows<line_numbers>(rows_, i * row_numbers, n);
-    load_rows<line_numbers>(rows_, i * row_numbers + line_numbers, n + line_numbers);
+    Real n[motion_numbers];
+    load_rows<place_numbers>(places_, i * place_numbers, n);
     s.pose.position = {n[0], n[1], n[2]};
-    s.velocity = {n[row_velocity], n[row_velocity + 1], n[row_velocity + 2]};
-    s.spin = {n[row_spin], n[row_spin + 1], n[row_spin + 2]};
-    s.force = {n[row_force] + weight_[0], n[row_force + 1] + weight_[1], n[row_force + 2] + weight_[2]};
-    s.moment = {n[row_moment], n[row_moment + 1], n[row_moment + 2]};
+    load_rows<motion_numbers>(motions_, i * motion_numbers, n);
+    s.velocity = {n[0], n[1], n[2]};
+    s.spin = {n[motion_spin], n[motion_spin + 1], n[motion_spin + 2]};
     s.pose.orientation = {Real(1.0), {Real(0.0), Real(0.0), Real(0.0)}};
     if (oriented_) {
       load_rows<orientation_numbers>(orientation_, i * orientation_numbers, n);
       s.pose.orientation = {n[0], {n[1], n[2], n[3]}};
     }
+    clear_forces(s);
+    return s;
+  }
+
+  /// The loads from outside and its weight as its forces.
+  MovingSphere<Real, 3> read(std::ptrdiff_t i) const {
+    MovingSphere<Real, 3> s = read_unloaded(i);
+    Real n[load_moment + 3];
+    load_rows<load_moment + 3>(loads_, i * load_numbers, n);
+    s.force = {n[0] + weight_[0], n[1] + weight_[1], n[2] + weight_[2]};
+    s.moment = {n[load_moment], n[load_moment + 1], n[load_moment + 2]};
     return s;
   }
 
   /// The loads from outside have acted.
   void write(std::ptrdiff_t i, const MovingSphere<Real, 3>& s) const {
     const Vec<Real, 3>&x = s.pose.position, &v = s.velocity, &w = s.spin;
-    const Real none(0.0), first[] = {x[0], x[1], x[2], radius_, v[0], v[1], v[2], w[0]},
-               second[] = {w[1], w[2], none, none, none, none, none, none};
-    store_rows<line_numbers>(first, rows_, i * row_numbers);
-    store_rows<line_numbers>(second, rows_, i * row_numbers + line_numbers);
+    const Real place[] = {x[0], x[1], x[2], radius_}, motion[] = {v[0], v[1], v[2], w[0], w[1], w[2]};
+    store_rows<place_numbers>(place, places_, i * place_numbers);
+    store_rows<motion_numbers>(motion, motions_, i * motion_numbers);
+    clear_rows<load_numbers>(loads_, i * load_numbers);
     if (oriented_) {
       const auto& q = s.pose.orientation;
       const Real orientation[] = {q.w, q.v[0], q.v[1], q.v[2]};
@@ -75,7 +86,7 @@ class BlockRows {
   }
 
  private:
-  RowStarts<Real> rows_, orientation_{};
+  RowStarts<Real> places_, motions_, loads_, orientation_{};
   Vec<Real, 3> weight_;
   Real radius_;
   bool oriented_;
@@ -91,7 +102,8 @@ inline __attribute__((always_inline)) void fetch_ahead(const RowBlock& block, st
   const auto fetch = [&](const double* from, std::ptrdiff_t numbers) {
     for (std::ptrdiff_t n = 0; n < numbers; n += line_numbers) __builtin_prefetch(from + n, 1, 2);
   };
-  fetch(block.rows + row * row_numbers, lanes * row_numbers);
+  fetch(block.places + row * place_numbers, lanes * place_numbers);
+  fetch(block.motions + row * motion_numbers, lanes * motion_numbers);
   constexpr std::ptrdiff_t history = sizeof(BondHistory<Real, 3>) / sizeof(double);
   fetch(block.next_history + i * history, history);
 }
@@ -226,9 +238,9 @@ FIBERCHAIN_FLATTEN void book_rows(const RowBlock& block, const BondBook& book) {
   static_assert(sizeof(KeptWork<Real>) == book_numbers * sizeof(Real));
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
   const BlockRows<Real> rows(block);
-  MovingSphere<Real, 3> before = rows.read(0);
+  MovingSphere<Real, 3> before = rows.read_unloaded(0);
   for (int i = 0; i < block.bonds; ++i) {
-    const MovingSphere<Real, 3> sphere = rows.read(i + 1);
+    const MovingSphere<Real, 3> sphere = rows.read_unloaded(i + 1);
     book_bond<P, Real>(block, chain, i, before, sphere, book);
     before = sphere;
   }

@@ -63,6 +63,11 @@ struct RowStarts {
 template <int N, class Real, class Number>
 inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows, std::ptrdiff_t offset, Real* out) {
   constexpr int lanes = lane_count<Real>;
+  if constexpr (lanes > 1 && N == 6) {
+    load_rows<4>(rows, offset, out);
+    load_rows<2>(rows, offset + 4, out + 4);
+    return;
+  }
 #ifdef __AVX512F__
   if constexpr (lanes == 8 && N == 4) {
     __m512d r[4];
@@ -79,11 +84,12 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
     return;
   } else if constexpr (lanes == 8 && N == 2) {
-    const auto quarters = [&](int k) {  // rows k, k + 2, k + 4, k + 6
-      const auto two = [&](int l) {
-        return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[l] + offset)), _mm_loadu_pd(rows.at[l + 2] + offset), 1);
-      };
-      return _mm512_insertf64x4(_mm512_castpd256_pd512(two(k)), two(k + 4), 1);
+    const auto quarters = [&](int k) {  // rows k, k + 2, k + 4, k + 6; loads that blend go beside the shuffles
+      const auto two = [&](int l) { return _mm_castpd_ps(_mm_loadu_pd(rows.at[l] + offset)); };
+      __m512 r = _mm512_castps128_ps512(two(k));
+      r = _mm512_mask_broadcast_f32x4(r, 0x00f0, two(k + 2));
+      r = _mm512_mask_broadcast_f32x4(r, 0x0f00, two(k + 4));
+      return _mm512_castps_pd(_mm512_mask_broadcast_f32x4(r, 0xf000, two(k + 6)));
     };
     const __m512d even = quarters(0), odd = quarters(1);
     out[0] = Real(_mm512_unpacklo_pd(even, odd)), out[1] = Real(_mm512_unpackhi_pd(even, odd));
@@ -122,6 +128,11 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
 template <int N, class Real>
 inline __attribute__((always_inline)) void store_rows(const Real* in, const RowStarts<Real>& rows, std::ptrdiff_t offset) {
   constexpr int lanes = lane_count<Real>;
+  if constexpr (lanes > 1 && N == 6) {
+    store_rows<4>(in, rows, offset);
+    store_rows<2>(in + 4, rows, offset + 4);
+    return;
+  }
 #ifdef __AVX512F__
   if constexpr (lanes == 8 && N == 4) {
     __m512d r[4];
@@ -138,6 +149,16 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
     transpose_8(r);
     for (int k = 0; k < 8; ++k) _mm512_storeu_pd(rows.at[k] + offset, r[k]);
     return;
+  } else if constexpr (lanes == 8 && N == 2) {
+    const __m512d even = _mm512_unpacklo_pd(in[0], in[1]), odd = _mm512_unpackhi_pd(in[0], in[1]);
+    const auto quarters = [&](const __m512d& pairs, int k) {
+      const __m512 r = _mm512_castpd_ps(pairs);
+      const auto two = [&](int l, const __m128& pair) { _mm_storeu_pd(rows.at[l] + offset, _mm_castps_pd(pair)); };
+      two(k, _mm512_castps512_ps128(r)), two(k + 2, _mm512_extractf32x4_ps(r, 1));
+      two(k + 4, _mm512_extractf32x4_ps(r, 2)), two(k + 6, _mm512_extractf32x4_ps(r, 3));
+    };
+    quarters(even, 0), quarters(odd, 1);
+    return;
   }
 #elif defined(__AVX2__)
   if constexpr (lanes == 4 && N % 4 == 0) {
@@ -147,6 +168,11 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
       transpose_4(r);
       for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset + part, r[k]);
     }
+    return;
+  } else if constexpr (lanes == 4 && N == 2) {
+    const __m256d even = _mm256_unpacklo_pd(in[0], in[1]), odd = _mm256_unpackhi_pd(in[0], in[1]);
+    _mm_storeu_pd(rows.at[0] + offset, _mm256_castpd256_pd128(even)), _mm_storeu_pd(rows.at[1] + offset, _mm256_castpd256_pd128(odd));
+    _mm_storeu_pd(rows.at[2] + offset, _mm256_extractf128_pd(even, 1)), _mm_storeu_pd(rows.at[3] + offset, _mm256_extractf128_pd(odd, 1));
     return;
   }
 #endif
@@ -158,6 +184,20 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
       in[c].store_aligned(numbers);
       for (int k = 0; k < lanes; ++k) rows.at[k][offset + c] = numbers[k];
     }
+  }
+}
+
+/// Zero to N numbers of every lane's row.
+template <int N, class Real>
+inline __attribute__((always_inline)) void clear_rows(const RowStarts<Real>& rows, std::ptrdiff_t offset) {
+  for (int k = 0; k < lane_count<Real>; ++k) {
+#ifdef __AVX512F__
+    if constexpr (lane_count<Real> == 8 && N == 8) {
+      _mm512_storeu_pd(rows.at[k] + offset, _mm512_setzero_pd());
+      continue;
+    }
+#endif
+    for (int c = 0; c < N; ++c) rows.at[k][offset + c] = 0;
   }
 }
 
