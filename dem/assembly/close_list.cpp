@@ -45,6 +45,7 @@ double CloseList::farthest_moved(const SphereRows& rows, Team& team) const {
 }
 
 void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
+  std::vector<std::uint8_t> strayed(searches_.size(), 0);
   team.each(stripes_.count(), [&](int k, int) {
     std::vector<std::int32_t>& anew = searches_[k].anew;
     anew.clear();
@@ -54,17 +55,12 @@ void CloseList::relist(const SphereRows& rows, double distance, Team& team) {
       if (anew_[i] == 0) continue;
       anew.push_back(i);
       places_[i] = place;
+      sorted_->move(i, place);
+      if (!(sorted_->distance_from_first(i, place) <= slack_)) strayed[k] = 1;
     }
   });
   check_finite();
-  bool near_first = true;
-  for (const Search& search : searches_) {
-    for (const std::int32_t i : search.anew) {
-      near_first = near_first && sorted_->distance_from_first(i, places_[i]) <= slack_;
-      sorted_->move(i, places_[i]);
-    }
-  }
-  if (!near_first) sort();
+  if (std::ranges::count(strayed, 1) > 0) sort();
   search(team);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/math/inverse_sqrt.hpp"
 #include "dem/math/near_one.hpp"
 #include "dem/math/vec.hpp"
 
@@ -86,7 +87,7 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   const Real dashpot = p.tangential_damping * quarter;
   Vec<Real, 3> drag = before + (stiffness + dashpot) * slip;
   const Real limit = p.friction * push;
-  const Real scale = min(Real(1.0), limit / sqrt(max(dot(drag, drag), Real(1e-300))));
+  const Real scale = min(Real(1.0), limit * inverse_sqrt(max(dot(drag, drag), Real(1e-290))));
   drag = scale * drag;
   // before + stiffness r + dashpot r = drag, r the rate at which the spring is stretched: stuck, the slip
   // itself
@@ -96,8 +97,8 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   const Vec<Real, 3> force = drag - push * pair.normal;
   if constexpr (!rolls) return {force, {Real(0.0), Real(0.0), Real(0.0)}};
   const Vec<Real, 3> rolling = tangential(pair.spin, pair.normal);
-  const Real rate = sqrt(max(dot(rolling, rolling), Real(1e-300)));
-  const Vec<Real, 3> moment = min(p.rolling_limit, p.rolling * push / rate) * rolling;
+  const Real inverse_rate = inverse_sqrt(max(dot(rolling, rolling), Real(1e-290)));
+  const Vec<Real, 3> moment = min(p.rolling_limit, p.rolling * push * inverse_rate) * rolling;
   return {force, moment};
 }
 

@@ -240,7 +240,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
-  const Real distance = sqrt(dot(r, r));
+  const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared), distance = squared * inverse_distance;
   ContactParameters<Real> p;
   Real reach, share = Real(0.5);
   if constexpr (P.uniform) {
@@ -255,7 +255,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   }
   const Real arm_i = share * distance, arm_j = distance - arm_i;
   TouchingPair<Real> pair;
-  pair.normal = (Real(1.0) / distance) * r;
+  pair.normal = inverse_distance * r;
   pair.overlap = reach - distance;
   pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal, arm_i * motion_i.spin + arm_j * motion_j.spin);
   pair.spin = motion_j.spin - motion_i.spin;
