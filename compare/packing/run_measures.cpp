@@ -132,11 +132,14 @@ dem::io::Frame frame_of(const dem::Assembly& assembly, const PackingScene& scene
   frame.low = scene.room.low;
   frame.high = scene.room.high;
   for (int a = 0; a < 3; ++a) frame.periodic[a] = scene.surroundings.period[a] > 0;
+  const auto spheres = static_cast<std::size_t>(assembly.spheres());
+  frame.position.reserve(spheres), frame.velocity.reserve(spheres), frame.radius.reserve(spheres);
+  frame.fiber.reserve(spheres), frame.bonds.reserve(spheres);
   for (int g = 0; g < assembly.groups(); ++g) {
-    const auto states = assembly.states(g);
-    const auto bonds = assembly.bonds(g);
     const double radius = dem::sphere_radius(assembly.chain(g).fiber);
-    for (std::size_t f = 0; f < states.size(); ++f) add_fiber(frame, states[f], bonds[f], radius);
+    assembly.visit(g, [&](const dem::ChainState<3>& state, const std::vector<dem::BondState>& bonds) {
+      add_fiber(frame, state, bonds, radius);
+    });
   }
   int group = dem::io::groups_at_start(scene);
   for (int n = 1; n < scene.batches.number; ++n) {

@@ -167,23 +167,22 @@ struct Looked {
             norm(history.rotation - dot(history.rotation, e) * e)};
   }
 
-  std::vector<BondState> bonds(int lane) const {
-    const ChainState<3> own = state(lane);
+  std::vector<BondState> bonds(int lane) const { return bonds(state(lane), lane); }
+
+  std::vector<BondState> bonds(const ChainState<3>& own, int lane) const {
     std::vector<BondState> bonds;
     for (int i = 0; i + 1 < kind.spheres(); ++i) bonds.push_back(bond(own, lane, i));
     return bonds;
   }
 };
 
-/// of(looked, lane) of all fibers of a group.
-template <class Of>
-auto all_of(const Assembly::State& s, int group, const Of& of) {
-  std::vector<decltype(of(std::declval<Looked>(), 0))> all;
+/// visit(looked, lane) for all fibers of a group.
+template <class Visit>
+void each_fiber(const Assembly::State& s, int group, const Visit& visit) {
   for (int fiber = 0; fiber < s.fibers[group];) {
     const Looked looked(s, s.place(group, fiber).block);
-    for (int lane = 0; lane < looked.block.lanes(); ++lane, ++fiber) all.push_back(of(looked, lane));
+    for (int lane = 0; lane < looked.block.lanes(); ++lane, ++fiber) visit(looked, lane);
   }
-  return all;
 }
 
 }  // namespace
@@ -199,11 +198,22 @@ std::vector<BondState> Assembly::bonds(int group, int fiber) const {
 }
 
 std::vector<ChainState<3>> Assembly::states(int group) const {
-  return all_of(*state_, group, [](const Looked& looked, int lane) { return looked.state(lane); });
+  std::vector<ChainState<3>> all;
+  each_fiber(*state_, group, [&](const Looked& looked, int lane) { all.push_back(looked.state(lane)); });
+  return all;
 }
 
 std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
-  return all_of(*state_, group, [](const Looked& looked, int lane) { return looked.bonds(lane); });
+  std::vector<std::vector<BondState>> all;
+  each_fiber(*state_, group, [&](const Looked& looked, int lane) { all.push_back(looked.bonds(lane)); });
+  return all;
+}
+
+void Assembly::visit(int group, const FiberVisit& fiber) const {
+  each_fiber(*state_, group, [&](const Looked& looked, int lane) {
+    const ChainState<3> state = looked.state(lane);
+    fiber(state, looked.bonds(state, lane));
+  });
 }
 
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }

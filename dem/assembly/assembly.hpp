@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -94,6 +95,9 @@ class Assembly {
   /// Of all fibers of a group, at a fraction of the cost of one after the other.
   std::vector<ChainState<3>> states(int group) const;
   std::vector<std::vector<BondState>> bonds(int group) const;
+  /// Both of one fiber of a group after the other: little memory, however many there are.
+  using FiberVisit = std::function<void(const ChainState<3>& state, const std::vector<BondState>& bonds)>;
+  void visit(int group, const FiberVisit& fiber) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
   std::int64_t touching() const;  ///< contacts now

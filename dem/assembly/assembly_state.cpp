@@ -213,7 +213,7 @@ void Assembly::State::touch_and_move() {
   for (StepTimes& own : own_times) own = {};
   const double now = time();
   wave.run(
-      team, [&](int k) { return contacts.reach(k); },
+      team, contacts.reach(),
       [&](int k, int thread) {
         const TimedPart timed(watch.on, own_times[thread].contacts);
         contacts.work_out(k, rows, now, loads.take(k, thread));

@@ -59,6 +59,9 @@ void ContactSet::renew(Team& team) {
     renew_pairs(k);
     for (std::size_t w = 0; w < surroundings_.walls.size(); ++w) renew_wall(k, static_cast<int>(w));
   });
+  std::vector<int> last(stripes_.size());
+  for (std::size_t k = 0; k < stripes_.size(); ++k) last[k] = std::max(static_cast<int>(k), stripes_[k].pairs.last_stripe);
+  reach_ = StripeReach(std::move(last));
 }
 
 /// Pairs of spheres that stayed are as they were; all others have been found anew. Both are in order.

@@ -168,7 +168,7 @@ void ContactSet::work_out(int k, const SphereRows& rows, double time, LoadRange 
     kernel_->wall(contacts, wall_view(static_cast<int>(w), stripe.walls[w], time), task);
   }
   stripe.memory.free_count = task.free_count;
-  for (auto& entries : stripe.for_stripe) entries.clear();
+  for (int target = k; target <= reach_.last(k); ++target) stripe.for_stripe[target].clear();
   for (std::int32_t n = 0; n < task.deferred_count; ++n) {
     const int target = stripes().of(stripe.deferred[n].slot);
     stripe.for_stripe[target].push_back(n);
@@ -182,7 +182,7 @@ void ContactSet::count_paths(const std::vector<double>& paths) {
   for (std::size_t k = 0; k < stripes_.size(); ++k) {
     NearList& soon = stripes_[k].near;
     const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
-    soon.closer += *first + *std::max_element(first, paths.begin() + reach(static_cast<int>(k)) + 1);
+    soon.closer += *first + *std::max_element(first, paths.begin() + reach_.last(static_cast<int>(k)) + 1);
     soon.is_old = soon.is_old || !(soon.closer < (1 - 1e-9) * near_gap());
   }
 }
@@ -193,7 +193,8 @@ void ContactSet::work_out(const SphereRows& rows, double time, StripeLoads& load
 }
 
 void ContactSet::gather_loads(int k, LoadRange loads) {
-  for (int from = 0; from < k; ++from) {
+  for (int from = reach_.first_to_reach(k); from < k; ++from) {
+    if (reach_.last(from) < k) continue;
     const Stripe& other = stripes_[from];
     for (const std::int32_t n : other.for_stripe[k]) {
       const DeferredForce& later = other.deferred[n];

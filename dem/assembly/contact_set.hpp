@@ -42,8 +42,8 @@ class ContactSet {
   void count_paths(const std::vector<double>& paths);
   const Stripes& stripes() const { return close_.stripes(); }
 
-  /// The last stripe of which a stripe's contacts read spheres, or for which they have loads.
-  int reach(int stripe) const { return std::max(stripe, stripes_[stripe].pairs.last_stripe); }
+  /// Of which stripes' spheres the contacts of each read, and for which they have loads.
+  const StripeReach& reach() const { return reach_; }
   /// Adds the loads of a stripe's contacts to its own; what leaves the stripe waits for gather_loads().
   void work_out(int stripe, const SphereRows& rows, double time, LoadRange loads);
   /// Adds what earlier stripes have for this one, in their order.
@@ -139,6 +139,7 @@ class ContactSet {
   CloseList close_;
   double listed_time_ = 0;
   std::vector<Stripe> stripes_;
+  StripeReach reach_;
 };
 
 }  // namespace fiberchain::dem

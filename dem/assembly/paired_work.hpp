@@ -3,6 +3,7 @@
 #include <atomic>
 #include <vector>
 
+#include "dem/assembly/stripes.hpp"
 #include "dem/assembly/team.hpp"
 
 namespace fiberchain::dem {
@@ -14,9 +15,9 @@ class PairedWork {
  public:
   explicit PairedWork(int stripes) : first_(stripes), second_(stripes) {}
 
-  /// first(stripe, thread) and second(stripe, thread) of all stripes; `reach(stripe)` >= stripe. Neither may throw.
-  template <class Reach, class First, class Second>
-  void run(Team& team, const Reach& reach, const First& first, const Second& second) {
+  /// first(stripe, thread) and second(stripe, thread) of all stripes. Neither may throw.
+  template <class First, class Second>
+  void run(Team& team, const StripeReach& reach, const First& first, const Second& second) {
     const int count = static_cast<int>(first_.size()), n = team.threads();
     for (int k = 0; k < count; ++k) {
       first_[k].store(open, std::memory_order_relaxed);
@@ -29,11 +30,11 @@ class PairedWork {
     };
     const auto both = [&](int k, int thread) {
       if (!take(second_[k])) return;
-      for (int j = k; j >= 0; --j) {
-        if (reach(j) >= k) try_first(j, thread);
+      for (int j = k; j >= reach.first_to_reach(k); --j) {
+        if (reach.last(j) >= k) try_first(j, thread);
       }
-      for (int j = k; j >= 0; --j) {
-        if (reach(j) >= k) wait_until_done(first_[j]);
+      for (int j = k; j >= reach.first_to_reach(k); --j) {
+        if (reach.last(j) >= k) wait_until_done(first_[j]);
       }
       second(k, thread);
     };

@@ -17,6 +17,13 @@ Stripes::Stripes(std::vector<std::int32_t> begins) : begins_(std::move(begins)) 
   for (int k = 0; k < count(); ++k) stripe_.resize(end(k), static_cast<std::uint16_t>(k));
 }
 
+StripeReach::StripeReach(std::vector<int> last) : last_(std::move(last)), first_(last_.size()) {
+  int next = 0;  // those before are reached by earlier ones
+  for (int k = 0; k < count(); ++k) {
+    for (; next <= last_[k]; ++next) first_[next] = k;
+  }
+}
+
 Stripes even_stripes(std::int32_t spheres, int count) {
   std::vector<std::int32_t> begins;
   for (std::int64_t k = 0; k <= count; ++k) begins.push_back(static_cast<std::int32_t>(spheres * k / count));

@@ -23,6 +23,22 @@ class Stripes {
   std::vector<std::uint16_t> stripe_;  ///< of each sphere
 };
 
+/// How far what stripes do goes: each to later ones, up to a last one.
+class StripeReach {
+ public:
+  StripeReach() = default;
+  /// The last stripe that each one reaches, itself or a later one.
+  explicit StripeReach(std::vector<int> last);
+
+  int count() const { return static_cast<int>(last_.size()); }
+  int last(int stripe) const { return last_[stripe]; }
+  /// The first stripe that reaches this one. Not all behind it need do.
+  int first_to_reach(int stripe) const { return first_[stripe]; }
+
+ private:
+  std::vector<int> last_, first_;
+};
+
 /// Spheres in stripes of about as many each.
 Stripes even_stripes(std::int32_t spheres, int count);
 

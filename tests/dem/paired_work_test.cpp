@@ -21,7 +21,7 @@ struct Wave {
     std::atomic<int> clock{0};
     dem::PairedWork work(static_cast<int>(reach.size()));
     work.run(
-        team, [&](int k) { return reach[k]; },
+        team, dem::StripeReach(reach),
         [&](int k, int) {
           first_begun[k] = ++clock;
           ++firsts[k];
@@ -63,6 +63,12 @@ BOOST_AUTO_TEST_CASE(one_thread_goes_stripe_by_stripe) {
   const std::vector<int> reach{0, 3, 3, 3, 4};
   const Wave wave(team, reach);
   for (std::size_t k = 0; k < reach.size(); ++k) BOOST_TEST(wave.first_begun[k].load() == static_cast<int>(3 * k + 1));
+}
+
+BOOST_AUTO_TEST_CASE(first_stripes_that_reach_others) {
+  const dem::StripeReach reach({2, 1, 4, 3, 6, 5, 6});
+  const std::vector<int> first{0, 0, 0, 2, 2, 4, 4};
+  for (int k = 0; k < reach.count(); ++k) BOOST_TEST(reach.first_to_reach(k) == first[k]);
 }
 
 BOOST_AUTO_TEST_CASE(stripes_hold_whole_pieces_and_every_sphere_once) {
