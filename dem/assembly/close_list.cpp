@@ -77,12 +77,7 @@ void CloseList::check_finite() const {
 
 void CloseList::sort() {
   const double reach = 2 * *std::ranges::max_element(spheres_.radius) + skin_;
-  for (const double period : spheres_.period.c) {
-    if (period > 0 && period < 2 * reach) {
-      throw InvalidInput(fmt::format("period = {:g} m is not allowed: it must be at least {:g} m, twice what spheres see of "
-                                     "each other", period, 2 * reach));
-    }
-  }
+  check_periods(spheres_.period, reach);
   Box box{places_[0], places_[0]};
   for (const Vec<double, 3>& x : places_) {
     for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
@@ -104,10 +99,7 @@ void CloseList::search(int stripe) {
   for (auto& pairs : own.found) pairs.clear();
   const SortedSpheres all = sorted_->view();
   Asking asking{};
-  for (int c = 0; c < 3; ++c) {
-    asking.period[c] = spheres_.period[c];
-    asking.inverse_period[c] = spheres_.period[c] > 0 ? 1 / spheres_.period[c] : 0;
-  }
+  asking.periods = periods_of(spheres_.period);
   SlotRange runs[CellRuns::most_runs];
   int count = 0;
   std::int32_t last_cell = -1;

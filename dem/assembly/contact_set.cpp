@@ -1,7 +1,6 @@
 #include "dem/assembly/contact_set.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "dem/assembly/contact_parameters.hpp"
@@ -22,7 +21,11 @@ void add_times(ContactBook<double>& sum, double factor, const ContactBook<double
 }  // namespace
 
 ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step)
-    : surroundings_(surroundings), booked_(options.book_energy), instruction_set_(options.instruction_set), step_(step) {}
+    : surroundings_(surroundings),
+      periods_(periods_of(surroundings.period)),
+      booked_(options.book_energy),
+      instruction_set_(options.instruction_set),
+      step_(step) {}
 
 int ContactSet::kind_of(const ContactBody& body) {
   const auto found = std::ranges::find(bodies_, body);
@@ -114,10 +117,7 @@ ContactView ContactSet::view(Stripe& stripe, const SphereRows& rows) {
   view.kind = kind_of_sphere_.data();
   view.first = stripe.pairs.first.data();
   view.second = stripe.pairs.second.data();
-  for (int c = 0; c < 3; ++c) {
-    view.period[c] = surroundings_.period[c];
-    view.inverse_period[c] = view.period[c] > 0 ? 1 / view.period[c] : 0;
-  }
+  view.periods = periods_;
   view.contact = stripe.pairs.contact.data();
   view.memory = stripe.memory.rows.data();
   view.work = stripe.memory.work.data();
@@ -296,11 +296,7 @@ std::vector<ContactState> ContactSet::states(const SphereRows& rows, double time
       arm = gap_to(wall, x, time);
       other_velocity = wall.velocity;
     } else {
-      Vec<double, 3> r = rows.place(c.second) - x;
-      for (int k = 0; k < 3; ++k) {
-        const double period = surroundings_.period[k];
-        if (period > 0) r[k] -= period * std::nearbyint(r[k] / period);
-      }
+      const Vec<double, 3> r = nearest_image(periods_, rows.place(c.second) - x);
       pair.normal = (1 / norm(r)) * r;
       arm = norm(r) * radius_[c.first] / (radius_[c.first] + radius_[c.second]);
       other_arm = norm(r) - arm;

@@ -128,6 +128,7 @@ class ContactSet {
   std::size_t may_begin(const Stripe& stripe) const;
 
   Surroundings surroundings_;
+  Periods periods_;
   bool booked_;
   InstructionSet instruction_set_;
   std::vector<ContactBody> bodies_;  ///< of each kind

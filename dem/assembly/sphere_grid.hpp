@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem/contact/cell_grid.hpp"
+#include "dem/contact/periods.hpp"
 
 namespace fiberchain::dem {
 
@@ -18,7 +19,7 @@ class SphereGrid {
  public:
   /// For spheres of at most the reach, that are added in or near the box, about `expected` of them. Periodic
   /// along axes whose `period` is above 0. Throws InvalidInput when a period is less than twice the largest
-  /// distance of contact.
+  /// distance that is not free.
   SphereGrid(const Box& box, const Vec<double, 3>& period, double largest_radius, double gap,
              std::int64_t expected);
 
@@ -31,7 +32,7 @@ class SphereGrid {
   Vec<double, 3> nearest(const Vec<double, 3>& a, const Vec<double, 3>& b) const;
 
  private:
-  Vec<double, 3> period_;
+  Periods periods_;
   double gap_;
   CellGrid cells_;
   PlacedSpheres spheres_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "dem/contact/law.hpp"
+#include "dem/contact/periods.hpp"
 #include "dem/sphere_rows.hpp"
 
 // What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves all.
@@ -37,7 +38,7 @@ struct ContactView {
   double* work;              ///< booked: a row a number, what dissipated in the step before
   const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
   std::int32_t kinds;
-  double period[3], inverse_period[3];
+  Periods periods;
   double step;
 };
 
@@ -101,7 +102,7 @@ struct Asking {
   double x[3];
   double reach;  ///< its radius and the gap up to which others are near
   std::int32_t sphere, fiber;
-  double period[3], inverse_period[3];
+  Periods periods;
 };
 
 struct ContactKernel {

@@ -87,10 +87,4 @@ inline __attribute__((always_inline)) void append_lanes(unsigned bits, std::int3
   for (; bits != 0; bits &= bits - 1) *target++ = base + __builtin_ctz(bits);
 }
 
-inline double nearest(double x) { return __builtin_nearbyint(x); }
-template <class T, class A>
-xsimd::batch<T, A> nearest(const xsimd::batch<T, A>& x) {
-  return xsimd::nearbyint(x);
-}
-
 }  // namespace fiberchain::dem

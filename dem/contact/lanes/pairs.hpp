@@ -55,12 +55,11 @@ Motions<Real> motions_at(const ContactView& view, const std::int32_t* slots) {
   return {{n[0], n[1], n[2]}, {n[motion_spin], n[motion_spin + 1], n[motion_spin + 2]}};
 }
 
-/// The nearest image of a separation in a periodic cell.
+/// From one to the other, the nearest image of it where the room repeats itself.
 template <ContactPhysics P, class Real>
-Vec<Real, 3> nearest_image(const ContactView& view, Vec<Real, 3> r) {
-  if constexpr (P.periodic) {
-    for (int c = 0; c < 3; ++c) r[c] = r[c] - Real(view.period[c]) * nearest(r[c] * Real(view.inverse_period[c]));
-  }
+Vec<Real, 3> separation(const ContactView& view, const Balls<Real>& a, const Balls<Real>& b) {
+  const Vec<Real, 3> r = b.center - a.center;
+  if constexpr (P.periodic) return nearest_image(view.periods, r);
   return r;
 }
 
@@ -74,7 +73,7 @@ inline constexpr int pairs_ahead = 48, touching_ahead = 24;
 template <ContactPhysics P, class Real>
 unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first, const std::int32_t* second) {
   const Balls<Real> a = balls_at<Real>(view, first), b = balls_at<Real>(view, second);
-  const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
+  const Vec<Real, 3> r = separation<P>(view, a, b);
   const Real reach = P.uniform ? Real(2.0 * view.places[place_radius]) + gap : a.radius + b.radius + gap;
   return less_mask(dot(r, r), reach * reach);
 }
@@ -239,7 +238,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   constexpr int lanes = lane_count<Real>;
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
-  const Vec<Real, 3> r = nearest_image<P, Real>(view, b.center - a.center);
+  const Vec<Real, 3> r = separation<P>(view, a, b);
   const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared), distance = squared * inverse_distance;
   ContactParameters<Real> p;
   Real reach, share = Real(0.5);

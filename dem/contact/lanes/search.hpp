@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contact/lanes/gather.hpp"
+#include "dem/contact/periods.hpp"
 #include "dem/contact/view.hpp"
 
 // Who is near a sphere: distances to as many spheres at a time as there are lanes.
@@ -13,14 +14,11 @@ std::int32_t spheres_near(const SortedSpheres& all, const SlotRange* runs, int c
   std::int32_t n = 0;
   for (const SlotRange* run = runs; run != runs + count; ++run) {
     for (std::int32_t k = run->begin; k < run->end; k += lanes) {
-      Real squared(0.0);
-      for (int c = 0; c < 3; ++c) {
-        Real r = load_lanes<Real>(all.x[c] + k) - Real(own.x[c]);
-        if constexpr (periodic) r = r - Real(own.period[c]) * nearest(r * Real(own.inverse_period[c]));
-        squared = squared + r * r;
-      }
+      Vec<Real, 3> r;
+      for (int c = 0; c < 3; ++c) r[c] = load_lanes<Real>(all.x[c] + k) - Real(own.x[c]);
+      if constexpr (periodic) r = nearest_image(own.periods, r);
       const Real reach = reach_of_own + load_lanes<Real>(all.radius + k);
-      unsigned near = less_mask(squared, reach * reach);
+      unsigned near = less_mask(dot(r, r), reach * reach);
       if (run->end - k < lanes) near &= (1u << (run->end - k)) - 1u;
       for (; near != 0; near &= near - 1) {
         const std::int32_t at = k + __builtin_ctz(near), apart = all.sphere[at] - own.sphere;
