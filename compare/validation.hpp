@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "compare/matrix.hpp"
-#include "compare/published.hpp"
+#include "compare/results/matrix.hpp"
+#include "compare/results/published.hpp"
 
 // The rows of the validation matrix, feature by feature.
 namespace fiberchain::compare {

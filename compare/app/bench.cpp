@@ -6,8 +6,8 @@
 #include "compare/bench/problems.hpp"
 #include "compare/bench/skips.hpp"
 #include "compare/bench/tables.hpp"
-#include "compare/markdown.hpp"
-#include "compare/published.hpp"
+#include "compare/results/markdown.hpp"
+#include "compare/results/published.hpp"
 #include "dem/io/scene.hpp"
 
 namespace fiberchain::app {

@@ -4,9 +4,9 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/calibration_table.hpp"
+#include "compare/damping/calibration_table.hpp"
 #include "compare/errors.hpp"
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 #include "dem/io/numbers.hpp"
 #include "dem/io/units.hpp"
 

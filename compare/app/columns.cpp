@@ -1,10 +1,10 @@
-#include "compare/columns.hpp"
+#include "compare/results/columns.hpp"
 
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
-#include "compare/json.hpp"
-#include "compare/markdown.hpp"
-#include "compare/table.hpp"
+#include "compare/results/json.hpp"
+#include "compare/results/markdown.hpp"
+#include "compare/results/table.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "compare/build_info.hpp"
 #include "compare/errors.hpp"
+#include "compare/results/build_info.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <ostream>
 
-#include "compare/progress.hpp"
-#include "compare/provenance.hpp"
+#include "compare/results/progress.hpp"
+#include "compare/results/provenance.hpp"
 
 namespace fiberchain::app {
 

@@ -2,8 +2,8 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/damping/fit_table.hpp"
 #include "compare/errors.hpp"
-#include "compare/fit_table.hpp"
 
 namespace fiberchain::app {
 namespace {

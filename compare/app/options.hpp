@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compare/app/command.hpp"
-#include "compare/peaks.hpp"
-#include "compare/ranges.hpp"
+#include "compare/damping/peaks.hpp"
+#include "compare/results/ranges.hpp"
 
 /// Options that several commands have, and how options become values.
 namespace fiberchain::app {

@@ -3,8 +3,8 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
 #include "compare/errors.hpp"
-#include "compare/output.hpp"
 #include "compare/render/picture.hpp"
+#include "compare/results/output.hpp"
 #include "dem/io/h5md.hpp"
 
 namespace fiberchain::app {

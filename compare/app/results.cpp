@@ -1,8 +1,8 @@
 #include "compare/app/results.hpp"
 
-#include "compare/csv.hpp"
-#include "compare/json.hpp"
-#include "compare/markdown.hpp"
+#include "compare/results/csv.hpp"
+#include "compare/results/json.hpp"
+#include "compare/results/markdown.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "compare/app/context.hpp"
 #include "compare/app/options.hpp"
-#include "compare/figure.hpp"
-#include "compare/output.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/output.hpp"
+#include "compare/results/table.hpp"
 
 namespace fiberchain::app {
 

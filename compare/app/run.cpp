@@ -1,11 +1,11 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/run_packing.hpp"
-#include "compare/cantilever.hpp"
-#include "compare/csv.hpp"
+#include "compare/damping/release_report.hpp"
 #include "compare/errors.hpp"
 #include "compare/flow/scene_report.hpp"
-#include "compare/release_report.hpp"
+#include "compare/results/csv.hpp"
+#include "compare/static/cantilever.hpp"
 #include "dem/errors.hpp"
 
 namespace fiberchain::app {

@@ -7,9 +7,9 @@
 
 #include "compare/app/results.hpp"
 #include "compare/app/stop_signals.hpp"
-#include "compare/csv.hpp"
 #include "compare/errors.hpp"
 #include "compare/packing/run_report.hpp"
+#include "compare/results/csv.hpp"
 #include "dem/errors.hpp"
 
 namespace fiberchain::app {

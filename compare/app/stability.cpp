@@ -2,7 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/stability_table.hpp"
+#include "compare/stability/table.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
-#include "compare/damping_table.hpp"
+#include "compare/damping/table.hpp"
 #include "compare/errors.hpp"
 
 namespace fiberchain::app {

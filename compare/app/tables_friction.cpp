@@ -7,7 +7,7 @@
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/errors.hpp"
-#include "compare/rolling_table.hpp"
+#include "compare/friction/table.hpp"
 
 namespace fiberchain::app {
 namespace {

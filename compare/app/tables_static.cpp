@@ -4,7 +4,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/static_table.hpp"
+#include "compare/static/table.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/matrix.hpp"
-#include "compare/published.hpp"
+#include "compare/results/matrix.hpp"
+#include "compare/results/published.hpp"
 #include "compare/validation.hpp"
 
 namespace fiberchain::app {

@@ -6,10 +6,10 @@
 
 #include "compare/bench/problems.hpp"
 #include "compare/bench/ring_down.hpp"
-#include "compare/damping_release.hpp"
+#include "compare/damping/peaks.hpp"
+#include "compare/damping/release.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/peaks.hpp"
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -8,8 +8,8 @@
 #include "compare/bench/peak.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/swing.hpp"
-#include "compare/figure.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/table.hpp"
 
 // The inner loops: how long a bond-step takes, what the operations in it must take at least, and what a scene
 // saves that lacks something. Chains of 11 spheres.

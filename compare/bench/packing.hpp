@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "compare/bench/problems.hpp"
-#include "compare/table.hpp"
+#include "compare/results/table.hpp"
 #include "dem/io/packing_scene.hpp"
 
 namespace fiberchain::compare {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "compare/damping_release.hpp"
+#include "compare/damping/release.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 #include "dem/equilibrium/march.hpp"
 #include "dem/equilibrium/solve.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "compare/bench/problems.hpp"
 #include "compare/bench/static_reference.hpp"
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 #include "dem/equilibrium/solve.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/elastica.hpp"

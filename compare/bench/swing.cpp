@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 #include "dem/errors.hpp"
 #include "dem/motion/lanes/block.hpp"
 #include "dem/motion/time_step.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/bench/row.hpp"
-#include "compare/figure.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/table.hpp"
 
 // The precision problems as tables, Markdown and figures.
 namespace fiberchain::compare {

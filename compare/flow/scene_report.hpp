@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/figure.hpp"
 #include "compare/flow/history.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/table.hpp"
 #include "dem/io/scene.hpp"
 
 // One fiber in a flow, as a scene asks for it: its run, and the tables and figures that show it.

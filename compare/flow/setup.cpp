@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/figure.hpp"
 #include "compare/flow/orbit.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/table.hpp"
 
 // What is asked of fibers in a flow, question by question: cases, table, figures.
 namespace fiberchain::compare {

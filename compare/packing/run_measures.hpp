@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/table.hpp"
+#include "compare/results/table.hpp"
 #include "dem/assembly/assembly.hpp"
 #include "dem/io/frame.hpp"
 #include "dem/io/packing_scene.hpp"

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/figure.hpp"
 #include "compare/packing/run_session.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/table.hpp"
 
 namespace fiberchain::compare {
 

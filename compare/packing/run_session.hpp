@@ -7,7 +7,7 @@
 
 #include "compare/packing/run_files.hpp"
 #include "compare/packing/run_measures.hpp"
-#include "compare/provenance.hpp"
+#include "compare/results/provenance.hpp"
 #include "dem/io/packing_setup.hpp"
 
 // A run of many fibers to its end, with its files.

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/figure.hpp"
 #include "compare/packing/study_run.hpp"
-#include "compare/table.hpp"
+#include "compare/results/figure.hpp"
+#include "compare/results/table.hpp"
 
 // Figs 11 and 12: the packings of the paper, how they differ, and how much of that is the seed's.
 namespace fiberchain::compare {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "compare/output.hpp"
 #include "compare/packing/study_run.hpp"
-#include "compare/provenance.hpp"
+#include "compare/results/output.hpp"
+#include "compare/results/provenance.hpp"
 
 namespace fiberchain::compare {
 

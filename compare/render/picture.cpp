@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "compare/figure_metadata.hpp"
-#include "compare/gnuplot.hpp"
+#include "compare/results/figure_metadata.hpp"
+#include "compare/results/gnuplot.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "compare/provenance.hpp"
 #include "compare/render/ray_trace.hpp"
+#include "compare/results/provenance.hpp"
 #include "dem/io/frame.hpp"
 
 /// Pictures of many fibers as the paper's Fig 11.

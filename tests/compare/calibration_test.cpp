@@ -7,12 +7,12 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/calibration.hpp"
-#include "compare/calibration_table.hpp"
+#include "compare/damping/calibration.hpp"
+#include "compare/damping/calibration_table.hpp"
+#include "compare/damping/peaks.hpp"
 #include "compare/errors.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/peaks.hpp"
-#include "compare/static_point.hpp"
+#include "compare/static/point.hpp"
 #include "dem/errors.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_elastica.hpp"

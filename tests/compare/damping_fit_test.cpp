@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/damping_fit.hpp"
+#include "compare/damping/fit.hpp"
+#include "compare/damping/fit_choices.hpp"
+#include "compare/damping/fit_table.hpp"
 #include "compare/errors.hpp"
-#include "compare/fit_choices.hpp"
-#include "compare/fit_table.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/static_point.hpp"
-#include "compare/static_release.hpp"
+#include "compare/static/point.hpp"
+#include "compare/static/release.hpp"
 #include "dem/errors.hpp"
 #include "reference/chain_modes.hpp"
 #include "tests/compare/messages.hpp"

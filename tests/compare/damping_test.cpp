@@ -5,9 +5,9 @@
 #include <complex>
 #include <numbers>
 
-#include "compare/damping_references.hpp"
-#include "compare/damping_release.hpp"
-#include "compare/damping_table.hpp"
+#include "compare/damping/references.hpp"
+#include "compare/damping/release.hpp"
+#include "compare/damping/table.hpp"
 #include "compare/errors.hpp"
 #include "dem/errors.hpp"
 #include "tests/compare/elastica_error.hpp"

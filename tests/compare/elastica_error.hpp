@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/damping_point.hpp"
-#include "compare/damping_release.hpp"
+#include "compare/damping/point.hpp"
+#include "compare/damping/release.hpp"
 #include "reference/damped_elastica.hpp"
 
 namespace {

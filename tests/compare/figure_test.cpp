@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE figure
-#include "compare/figure.hpp"
+#include "compare/results/figure.hpp"
 
 #include <stdlib.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "compare/errors.hpp"
-#include "compare/figure_metadata.hpp"
-#include "compare/gnuplot.hpp"
+#include "compare/results/figure_metadata.hpp"
+#include "compare/results/gnuplot.hpp"
 
 using namespace fiberchain::compare;
 using namespace std::string_view_literals;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/damping_point.hpp"
+#include "compare/damping/point.hpp"
 #include "compare/errors.hpp"
-#include "compare/rolling_law.hpp"
-#include "compare/rolling_table.hpp"
-#include "compare/static_point.hpp"
-#include "compare/stretch_march.hpp"
+#include "compare/friction/law.hpp"
+#include "compare/friction/stretch_march.hpp"
+#include "compare/friction/table.hpp"
+#include "compare/static/point.hpp"
 #include "dem/errors.hpp"
 
 using namespace fiberchain;

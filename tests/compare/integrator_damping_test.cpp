@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/damping_release.hpp"
+#include "compare/damping/peaks.hpp"
+#include "compare/damping/release.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/peaks.hpp"
 #include "dem/vibration/release.hpp"
 
 namespace compare = fiberchain::compare;

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE matrix
-#include "compare/matrix.hpp"
+#include "compare/results/matrix.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE output
-#include "compare/output.hpp"
+#include "compare/results/output.hpp"
 
 #include <sys/resource.h>
 #include <sys/stat.h>

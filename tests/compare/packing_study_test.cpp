@@ -7,7 +7,7 @@
 #include "compare/errors.hpp"
 #include "compare/packing/study.hpp"
 #include "compare/packing/study_rows.hpp"
-#include "compare/published.hpp"
+#include "compare/results/published.hpp"
 #include "dem/io/scene.hpp"
 
 namespace compare = fiberchain::compare;

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE progress
-#include "compare/progress.hpp"
+#include "compare/results/progress.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE provenance
-#include "compare/provenance.hpp"
+#include "compare/results/provenance.hpp"
 
 #include <stdlib.h>
 

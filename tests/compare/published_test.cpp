@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE published
-#include "compare/published.hpp"
+#include "compare/results/published.hpp"
 
 #include <stdlib.h>
 #include <unistd.h>

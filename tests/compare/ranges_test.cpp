@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE ranges
-#include "compare/ranges.hpp"
+#include "compare/results/ranges.hpp"
 
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>

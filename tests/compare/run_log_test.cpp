@@ -1,14 +1,14 @@
 #define BOOST_TEST_MODULE run_log
-#include "compare/run_log.hpp"
+#include "compare/results/run_log.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
-#include "compare/csv.hpp"
-#include "compare/run_status.hpp"
 #include "compare/errors.hpp"
+#include "compare/results/csv.hpp"
+#include "compare/results/run_status.hpp"
 #include "tests/dem/io/files.hpp"
 
 using namespace fiberchain::compare;

@@ -6,8 +6,8 @@
 
 #include "compare/errors.hpp"
 #include "compare/linear_twin.hpp"
-#include "compare/stability_table.hpp"
-#include "compare/static_point.hpp"
+#include "compare/stability/table.hpp"
+#include "compare/static/point.hpp"
 #include "dem/errors.hpp"
 #include "dem/motion/time_step.hpp"
 

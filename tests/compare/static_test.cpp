@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "compare/errors.hpp"
-#include "compare/static_table.hpp"
-#include "compare/static_tip.hpp"
+#include "compare/static/table.hpp"
+#include "compare/static/tip.hpp"
 #include "dem/errors.hpp"
 #include "reference/errors.hpp"
 

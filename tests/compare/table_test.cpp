@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE table
-#include "compare/table.hpp"
+#include "compare/results/table.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <set>
 #include <sstream>
 
-#include "compare/columns.hpp"
-#include "compare/csv.hpp"
 #include "compare/errors.hpp"
-#include "compare/json.hpp"
-#include "compare/markdown.hpp"
+#include "compare/results/columns.hpp"
+#include "compare/results/csv.hpp"
+#include "compare/results/json.hpp"
+#include "compare/results/markdown.hpp"
 
 using namespace fiberchain::compare;
 
