@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "compare/bench/timing.hpp"
 #include "compare/packing/run_measures.hpp"
@@ -19,6 +22,14 @@ double resident() {
   std::ifstream file("/proc/self/statm");
   double all = 0, resident = 0;
   return file >> all >> resident ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// The same when all that was used before has gone back to the system.
+double resident_at_rest() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+  return resident();
 }
 
 /// So many copies of the scene side by side along x, in one room.
@@ -66,7 +77,7 @@ struct Windows {
 };
 
 std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const Windows& windows) {
-  const double before = resident();
+  const double before = resident_at_rest();
   dem::io::PackingStart start = dem::io::packing_start(scene, threads);
   const double frames_a_step = static_cast<double>(scene.output.frames) / static_cast<double>(start.steps);
   start.options.time_parts = true;
