@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "compare/render/picture.hpp"
 
@@ -45,6 +46,13 @@ std::vector<OutputFile> stage_pictures(const PackingRun& run, int threads, const
   std::vector<OutputFile> files;
   for (const auto& [letter, frame] : frames) {
     files.push_back({fmt::format("fig-11-{}.png", letter), draw(frame, options, provenance).png});
+  }
+  if (frames.size() == std::size(kPackingStages)) {
+    std::vector<dem::io::Frame> all;
+    for (const auto& [letter, frame] : frames) all.push_back(frame);
+    PictureOptions sheet = options;
+    sheet.width = 1600, sheet.height = 1400;
+    files.push_back({"fig-11.png", draw_sheet(all, sheet, provenance).png});
   }
   return files;
 }

@@ -56,32 +56,53 @@ std::string label_of(Shade shade) {
   return shade == Shade::vertical_speed ? "vertical velocity (m/s)" : "bending angle of the bonds (rad)";
 }
 
-/// Gnuplot's commands that put a color scale and the time beside the image.
-std::string commands(const dem::io::Frame& frame, const PictureOptions& options,
-                     const std::pair<double, double>& range, const Image& image) {
+/// An image, the part of the picture that it takes, and words in its upper right corner.
+struct Tile {
+  Image image;
+  double left, bottom, right, top;
+  std::string words;
+};
+
+/// Share of the width that images have: the color scale stands beside them.
+constexpr double kImages = 6.0 / 7;
+
+int image_width(const PictureOptions& options) { return std::max(static_cast<int>(kImages * options.width), 1); }
+
+Image trace(const dem::io::Frame& frame, const PictureOptions& options, const std::pair<double, double>& range, int width,
+            int height) {
+  Solids solids{rods_of(frame, shade_of(frame, options.shade), range), {}, frame.low, frame.high};
+  for (int i = 0; i < kColors; ++i) solids.palette.push_back(color_at((i + 0.5) / kColors));
+  return ray_trace(solids, options.view, width, height, options.threads);
+}
+
+std::string time_words(const dem::io::Frame& frame) { return fmt::format("t = {:.4g} s", frame.time); }
+
+/// Gnuplot's commands for the whole picture: its size and its color scale.
+std::string sheet_commands(const PictureOptions& options, const std::pair<double, double>& range, int rows) {
   std::vector<std::string> colors;
   for (std::size_t i = 0; i < kScale.size(); ++i)
     colors.push_back(fmt::format("{} {} {} {}", i, kScale[i].red, kScale[i].green, kScale[i].blue));
-  std::string text = fmt::format(
-      "set terminal pngcairo size {0},{1} enhanced font 'DejaVu Sans,12' fontscale {2} background rgb "
-      "'white'\n"
-      "set output\nunset border\nunset tics\nset cbtics\nset lmargin at screen 0\nset bmargin at screen 0\n"
-      "set tmargin at screen 1\nset rmargin at screen {3}\nset xrange [-0.5:{4}]\nset yrange [{5}:-0.5]\n",
-      options.width, options.height, 1.3 * options.height / 800,
-      static_cast<double>(image.width) / options.width, image.width - 0.5, image.height - 0.5);
-  text +=
-      fmt::format("set palette defined ({})\nset palette maxcolors {}\n", fmt::join(colors, ", "), kColors);
-  text += fmt::format(
-      "set cbrange [{}:{}]\nset colorbox user origin {},0.12 size 0.02,0.7\nset cblabel '{}'\nset label 1 't "
-      "= {:.4g} s' at "
-      "screen 0.98,0.93 right\n",
-      range.first, range.second, static_cast<double>(image.width) / options.width + 0.005,
-      label_of(options.shade), frame.time);
-  return text + fmt::format(
-                    "plot '-' binary array=({},{}) format='%uchar%uchar%uchar' using 1:2:3 with rgbimage "
-                    "notitle, NaN with "
-                    "lines palette notitle\n",
-                    image.width, image.height);
+  return fmt::format(
+      "set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,12' fontscale {} background rgb 'white'\n"
+      "set output\nset multiplot\nunset border\nunset tics\nset cbtics\nset palette defined ({})\n"
+      "set palette maxcolors {}\nset cbrange [{}:{}]\nset cblabel '{}'\n",
+      options.width, options.height, 1.3 * options.height / rows / 800, fmt::join(colors, ", "), kColors, range.first,
+      range.second, label_of(options.shade));
+}
+
+/// And for one image in it, with the image itself.
+std::string tile_commands(const Tile& tile, bool with_scale) {
+  const std::string scale =
+      with_scale ? fmt::format("set colorbox user origin {},0.12 size 0.02,0.7\n", kImages + 0.005) : "unset colorbox\n";
+  return scale +
+         fmt::format(
+             "set lmargin at screen {}\nset bmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
+             "set xrange [-0.5:{}]\nset yrange [{}:-0.5]\nset label 1 '{}' at screen {},{} right front\n"
+             "plot '-' binary array=({},{}) format='%uchar%uchar%uchar' using 1:2:3 with rgbimage notitle{}\n",
+             tile.left, tile.bottom, tile.right, tile.top, tile.image.width - 0.5, tile.image.height - 0.5, tile.words,
+             tile.right - 0.01, tile.top - 0.04, tile.image.width, tile.image.height,
+             with_scale ? ", NaN with lines palette notitle" : "") +
+         std::string(tile.image.rgb.begin(), tile.image.rgb.end());
 }
 
 }  // namespace
@@ -115,14 +136,29 @@ std::pair<double, double> range_of(std::vector<double> values) {
 }
 
 Picture draw(const dem::io::Frame& frame, const PictureOptions& options, const Provenance& provenance) {
-  const std::vector<double> values = shade_of(frame, options.shade);
-  const auto range = options.range ? *options.range : range_of(values);
-  Solids solids{rods_of(frame, values, range), {}, frame.low, frame.high};
-  for (int i = 0; i < kColors; ++i) solids.palette.push_back(color_at((i + 0.5) / kColors));
-  const int width = options.width - std::max(options.width / 7, 1);  // the color scale stands beside
-  const Image image = ray_trace(solids, options.view, width, options.height, options.threads);
-  const std::string pixels(image.rgb.begin(), image.rgb.end());
-  return {with_png_metadata(run_gnuplot(commands(frame, options, range, image) + pixels), provenance), range};
+  const auto range = options.range ? *options.range : range_of(shade_of(frame, options.shade));
+  const Tile tile{trace(frame, options, range, image_width(options), options.height), 0, 0, kImages, 1, time_words(frame)};
+  return {with_png_metadata(run_gnuplot(sheet_commands(options, range, 1) + tile_commands(tile, true)), provenance), range};
+}
+
+Picture draw_sheet(const std::vector<dem::io::Frame>& frames, const PictureOptions& options, const Provenance& provenance) {
+  constexpr int columns = 2;
+  std::vector<double> values;
+  for (const dem::io::Frame& frame : frames) {
+    const std::vector<double> more = shade_of(frame, options.shade);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  const auto range = options.range ? *options.range : range_of(std::move(values));
+  const int count = static_cast<int>(frames.size()), rows = std::max((count + columns - 1) / columns, 1);
+  const double width = kImages / columns, height = 1.0 / rows;
+  std::string text = sheet_commands(options, range, rows);
+  for (int n = 0; n < count; ++n) {
+    const double left = n % columns * width, top = 1 - n / columns * height;
+    text += tile_commands({trace(frames[n], options, range, image_width(options) / columns, options.height / rows), left,
+                           top - height, left + width, top, fmt::format("({:c}) {}", 'a' + n, time_words(frames[n]))},
+                          n + 1 == count);
+  }
+  return {with_png_metadata(run_gnuplot(text), provenance), range};
 }
 
 }  // namespace fiberchain::compare

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compare/render/ray_trace.hpp"
 #include "compare/results/provenance.hpp"
@@ -41,5 +42,9 @@ struct Picture {
 /// The frame as PNG: fibers, box, color scale with its unit, time; provenance as tEXt chunks.
 /// @throws FigureError if gnuplot, which sets the texts, is missing or refuses
 Picture draw(const dem::io::Frame& frame, const PictureOptions& options, const Provenance& provenance);
+
+/// Some frames in two columns, (a), (b), ..., under one color scale; width and height are those of all together.
+/// @throws FigureError as draw()
+Picture draw_sheet(const std::vector<dem::io::Frame>& frames, const PictureOptions& options, const Provenance& provenance);
 
 }  // namespace fiberchain::compare
