@@ -14,7 +14,7 @@ struct PackingTime {
   int threads;
   std::int64_t from, to;       ///< steps
   double contacts_a_sphere;    ///< at the end
-  double all, bonds_and_motion, contacts, search;
+  double all, bonds, motion, contacts, search;  ///< one loop does bonds and motion; `motion` is that of one without bonds
   double output;               ///< frames of the trajectory, as often as the scene says
   double bytes_a_sphere;       ///< of the process, grown since before; 0 where the system does not say
 };
