@@ -16,8 +16,8 @@ inline constexpr int orientation_numbers = 4;  ///< quaternion
 /// Numbers of a cache line.
 inline constexpr int line_numbers = 8;
 
-inline constexpr int memory_numbers = 8;  ///< of a contact: tangential spring, root of the overlap, opening velocity, 3 unused
+inline constexpr int memory_numbers = 8;  ///< of a contact: tangential spring, root of the overlap, opening velocity, power of rolling, 2 unused
 
-inline constexpr int work_numbers = 8;    ///< booked contacts: dashpot force, tangential force, 3 unused, its power
+inline constexpr int work_numbers = 8;    ///< booked contacts: dashpot force, tangential force, rolling moment, power of the tangential force
 
 }  // namespace fiberchain::dem

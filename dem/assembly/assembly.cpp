@@ -46,8 +46,13 @@ void check_places(const std::vector<FiberGroup>& groups, const Surroundings& sur
   }
 }
 
-/// Images of a sphere would have to move with the flow.
+/// Spheres have no images: what they meet must be the same at all of them.
 void check_periods(const Surroundings& surroundings) {
+  for (const Wall& wall : surroundings.walls) {
+    for (int c = 0; c < 3; ++c) {
+      if (surroundings.period[c] > 0 && !is_even_along(wall, c)) throw InvalidInput("a wall across or askew to a periodic side is not allowed");
+    }
+  }
   if (!surroundings.fluid) return;
   for (const Gradient& A : {surroundings.fluid->flow.gradient, gradient_at(surroundings.fluid->flow, 0)}) {
     for (int c = 0; c < 3; ++c) {
@@ -69,7 +74,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Surroundings surroundings, As
   for (const FiberGroup& group : groups) check(group);
   check_fluid(surroundings);
   check_periods(surroundings);
-  check_places(groups, surroundings, 0);
+  if (!options.placed_anywhere) check_places(groups, surroundings, 0);
   if (options.threads < 1) throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
   const StepChoice choice = assembly_time_step(groups, surroundings);
   const double step = options.step ? *options.step : choice.step;

@@ -29,6 +29,7 @@ struct AssemblyOptions {
   bool time_parts = false;                ///< measure where the time goes (StepTimes)
   bool book_energy = false;               ///< sum what each mechanism dissipates
   bool orientations = true;               ///< follow the orientations of spheres where the bonds do not need them (incremental form)
+  bool placed_anywhere = false;           ///< fibers may start behind walls: their state comes from restore()
   InstructionSet instruction_set = best_instruction_set();
 };
 

@@ -10,7 +10,7 @@ namespace {
 /// Steps, time of the list, room, inserted energy, spheres.
 constexpr std::size_t head_numbers = 5;
 /// Of a contact.
-constexpr std::size_t kept_numbers = 7 + work_numbers;
+constexpr std::size_t kept_numbers = 8 + work_numbers;
 
 std::array<const LaneArray*, 3> arrays(const SphereRows& rows) { return {&rows.places, &rows.motions, &rows.orientation}; }
 
@@ -38,7 +38,7 @@ std::vector<double> Assembly::saved() const {
   all.push_back(static_cast<double>(kept.size()));
   for (const KeptContact& c : kept) {
     all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
-                           c.spring[2], c.root, c.opening});
+                           c.spring[2], c.root, c.opening, c.rolling_power});
     all.insert(all.end(), c.work, c.work + work_numbers);
   }
   return all;
@@ -66,8 +66,8 @@ void Assembly::restore(const std::vector<double>& saved) {
   for (FiberBlock& block : s.blocks) from = block.restore(from);
   std::vector<KeptContact> kept(static_cast<std::size_t>(*from++));
   for (KeptContact& c : kept) {
-    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6]};
-    std::copy_n(from + 7, work_numbers, c.work);
+    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6], from[7]};
+    std::copy_n(from + 8, work_numbers, c.work);
     from += kept_numbers;
   }
   s.contacts.list_pairs(std::move(listed), saved[1], s.team);

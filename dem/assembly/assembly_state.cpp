@@ -42,6 +42,9 @@ double dashpot_power(const BondParameters<double>& law, const MovingSphere<doubl
 /// Fibers side by side at most.
 constexpr int widest_block = 8;
 
+/// Their numbers are int32, with some to pad lanes.
+constexpr std::int64_t most_spheres = 2'000'000'000;
+
 /// Steps between two looks at all spheres.
 constexpr int kStepsBetweenLooks = 256;
 
@@ -55,6 +58,8 @@ std::int64_t Assembly::State::first_sphere(int group, int fiber) const {
 int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   std::int64_t count = rows.count;
   for (const FiberGroup& group : groups) count += static_cast<std::int64_t>(group.fibers.size()) * group.chain.poses.size();
+  if (count > most_spheres) throw InvalidInput(fmt::format("spheres = {} is not allowed: at most {}", count, most_spheres));
+  contacts.check_periods(groups);
   const bool oriented = options.orientations || options.form == BondForm::total;
   std::int64_t row = rows.count;
   rows = grown(rows, count, oriented);
@@ -235,6 +240,7 @@ bool Assembly::State::march_some(int count) {
     try {
       if (keep_lists()) watch.lap(&StepTimes::search);
     } catch (const InvalidInput&) {
+      for (int k = 0; k < contacts.stripes().count(); ++k) loads.take(k, 0);  // who looks at the wreck finds some
       return false;
     }
   }
@@ -270,14 +276,16 @@ std::int64_t Assembly::State::broken() const {
 }
 
 void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
+  const bool walls_come = std::ranges::any_of(surroundings.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
   int fiber = 0;
   for (const FiberBlock& block : blocks) {
     for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
       const std::int64_t own = sphere - block.first(lane);
       if (own >= kinds[block.group()].spheres()) continue;
       throw Diverged(fmt::format("the run blew up: fiber {}, sphere {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); "
-                                 "likely cause: a step too long for the bonds or for how hard contacts press",
-                                 fiber, own, from, steps, step, time()));
+                                 "likely cause: a step too long for the bonds or for how hard contacts press{}",
+                                 fiber, own, from, steps, step, time(),
+                                 walls_come ? ", or a wall that came upon spheres or moves into them" : ""));
     }
   }
   throw Diverged("the run blew up");

@@ -30,7 +30,7 @@ void ContactMemory::make_room(std::size_t numbers) {
 
 KeptContact ContactMemory::at(std::int32_t number, std::int64_t first, std::int64_t second) const {
   const double* n = rows.data() + static_cast<std::ptrdiff_t>(number) * memory_numbers;
-  KeptContact contact{first, second, {n[0], n[1], n[2]}, n[3], n[4]};
+  KeptContact contact{first, second, {n[0], n[1], n[2]}, n[3], n[4], n[5]};
   if (booked) std::copy_n(work.data() + static_cast<std::ptrdiff_t>(number) * work_numbers, work_numbers, contact.work);
   return contact;
 }
@@ -38,7 +38,7 @@ KeptContact ContactMemory::at(std::int32_t number, std::int64_t first, std::int6
 void ContactMemory::put(std::int32_t number, const KeptContact& c) {
   double* n = rows.data() + static_cast<std::ptrdiff_t>(number) * memory_numbers;
   for (int k = 0; k < 3; ++k) n[k] = c.spring[k];
-  n[3] = c.root, n[4] = c.opening;
+  n[3] = c.root, n[4] = c.opening, n[5] = c.rolling_power;
   if (booked) std::copy_n(c.work, work_numbers, work.data() + static_cast<std::ptrdiff_t>(number) * work_numbers);
 }
 

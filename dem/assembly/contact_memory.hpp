@@ -12,7 +12,7 @@ namespace fiberchain::dem {
 struct KeptContact {
   std::int64_t first, second;
   double spring[3];     ///< on the first
-  double root, opening;  ///< as ContactHistory
+  double root, opening, rolling_power;  ///< as ContactHistory
   double work[work_numbers] = {};  ///< booked only
 };
 

@@ -1,6 +1,7 @@
 #include "dem/assembly/contact_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "dem/assembly/contact_parameters.hpp"
@@ -26,6 +27,14 @@ ContactSet::ContactSet(const Surroundings& surroundings, const AssemblyOptions& 
       booked_(options.book_energy),
       instruction_set_(options.instruction_set),
       step_(step) {}
+
+void ContactSet::check_periods(const std::vector<FiberGroup>& more) const {
+  std::vector<double> radius;
+  for (const ContactBody& body : bodies_) radius.push_back(body.radius);
+  for (const FiberGroup& group : more) radius.push_back(sphere_radius(group.chain.fiber));
+  const auto [least, largest] = std::ranges::minmax(radius);
+  dem::check_periods(surroundings_.period, 2 * largest + kSkin * least);
+}
 
 int ContactSet::kind_of(const ContactBody& body) {
   const auto found = std::ranges::find(bodies_, body);
@@ -115,6 +124,7 @@ ContactView ContactSet::view(Stripe& stripe, const SphereRows& rows) {
   view.places = rows.places.data();
   view.motions = rows.motions.data();
   view.kind = kind_of_sphere_.data();
+  view.radius = radius_[0];
   view.first = stripe.pairs.first.data();
   view.second = stripe.pairs.second.data();
   view.periods = periods_;
@@ -159,6 +169,7 @@ void ContactSet::work_out(int k, const SphereRows& rows, double time, LoadRange 
     if (!is_there(surroundings_.walls[w], time)) drop(stripe.walls[w], static_cast<int>(w), stripe);
   }
   stripe.memory.make_room(may_begin(stripe));
+  const double time_before = (std::round(time / step_) - 1) * step_;  // to the bit, as the step before had it
   const ContactView contacts = view(stripe, rows);
   ContactTask task{stripe.near.view(), stripe.near.count, begin, end, loads.rows, stripe.touching.data(), stripe.memory.free.data(),
                    stripe.memory.free_count, stripe.deferred.data(), 0, 0, stripe.book, {}, 0, 0};
@@ -166,6 +177,7 @@ void ContactSet::work_out(int k, const SphereRows& rows, double time, LoadRange 
   for (std::size_t w = 0; w < stripe.walls.size(); ++w) {
     if (!is_there(surroundings_.walls[w], time)) continue;
     kernel_->wall(contacts, wall_view(static_cast<int>(w), stripe.walls[w], time), task);
+    if (booked_ && time > 0 && !is_there(surroundings_.walls[w], time_before)) task.wall_work += brought_by(stripe.walls[w], stripe);
   }
   stripe.memory.free_count = task.free_count;
   for (int target = k; target <= reach_.last(k); ++target) stripe.for_stripe[target].clear();
@@ -234,10 +246,13 @@ void ContactSet::begin_books() {
   }
 }
 
-double ContactSet::energy_of(const KeptContact& c) const {
+const ContactParameters<double>& ContactSet::parameters_of(const KeptContact& c) const {
   const int kind = kind_of_sphere_[c.first];
-  const ContactParameters<double>& p =
-      c.second < 0 ? wall_parameters_[kind] : pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
+  return c.second < 0 ? wall_parameters_[kind] : pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
+}
+
+double ContactSet::energy_of(const KeptContact& c) const {
+  const ContactParameters<double>& p = parameters_of(c);
   double energy = 0.4 * p.normal * c.root * c.root * c.root * c.root * c.root;
   for (const double spring : c.spring) {
     if (p.tangential > 0) energy += 0.5 * spring * spring / (p.tangential * c.root);
@@ -251,10 +266,28 @@ double ContactSet::stored_energy() const {
   return sum;
 }
 
+double ContactSet::closing_power(const KeptContact& c) const {
+  return -parameters_of(c).normal * c.root * c.root * c.root * c.opening;
+}
+
+double ContactSet::brought_by(const NearWall& near, const Stripe& stripe) const {
+  double energy = 0;
+  for (std::size_t n = 0; n < near.count; ++n) {
+    if (near.contact[n] == 0) continue;
+    KeptContact contact = stripe.memory.at(near.contact[n], near.slots[n], -1);
+    std::fill_n(contact.spring, 3, 0.0);  // those of the first step come out of the motion
+    energy += energy_of(contact) - 0.5 * step_ * closing_power(contact);
+  }
+  return energy;
+}
+
 void ContactSet::drop(NearWall& near, int wall, Stripe& stripe) const {
   for (std::size_t n = 0; n < near.count; ++n) {
     if (near.contact[n] == 0) continue;
-    if (booked_) stripe.wall_work -= energy_of(stripe.memory.at(near.contact[n], near.slots[n], -1 - wall));
+    if (booked_) {
+      const KeptContact contact = stripe.memory.at(near.contact[n], near.slots[n], -1 - wall);
+      stripe.wall_work -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
+    }
     stripe.memory.give_back(near.contact[n]);
     near.contact[n] = 0;
   }

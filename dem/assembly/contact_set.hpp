@@ -19,6 +19,8 @@ class ContactSet {
  public:
   ContactSet(const Surroundings& surroundings, const AssemblyOptions& options, double step);
 
+  /// Throws InvalidInput where periodic sides are too near for these fibers beside those there.
+  void check_periods(const std::vector<FiberGroup>& more) const;
   /// More fibers, after those that are there.
   void add(const Fiber& fiber, int count);
   /// Once all have been added: cuts the spheres into stripes and lists them; contacts that touch keep what they remember.
@@ -119,6 +121,11 @@ class ContactSet {
   void renew_pairs(int stripe);
   void renew_wall(int stripe, int wall);
   double energy_of(const KeptContact& contact) const;  ///< stored in its springs [J]
+  const ContactParameters<double>& parameters_of(const KeptContact& contact) const;
+  /// At which its normal spring is pressed [W]. A kick lasts from half a step before to half a step after.
+  double closing_power(const KeptContact& contact) const;
+  /// What a wall that has just come stores in contacts at once [J].
+  double brought_by(const NearWall& near, const Stripe& stripe) const;
   /// A wall that is gone takes what its contacts stored.
   void drop(NearWall& near, int wall, Stripe& stripe) const;
   int kind_of(const ContactBody& body);

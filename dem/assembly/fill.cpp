@@ -220,9 +220,10 @@ std::vector<FiberGroup> fill(const std::vector<FillCount>& counts, const FillRul
       auto state = filler.insert(counts[g].chain, static_cast<std::uint64_t>(first[g] + i));
       if (!state) {
         throw NoRoom(fmt::format(
-            "fiber {} of {} found no place in {} attempts: the region is too small or too full for "
-            "fibers {:.3g} m long; make it larger or taller, or fill in batches",
-            done + 1, fibers, rules.attempts, fiber_length(counts[g].chain.fiber)));
+            "fiber {} of {} found no place in {} attempts: between walls and other fibers, the region ({:.3g} m x {:.3g} m x "
+            "{:.3g} m) is too small or too full for fibers {:.3g} m long; make it larger or taller, or fill in batches",
+            done + 1, fibers, rules.attempts, rules.region.high[0] - rules.region.low[0], rules.region.high[1] - rules.region.low[1],
+            rules.region.high[2] - rules.region.low[2], fiber_length(counts[g].chain.fiber)));
       }
       groups[g].fibers.push_back(std::move(*state));
     }

@@ -1,5 +1,7 @@
 #include "dem/assembly/surroundings.hpp"
 
+#include <cmath>
+
 namespace fiberchain::dem {
 namespace {
 
@@ -12,6 +14,12 @@ Vec<double, 3> out_from_axis(const Wall& wall, const Cylinder& cylinder, const V
 }  // namespace
 
 bool is_there(const Wall& wall, double time) { return time >= wall.from && time < wall.until; }
+
+bool is_even_along(const Wall& wall, int axis) {
+  constexpr double straight = 1e-12;
+  if (const auto* plane = std::get_if<Plane>(&wall.shape)) return std::abs(plane->normal[axis]) < straight;
+  return std::abs(std::get<Cylinder>(wall.shape).axis[axis]) > 1 - straight;
+}
 
 double gap_to(const Wall& wall, const Vec<double, 3>& place, double time) {
   if (const auto* plane = std::get_if<Plane>(&wall.shape)) {

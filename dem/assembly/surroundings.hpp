@@ -33,6 +33,9 @@ struct Wall {
 
 bool is_there(const Wall& wall, double time);
 
+/// Whether it looks the same from every place along an axis.
+bool is_even_along(const Wall& wall, int axis);
+
 /// Gap [m] between a place and the wall where it stands at that time, there or not; negative behind it.
 double gap_to(const Wall& wall, const Vec<double, 3>& place, double time);
 

@@ -6,6 +6,7 @@
 namespace fiberchain::dem {
 
 Cells::Cells(const Box& box, const Vec<double, 3>& period, double edge, double most) : low_(box.low) {
+  most = std::min(most, 1e9);
   double length[3], cells[3];
   for (int a = 0; a < 3; ++a) {
     periodic_[a] = period[a] > 0;

@@ -29,6 +29,7 @@ struct ContactHistory {
   Vec<Real, 3> spring;       ///< tangential spring force on the first body [N]
   Real root;                 ///< square root of the overlap at the step before [m^0.5]; 0 before the first touch
   Real opening = Real(0.0);  ///< normal velocity at the step before [m/s]
+  Real rolling_power = Real(0.0);  ///< of rolling friction at the step before [W]
 };
 
 /// Two bodies that touch. The second one is pushed along `normal`.
@@ -99,6 +100,7 @@ ContactAction<Real> contact_action(const ContactParameters<Real>& p, const Touch
   const Vec<Real, 3> rolling = tangential(pair.spin, pair.normal);
   const Real inverse_rate = inverse_sqrt(max(dot(rolling, rolling), Real(1e-290)));
   const Vec<Real, 3> moment = min(p.rolling_limit, p.rolling * push * inverse_rate) * rolling;
+  history.rolling_power = dot(moment, pair.spin);
   return {force, moment};
 }
 

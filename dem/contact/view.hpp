@@ -31,6 +31,7 @@ constexpr int contact_index(const ContactPhysics& p) {
 struct ContactView {
   const double *places, *motions;
   const std::int32_t* kind;  ///< of each slot
+  double radius;             ///< of all, where it is uniform
   const std::int32_t* first;
   const std::int32_t* second;
   std::int32_t* contact;     ///< of each pair that touched a step before: its number; 0 of others
@@ -107,7 +108,8 @@ struct Asking {
 
 struct ContactKernel {
   int width;
-  /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] to the first `found`; how many then.
+  /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] or touched the step before to the
+  /// first `found`; how many then.
   std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap, const NearPairs&, std::int32_t found);
   void (*pairs)(const ContactView&, ContactTask&);
   void (*wall)(const ContactView&, const WallView&, ContactTask&);

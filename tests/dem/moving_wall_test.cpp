@@ -90,6 +90,39 @@ BOOST_AUTO_TEST_CASE(a_wall_that_opens_lets_fall_and_one_that_appears_catches) {
   BOOST_TEST(std::abs(highest / fall - e * e) < 0.05 * e * e);  // its weight adds to the contact, a little
 }
 
+/// A plate presses fibers and hands over to one at rest, which is how a plate stops: nothing is gained by it.
+BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
+  dem::Fiber fiber = ball;
+  fiber.aspect_ratio = 5;
+  const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
+  const double R = dem::sphere_radius(fiber), speed = 0.3, stops = 2.1e-3;
+  const double steps[] = {2e-6, 1e-6};
+  double jump[2], pressed = 0;
+  for (int n = 0; n < 2; ++n) {
+    dem::Surroundings around;
+    around.contacts = {0.4, 0.3};
+    const double high = 4 * R;
+    around.walls = {{dem::Plane{{}, tilted(1, 0, 0)}},
+                    {dem::Plane{tilted(high, 0, 0), tilted(-1, 0, 0)}, -speed * tilted(1, 0, 0), 0, stops},
+                    {dem::Plane{tilted(high - speed * stops, 0, 0), tilted(-1, 0, 0)}, {}, stops}};
+    dem::FiberGroup group{chain, {}};
+    for (const double x : {R, 3 * R}) group.fibers.push_back(dem::placed(chain, {tilted(x, 0, 0), tilted(0, 0.6, 0.8)}));
+    dem::Assembly assembly({group}, around, {.step = steps[n], .book_energy = true});
+    assembly.march(static_cast<int>(stops / steps[n]) - 1);
+    const dem::EnergyBalance before = assembly.energy();
+    BOOST_TEST(assembly.touching() == 18);
+    assembly.march(4);
+    const dem::EnergyBalance after = assembly.energy();
+    pressed = before.contacts;
+    jump[n] = (total(after) - total(before)) / before.contacts;
+    BOOST_TEST_MESSAGE("a plate that stops at " << steps[n] << " s a step: total off by " << jump[n] << " of what contacts hold");
+    BOOST_TEST(std::abs(before.wall_work / before.contacts) > 1);
+  }
+  BOOST_TEST(pressed > 0);
+  BOOST_TEST(std::abs(jump[0]) < 1e-3);
+  BOOST_TEST(std::abs(jump[1]) < 0.6 * std::abs(jump[0]));
+}
+
 /// The same scene with everything moving along at one velocity is the same scene.
 BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
   std::vector<V> places[2];

@@ -120,6 +120,43 @@ BOOST_AUTO_TEST_CASE(head_on_collisions_are_hertz_to_a_thousandth) {
   BOOST_TEST_MESSAGE("head on: restitution off by at most " << worst);
 }
 
+/// Squares of distances tell who touches; where they differ by round-off, roots may say the opposite.
+BOOST_AUTO_TEST_CASE(spheres_that_touch_by_round_off_do_nothing_to_each_other) {
+  int touch = 0;
+  for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
+    for (int k = 50; k < 400; ++k) {
+      const double R = 1e-5 * k;
+      const dem::Fiber fiber = fiber_of(1e7, 0.3, 1000, 2 * R);
+      const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
+      dem::FiberGroup group{chain, {}};
+      for (const V& place : {V{0, 0, 0}, V{0, 2 * R, 0}, V{0, R, std::sqrt(3.0) * R}, V{0, 0, -2 * R}}) {
+        group.fibers.push_back(dem::placed(chain, {place, V{1, 0, 0}}));
+      }
+      dem::Assembly assembly({group}, {}, {.instruction_set = set});
+      touch += static_cast<int>(assembly.touching());
+      assembly.march(3);
+      for (int f = 0; f < 4; ++f) BOOST_TEST(norm(assembly.state(0, f).velocity[1]) < 1e-12, "R = " << R << ", fiber " << f);
+    }
+  }
+  BOOST_TEST(touch > 100);
+}
+
+/// Faster than the list of near pairs is wide.
+BOOST_AUTO_TEST_CASE(spheres_that_part_within_a_step_leave_no_contact_behind) {
+  const dem::Fiber fiber = fiber_of(1e5, 0.3, 1000, 2e-3);
+  const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
+  dem::Surroundings around;
+  dem::AssemblyOptions options{.step = 2e-6};
+  const double away = 0.35 * dem::sphere_radius(fiber) / *options.step;
+  dem::Assembly assembly({{chain, {dem::placed(chain, {V{}, V{1, 0, 0}}), dem::placed(chain, {V{0, 1.999e-3, 0}, V{1, 0, 0}, V{0, away, 0}})}}},
+                         around, options);
+  BOOST_TEST(assembly.touching() == 2);
+  BOOST_TEST(assembly.energy().contacts > 0);
+  assembly.march(1);
+  BOOST_TEST(assembly.touching() == 0);
+  BOOST_TEST(assembly.energy().contacts == 0);
+}
+
 BOOST_AUTO_TEST_CASE(restitution_holds_at_the_step_of_a_packing) {
   // 40 steps a collision, which begins anywhere within a step
   for (const double e : {1.0, 0.5, 0.4}) {

@@ -74,7 +74,7 @@ template <ContactPhysics P, class Real>
 unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first, const std::int32_t* second) {
   const Balls<Real> a = balls_at<Real>(view, first), b = balls_at<Real>(view, second);
   const Vec<Real, 3> r = separation<P>(view, a, b);
-  const Real reach = P.uniform ? Real(2.0 * view.places[place_radius]) + gap : a.radius + b.radius + gap;
+  const Real reach = P.uniform ? Real(2.0 * view.radius) + gap : a.radius + b.radius + gap;
   return less_mask(dot(r, r), reach * reach);
 }
 
@@ -84,14 +84,23 @@ void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32
   for (int k = 0; k < lane_count<Real>; ++k) fetch_line(view.places + static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * place_numbers);
 }
 
+/// Of some pairs, those that touched the step before.
+template <class Real>
+unsigned touched_mask(const std::int32_t* contact) {
+  unsigned mask = 0;
+  for (int k = 0; k < lane_count<Real>; ++k) mask |= (contact[k] != 0 ? 1u : 0u) << k;
+  return mask;
+}
+
 template <ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN std::int32_t near_pairs(const ContactView& view, std::int32_t begin, std::int32_t end, double gap, const NearPairs& near,
                                            std::int32_t found) {
   constexpr int lanes = lane_count<Real>;
   for (std::int32_t p = begin; p < end; p += lanes) {
     fetch_places<Real>(view, view.second, p, end);
-    for (unsigned close = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p); close != 0; close &= close - 1) {
-      const std::int32_t pair = p + __builtin_ctz(close);
+    const unsigned near_now = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p);
+    for (unsigned chosen = near_now | touched_mask<Real>(view.contact + p); chosen != 0; chosen &= chosen - 1) {
+      const std::int32_t pair = p + __builtin_ctz(chosen);
       near.pair[found] = pair;
       near.first[found] = view.first[pair];
       near.second[found] = view.second[pair];
@@ -203,16 +212,16 @@ void book(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, cons
   load_rows<work_numbers>(work, 0, kept);
   const auto held = before.root > Real(0.0);
   const auto of_step_before = [&](const Real& power_now) { return select(held, Real(0.5) * dt * power_now, Real(0.0)); };
-  const Vec<Real, 3> last_drag{kept[1], kept[2], kept[3]};
+  const Vec<Real, 3> last_drag{kept[1], kept[2], kept[3]}, last_moment{kept[4], kept[5], kept[6]};
   const Real normal = dashpot * opening, sliding = dot(drag, slip), rolling = dot(action.moment, pair.spin);
   task.book.normal_dashpot += summed<Real>(dt * normal + of_step_before(kept[0] * (opening - before.opening)), count);
   task.book.sliding += summed<Real>(dt * sliding + of_step_before(dot(last_drag, slip) - kept[7]) -
                                         (spring_energy(p, after) - spring_energy(p, before)), count);
-  task.book.rolling += summed<Real>(dt * rolling, count);
+  task.book.rolling += summed<Real>(dt * rolling + of_step_before(dot(last_moment, pair.spin) - before.rolling_power), count);
   task.power.normal_dashpot += summed<Real>(normal, count);
   task.power.sliding += summed<Real>(sliding, count);
   task.power.rolling += summed<Real>(rolling, count);
-  const Real keep[work_numbers] = {dashpot, drag[0], drag[1], drag[2], Real(0.0), Real(0.0), Real(0.0), sliding};
+  const Real keep[work_numbers] = {dashpot, drag[0], drag[1], drag[2], action.moment[0], action.moment[1], action.moment[2], sliding};
   store_rows<work_numbers>(keep, work, 0);
 }
 
@@ -220,13 +229,13 @@ template <class Real>
 ContactHistory<Real> remembered(const RowStarts<Real>& memory) {
   Real n[memory_numbers];
   load_rows<memory_numbers>(memory, 0, n);
-  return {{n[0], n[1], n[2]}, n[3], n[4]};
+  return {{n[0], n[1], n[2]}, n[3], n[4], n[5]};
 }
 
 template <class Real>
 void keep(const ContactHistory<Real>& history, const RowStarts<Real>& memory) {
   const Real n[memory_numbers] = {history.spring[0], history.spring[1], history.spring[2], history.root, history.opening,
-                                  Real(0.0), Real(0.0), Real(0.0)};
+                                  history.rolling_power, Real(0.0), Real(0.0)};
   store_rows<memory_numbers>(n, memory, 0);
 }
 
@@ -234,7 +243,7 @@ void keep(const ContactHistory<Real>& history, const RowStarts<Real>& memory) {
 template <ContactPhysics P, class Real>
 PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i, const Slots<Real>& j,
                            int count, ContactTask& task) {
-  using std::sqrt;
+  using std::max;
   constexpr int lanes = lane_count<Real>;
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
@@ -244,7 +253,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   Real reach, share = Real(0.5);
   if constexpr (P.uniform) {
     p = broadcast<Real>(view.parameters[0]);
-    reach = Real(2.0 * view.places[place_radius]);
+    reach = Real(2.0 * view.radius);
   } else {
     reach = a.radius + b.radius;
     share = a.radius / reach;
@@ -255,7 +264,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   const Real arm_i = share * distance, arm_j = distance - arm_i;
   TouchingPair<Real> pair;
   pair.normal = inverse_distance * r;
-  pair.overlap = reach - distance;
+  pair.overlap = max(reach - distance, Real(1e-300));  // squares that differ may have one root
   pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal, arm_i * motion_i.spin + arm_j * motion_j.spin);
   pair.spin = motion_j.spin - motion_i.spin;
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);

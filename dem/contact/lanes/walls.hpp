@@ -41,8 +41,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     const WallSight<Real> seen = sight(wall, ball.center);
     const Real radius = ball.radius;
     const unsigned touching = less_mask(seen.distance, radius);
-    unsigned touched = 0;
-    for (int k = 0; k < lanes; ++k) touched |= wall.contact[n + k] != 0 ? 1u << k : 0u;
+    const unsigned touched = touched_mask<Real>(wall.contact + n);
     if ((touching | touched) == 0) continue;
     for (unsigned begins = touching & ~touched; begins != 0; begins &= begins - 1) {
       wall.contact[n + __builtin_ctz(begins)] = begin_contact<P>(view, task);
@@ -81,12 +80,10 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     if constexpr (P.booked) {
       const Real on = select(seen.distance < radius, Real(1.0), Real(0.0));
       const ContactAction<Real> counted{on * action.force, on * action.moment};
-      TouchingPair<Real> there = pair;
-      there.velocity = on * pair.velocity;
       ContactHistory<Real> was = before, is = history;
       was.spring = on * was.spring, is.spring = on * is.spring;
       const RowStarts<Real> work = rows_at<work_numbers, Real>(view.work, contacts.at);
-      book(p, there, was, is, counted, Real(view.step), lanes, work, task);
+      book(p, pair, was, is, counted, Real(view.step), lanes, work, task);
       const double power = summed<Real>(dot(counted.force, wall_velocity), lanes);
       task.wall_work += view.step * power;
       task.wall_power += power;
