@@ -19,7 +19,7 @@ std::int64_t BatchQueue::next_step() const {
 
 void BatchQueue::insert_due(dem::Assembly& assembly) {
   for (; next_step() <= assembly.steps(); ++next_) {
-    for (dem::FiberGroup& group : dem::io::packing_batch(scene_, next_, assembly.placed())) {
+    for (dem::FiberGroup& group : dem::io::packing_batch(scene_, next_, assembly.time(), assembly.placed())) {
       assembly.insert(std::move(group));
     }
   }

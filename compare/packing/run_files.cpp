@@ -12,6 +12,7 @@
 #include "compare/errors.hpp"
 #include "dem/io/overlay_file.hpp"
 #include "dem/io/staged_file.hpp"
+#include "dem/io/vtk.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -30,7 +31,6 @@ std::vector<fs::path> all_files(const RunFiles& files) {
           files.log(),
           files.at(".pvd"),
           files.at("-lines.pvd"),
-          files.at(""),
           files.at(".csv"),
           files.at(".md"),
           files.at("-bending.svg"),
@@ -58,15 +58,19 @@ std::vector<fs::path> files_there(const RunFiles& files) {
   for (const fs::path& path : all_files(files)) {
     if (fs::exists(path)) there.push_back(path);
   }
+  const std::vector<fs::path> parts = dem::io::vtk_parts(files.at(""));
+  there.insert(there.end(), parts.begin(), parts.end());
   return there;
 }
 
 void remove_files(const RunFiles& files) {
   for (const fs::path& path : files_there(files)) {
     std::error_code error;
-    fs::remove_all(path, error);
+    fs::remove(path, error);
     if (error) throw OutputError(path, error.message());
   }
+  std::error_code others_in_it;  // keep the folder
+  fs::remove(files.at(""), others_in_it);
 }
 
 void remove_leftovers(const RunFiles& files) {

@@ -12,6 +12,15 @@ std::vector<double> column(const Table& log, std::string_view name) {
   return values;
 }
 
+/// A line through what is finite: a run that blew up may end in what is not.
+void add_line(Figure& figure, const char* label, const std::vector<double>& x, const std::vector<double>& y) {
+  Series line{label, {}, {}, Mark::line};
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    if (std::isfinite(y[n])) line.x.push_back(x[n]), line.y.push_back(y[n]);
+  }
+  if (!line.x.empty()) figure.series.push_back(std::move(line));
+}
+
 Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
 
 std::string status_of(const PackingEndState& end) {
@@ -44,7 +53,7 @@ Table packing_run_table(const PackingJob& job, const PackingEndState& end) {
 std::vector<std::pair<std::string, Figure>> packing_run_figures(const PackingJob& job, const Table& log) {
   const std::vector<double> time = column(log, "simulated_time");
   Figure bending{"Mean bending angle per bond", {"time [s]"}, {"angle [rad]"}, {}};
-  bending.series.push_back({"", time, column(log, "bending_mean"), Mark::line});
+  add_line(bending, "", time, column(log, "bending_mean"));
   Figure energy{"Energy", {"time [s]"}, {"energy [J]"}, {}};
   std::vector<std::pair<const char*, const char*>> parts = {{"kinetic_energy", "kinetic"},
                                                             {"energy_bonds", "elastic, bonds"},
@@ -61,11 +70,14 @@ std::vector<std::pair<std::string, Figure>> packing_run_figures(const PackingJob
                                {"energy_total", "total"}});
   }
   for (const auto& [name, label] : parts) {
-    std::vector<double> values = column(log, name);
+    const std::vector<double> values = column(log, name);
     const bool nothing = std::ranges::all_of(values, [](double v) { return v == 0; });
-    if (!nothing) energy.series.push_back({label, time, std::move(values), Mark::line});
+    if (!nothing) add_line(energy, label, time, values);
   }
-  return {{"-bending", std::move(bending)}, {"-energy", std::move(energy)}};
+  std::vector<std::pair<std::string, Figure>> figures;
+  if (!bending.series.empty()) figures.emplace_back("-bending", std::move(bending));
+  if (!energy.series.empty()) figures.emplace_back("-energy", std::move(energy));
+  return figures;
 }
 
 }  // namespace fiberchain::compare

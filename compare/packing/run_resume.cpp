@@ -5,6 +5,7 @@
 #include "compare/errors.hpp"
 #include "compare/packing/run_session.hpp"
 #include "dem/errors.hpp"
+#include "dem/io/h5md.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -12,13 +13,13 @@ namespace {
 /// An assembly of the fibers that are there after so many steps, anywhere: their state comes from a
 /// checkpoint.
 dem::Assembly stand_ins(const dem::io::PackingScene& scene, dem::io::PackingStart start, std::int64_t step) {
+  dem::io::PackingScene anywhere = scene;  // where walls stand when batches come is not where they stand now
+  anywhere.surroundings.walls.clear();
   for (int n = 1; n < scene.batches.number; ++n) {
     if (dem::io::batch_step(scene, n, *start.options.step) > step) break;
-    dem::io::PackingScene first = scene;  // at the start of time, where every other batch is away
-    first.batches.interval = 0;
-    for (dem::FiberGroup& group : dem::io::packing_batch(first, n, {}))
-      start.groups.push_back(std::move(group));
+    for (dem::FiberGroup& group : dem::io::packing_batch(anywhere, n, 0, {})) start.groups.push_back(std::move(group));
   }
+  start.options.placed_anywhere = true;
   return dem::io::make_assembly(std::move(start));
 }
 
@@ -32,6 +33,16 @@ void restore(dem::Assembly& assembly, const dem::io::Checkpoint& checkpoint, con
     throw InputError(fmt::format("{}: says it is of step {}, its state of {}", files.checkpoint().string(),
                                  checkpoint.step, assembly.steps()));
   }
+}
+
+/// Without a checkpoint, a run that came farther than its start would be lost.
+void refuse_what_is_there(const RunFiles& files) {
+  const auto trajectory = files.trajectory();
+  if (!std::filesystem::exists(trajectory)) return;
+  const dem::io::TrajectoryReader reader(trajectory);
+  if (reader.frames() == 0 || reader.steps().back() == 0) return;
+  throw InputError(fmt::format("{}: holds a run up to step {}, of which no checkpoint is there to go on from; --force begins anew",
+                               trajectory.string(), reader.steps().back()));
 }
 
 }  // namespace
@@ -50,6 +61,7 @@ RunBegin begin_run(const PackingJob& job, const Say& say) {
                       checkpoint->time));
       return begin;
     }
+    refuse_what_is_there(job.files);
     say("no checkpoint to go on from: the run begins anew");
   }
   return {dem::io::make_assembly(std::move(start)), choice, steps};

@@ -26,11 +26,10 @@ constexpr std::int64_t kStride = 64;
 
 /// What set the step.
 std::string step_words(const dem::StepChoice& choice, const dem::io::PackingScene& scene) {
-  const std::string limits = fmt::format("stable: bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
+  const std::string limits = fmt::format(": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
                                          choice.bonds, choice.damped_bonds, choice.contacts);
-  if (scene.step) return fmt::format("given; {:.4g} s would be chosen; {}", choice.step, limits);
-  return fmt::format("0.8 of what {} allow{}; {}", choice.set_by, choice.set_by == "bond damping" ? "s" : "",
-                     limits);
+  if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
+  return fmt::format("0.9 of what is stable, set most by {}; each alone{}", choice.set_by, limits);
 }
 
 /// The files of a run as they grow.
@@ -60,6 +59,7 @@ class RunWriter {
   }
 
   void write_checkpoint(const dem::Assembly& assembly) const {
+    log_.flush();
     dem::io::write_checkpoint(job_.files.checkpoint(),
                               {.program = program_of(job_.provenance),
                                .threads = job_.threads,

@@ -8,29 +8,10 @@
 #include <string_view>
 
 #include "compare/errors.hpp"
+#include "dem/io/xml.hpp"
 
 namespace fiberchain::compare {
 namespace {
-
-std::string xml_escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
 
 std::string big_endian(std::uint32_t value) {
   std::string bytes(4, '\0');
@@ -58,7 +39,7 @@ std::string with_svg_metadata(std::string svg, const Provenance& provenance) {
   }
   std::string metadata = "\n<metadata>\n";
   for (const auto& [key, value] : entries(provenance))
-    metadata += fmt::format("{}: {}\n", key, xml_escaped(value));
+    metadata += fmt::format("{}: {}\n", key, dem::io::xml_escaped(value));
   return svg.insert(end + 1, metadata + "</metadata>");
 }
 

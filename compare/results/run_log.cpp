@@ -82,4 +82,8 @@ void RunLog::append(const Table& rows) {
   throw OutputError(path_, std::strerror(reason));
 }
 
+void RunLog::flush() const {
+  if (::fdatasync(file_) != 0) throw OutputError(path_, std::strerror(errno));
+}
+
 }  // namespace fiberchain::compare

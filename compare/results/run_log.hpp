@@ -31,6 +31,10 @@ class RunLog {
   /// @throws OutputError, TableError for other columns
   void append(const Table& rows);
 
+  /// Has everything on the disk.
+  /// @throws OutputError
+  void flush() const;
+
  private:
   RunLog(std::filesystem::path path, std::vector<std::string> columns);
 

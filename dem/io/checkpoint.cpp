@@ -53,7 +53,7 @@ std::string image_of(const Checkpoint& checkpoint) {
   set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &checkpoint.time);
   hdf5::write_array(file, "state", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {checkpoint.state.size()},
                     checkpoint.state.data(), false);
-  hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
+  hdf5::flush(file);
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
   if (size <= 0 || H5Fget_file_image(file, image.data(), image.size()) != size)
@@ -128,12 +128,15 @@ std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Gives the file a second name, in place of what had it.
+/// Gives the file a second name, in place of what had it; on a file system without such, that name alone: who looks for
+/// the file finds the previous one then.
 void keep_as(const std::filesystem::path& path, const std::filesystem::path& previous) {
   const std::filesystem::path linked = previous.string() + ".part";
   ::unlink(linked.c_str());
   if (::link(path.c_str(), linked.c_str()) != 0) {
     if (errno == ENOENT) return;
+    const bool no_second_names = errno == EPERM || errno == ENOTSUP || errno == EOPNOTSUPP || errno == EMLINK;
+    if (no_second_names && ::rename(path.c_str(), previous.c_str()) == 0) return;
     throw WriteError(previous, std::strerror(errno));
   }
   if (::rename(linked.c_str(), previous.c_str()) != 0) throw WriteError(previous, std::strerror(errno));

@@ -227,6 +227,7 @@ TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, Trajectory
     const Handle file = open_in(overlay, Access::change);
     set_frames(file, static_cast<hsize_t>(kept));
     write_run(file, writer.header_);
+    hdf5::flush(file);
   });
   overlay.commit();
   writer.times_.assign(before.times().begin(), before.times().begin() + kept);
@@ -246,6 +247,7 @@ void TrajectoryWriter::append(const Frame& frame, const Scalars& scalars) {
     first ? write_layout(file, header_, frame, scalars) : check_same(file, frame, scalars);
     set_frames(file, times_.size() + 1);
     write_frame(file, times_.size(), frame, scalars);
+    hdf5::flush(file);
   });
   overlay.commit();
   times_.push_back(frame.time);

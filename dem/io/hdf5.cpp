@@ -90,6 +90,8 @@ void check(herr_t status, const char* what) {
   if (status < 0) fail(what);
 }
 
+void flush(hid_t file) { check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush"); }
+
 Quiet::Quiet() {
   H5Eget_auto2(H5E_DEFAULT, &before_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

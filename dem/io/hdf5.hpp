@@ -54,6 +54,10 @@ class Quiet {
   void* data_ = nullptr;
 };
 
+/// Gives all of a file to its driver: closing it would not tell of a failure.
+/// @throws Failure
+void flush(hid_t file);
+
 Handle make_group(hid_t parent, const char* name);
 Handle open_group(hid_t parent, const char* name);
 bool has(hid_t parent, const std::string& name);

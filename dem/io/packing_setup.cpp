@@ -51,11 +51,48 @@ int useful_threads(const PackingScene& scene, int threads) {
   return static_cast<int>(std::clamp<std::int64_t>(spheres_in(scene) / spheres_a_thread, 1, threads));
 }
 
+/// Fibers of files may touch, but not lie in each other: contacts would burst.
+void check_apart(const PackingScene& scene, const std::vector<FiberGroup>& groups) {
+  constexpr double deepest = 0.5;  // overlap over the smaller radius
+  const PlacedSpheres all = spheres_of(groups);
+  if (all.radius.empty()) return;
+  const auto [least, largest] = std::ranges::minmax(all.radius);
+  Box box{all.position[0], all.position[0]};
+  for (const Vec<double, 3>& x : all.position) {
+    for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
+  }
+  SphereGrid placed(box, scene.surroundings.period, largest, -deepest * least, std::ssize(all.radius));
+  std::size_t sphere = 0;
+  for (const FiberKind& kind : scene.kinds) {
+    for (std::size_t f = 0; f < kind.starts.size(); ++f) {
+      for (int i = 0; i <= kind.fiber.aspect_ratio; ++i, ++sphere) {
+        if (!placed.free(all.position[sphere], all.radius[sphere])) {
+          throw InvalidInput(fmt::format("{}: sphere {} of fiber {} is not allowed there: it lies in another one by more than half a radius",
+                                         kind.file ? kind.file->name : "fibers", i, f));
+        }
+        placed.add(all.position[sphere], all.radius[sphere]);
+      }
+    }
+  }
+}
+
+/// A batch after the end, or within a step of another, would never come.
+void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
+  for (int n = 1; n < scene.batches.number; ++n) {
+    const std::int64_t at = batch_step(scene, n, step);
+    if (at > batch_step(scene, n - 1, step) && at < steps) continue;
+    throw InvalidInput(fmt::format("batches.interval = {:g} s is not allowed: batch {} would come at step {} of {} of {:.4g} s each; "
+                                   "each must come at a later one than that before, and before the end",
+                                   scene.batches.interval, n + 1, at, steps, step));
+  }
+}
+
 }  // namespace
 
 PackingStart packing_start(const PackingScene& scene, int threads) {
   PackingStart start{groups_of_files(scene), scene.surroundings, {}, step_choice(scene), scene.steps};
-  for (FiberGroup& group : packing_batch(scene, 0, spheres_of(start.groups))) {
+  check_apart(scene, start.groups);
+  for (FiberGroup& group : packing_batch(scene, 0, 0, spheres_of(start.groups))) {
     start.groups.push_back(std::move(group));
   }
   const double step = scene.step.value_or(start.choice.step);
@@ -65,13 +102,17 @@ PackingStart packing_start(const PackingScene& scene, int threads) {
                    .threads = useful_threads(scene, threads),
                    .book_energy = scene.book_energy,
                    .orientations = scene.orientations};
-  if (start.steps > 0) return start;
+  if (start.steps > 0) {
+    check_batches(scene, step, start.steps);
+    return start;
+  }
   const double steps = std::ceil(scene.duration / step * (1 - 1e-12));
   if (!(steps >= 1 && steps < 1e12)) {
     throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s",
                                    scene.duration, steps, step));
   }
   start.steps = static_cast<std::int64_t>(steps);
+  check_batches(scene, step, start.steps);
   return start;
 }
 
@@ -103,11 +144,11 @@ int groups_at_start(const PackingScene& scene) {
   return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
 }
 
-std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, const PlacedSpheres& present) {
+std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time, const PlacedSpheres& present) {
   const std::vector<FillCount> counts = batch_counts(scene, n);
   if (counts.empty()) return {};
   FillRules rules = scene.filling;
-  rules.time = n * scene.batches.interval;
+  rules.time = time;
   rules.first_number = 0;
   for (const FiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
   return fill(counts, rules, scene.surroundings, present);

@@ -109,6 +109,11 @@ void read_batches(const Section& filling, PackingScene& scene) {
   const Section batches = filling.section("batches", {"number", "interval"});
   scene.batches.number = batches.integer("number", {.low = 1, .high = 1e5});
   scene.batches.interval = batches.quantity("interval", "s", kPositive);
+  std::int64_t most = 0, placed = 0;
+  for (const FiberKind& kind : scene.kinds) most = std::max(most, kind.count), placed += std::ssize(kind.starts);
+  if (placed == 0 && scene.batches.number > most) {
+    batches.fail("number", fmt::format("leaves no fiber for the first batch; allowed: at most {}", most));
+  }
 }
 
 void read_filling(const Section& top, PackingScene& scene) {

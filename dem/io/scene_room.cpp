@@ -48,6 +48,12 @@ void read_motion_of(const Section& section, Wall& wall) {
   if (!(wall.from < wall.until)) section.fail("until", "must be later than from");
 }
 
+void check_even(const Section& section, const char* key, const Wall& wall, const Vec<double, 3>& period) {
+  for (int a = 0; a < 3; ++a) {
+    if (period[a] > 0 && !is_even_along(wall, a)) section.fail(key, "must leave the wall the same all along " + kAxes[static_cast<std::size_t>(a)] + ", which is periodic");
+  }
+}
+
 void read_walls(const Section& top, PackingScene& scene) {
   const Section walls =
       top.section("walls", {"youngs_modulus", "poisson_ratio", "box", "planes", "cylinders"});
@@ -63,6 +69,7 @@ void read_walls(const Section& top, PackingScene& scene) {
     for (const Section& s : walls.sections("planes", {"point", "normal", "velocity", "from", "until"})) {
       Wall wall{Plane{vector_of(s.quantities("point", "m", 3)), unit_vector(s, "normal")}};
       read_motion_of(s, wall);
+      check_even(s, "normal", wall, around.period);
       around.walls.push_back(wall);
     }
   }
@@ -72,6 +79,7 @@ void read_walls(const Section& top, PackingScene& scene) {
       Wall wall{Cylinder{vector_of(s.quantities("point", "m", 3)), unit_vector(s, "axis"),
                          s.quantity("radius", "m", kPositive)}};
       read_motion_of(s, wall);
+      check_even(s, "axis", wall, around.period);
       around.walls.push_back(wall);
     }
   }

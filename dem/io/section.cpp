@@ -144,8 +144,10 @@ int Section::integer(const std::string& key, const Interval& allowed) const {
   const bool fits =
       number && *number >= std::numeric_limits<int>::min() && *number <= std::numeric_limits<int>::max();
   if (!fits || !allowed.holds(static_cast<double>(*number))) {
+    Interval shown = allowed;
+    if (number && !fits) shown.high = std::min<double>(shown.high, std::numeric_limits<int>::max());
     fail(key,
-         fmt::format("'{}' is not allowed; allowed: a whole number {}", printable(typed), describe(allowed)));
+         fmt::format("'{}' is not allowed; allowed: a whole number {}", printable(typed), describe(shown)));
   }
   return static_cast<int>(*number);
 }

@@ -25,6 +25,9 @@ std::string vtp_spheres(const Frame& frame, const Entries& provenance);
 /// The fibers of a frame as polylines in a .vtp file.
 std::string vtp_lines(const Frame& frame, const Entries& provenance);
 
+/// The files of a series' frames that lie in its folder `place`, in order.
+std::vector<std::filesystem::path> vtk_parts(const std::filesystem::path& place);
+
 /// Writes frames one by one; every file appears whole, and the series name none that is not there.
 class VtkSeries {
  public:

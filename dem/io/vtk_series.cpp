@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -21,7 +22,22 @@ std::string file_name(const char* kind, std::int64_t step) {
 
 constexpr const char* kKinds[] = {"spheres", "lines"};
 
+bool is_part(const std::string& name) {
+  static const std::regex pattern("(spheres|lines)-[0-9]{12,}\\.vtp");
+  return std::regex_match(name, pattern);
+}
+
 }  // namespace
+
+std::vector<std::filesystem::path> vtk_parts(const std::filesystem::path& place) {
+  std::vector<std::filesystem::path> parts;
+  std::error_code ignored;  // a folder that is not there holds none
+  for (const auto& entry : std::filesystem::directory_iterator(place, ignored)) {
+    if (is_part(entry.path().filename().string())) parts.push_back(entry.path());
+  }
+  std::ranges::sort(parts);
+  return parts;
+}
 
 VtkSeries::VtkSeries(std::filesystem::path directory, std::string name, Entries provenance)
     : directory_(std::move(directory)), name_(std::move(name)), provenance_(std::move(provenance)) {}

@@ -105,6 +105,9 @@ const Fault kFaults[] = {
     {filling("seed: -1"), "test.yaml:5: filling.seed: '-1' is not allowed"},
     {filling("attempts: 0"), "test.yaml:5: filling.attempts: '0' is not allowed"},
     {filling("batches: {number: 2}"), "test.yaml:5: filling.batches: key 'interval' is missing"},
+    {filling("seed: 3000000000"), "test.yaml:5: filling.seed: '3000000000' is not allowed; allowed: a whole number at least 0 and at most 2147483647"},
+    {filling("batches: {number: 12, interval: 1 ms}"),
+     "test.yaml:5: filling.batches.number: leaves no fiber for the first batch; allowed: at most 11"},
     {filling("batches: {number: 9, interval: 40 ms}"),
      "test.yaml:12: duration: ends before the last batch of fibers "
      "comes"},
@@ -123,6 +126,10 @@ const Fault kFaults[] = {
      "test.yaml:6: walls.planes[0].normal: must not be zero"},
     {walls("planes: [{point: [0, 0, 0], normal: [0, 0, 1], from: 2 s, until: 1 s}]"),
      "test.yaml:6: walls.planes[0].until: must be later than from"},
+    {walls("planes: [{point: [0, 0, 0], normal: [0, 0.1, 1]}]"),
+     "test.yaml:6: walls.planes[0].normal: must leave the wall the same all along y, which is periodic"},
+    {walls("cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: 1 m}]"),
+     "test.yaml:6: walls.cylinders[0].axis: must leave the wall the same all along y, which is periodic"},
     {walls("cylinders: [3]"), "test.yaml:6: walls.cylinders[0]: must be a list of mappings"},
     {walls("cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: -1 m}]"),
      "test.yaml:6: walls.cylinders[0].radius: '-1 m' is out of range"},
@@ -246,12 +253,21 @@ BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
   BOOST_TEST(start.steps == 100000);
   BOOST_TEST(io::batch_step(scene, 2, 3e-6) == 26667);
   const dem::PlacedSpheres present = dem::spheres_of(start.groups);
-  const auto second = io::packing_batch(scene, 1, present), third = io::packing_batch(scene, 2, present);
+  const auto second = io::packing_batch(scene, 1, 0.04, present), third = io::packing_batch(scene, 2, 0.08, present);
   BOOST_TEST((second[0].fibers.size() == 4u && second[1].fibers.size() == 2u));
   BOOST_TEST((third[0].fibers.size() == 4u && third[1].fibers.size() == 2u));
   BOOST_TEST(second[0].fibers[0].poses[0].position[0] != third[0].fibers[0].poses[0].position[0]);
   BOOST_TEST(io::fibers_in(scene) == 16);
   BOOST_TEST(io::spheres_in(scene) == 11 * 8 + 5 * 13);
+}
+
+BOOST_AUTO_TEST_CASE(batches_that_would_never_come_are_refused) {
+  for (const auto& [interval, steps] : {std::pair("40 ms", "20000"), {"1 us", "100000"}}) {
+    const std::string text = less("duration: 0.3 s", std::string("steps: ") + steps, less("interval: 40 ms", std::string("interval: ") + interval));
+    BOOST_CHECK_EXCEPTION(io::packing_start(parse(text), 1), dem::InvalidInput, [](const dem::InvalidInput& error) {
+      return std::string(error.what()).starts_with("batches.interval = ");
+    });
+  }
 }
 
 BOOST_AUTO_TEST_CASE(arcs_are_stress_free_and_of_their_radius) {
