@@ -175,14 +175,21 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& be
   return taken;
 }
 
+/// From a block that ends there to the spheres whose rows are fetched meanwhile; 0 where none need be.
+std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
+  constexpr std::int64_t two_stripes = 4096;  // contacts of the next stripe, the other thread's too, find them at hand
+  return rows.count > 2 * two_stripes ? std::min(two_stripes, rows.count - end) : 0;
+}
+
 double Assembly::State::step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch) {
   FiberBlock& block = blocks[number];
   const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
   const FiberKind& kind = kinds[block.group()];
+  const std::int64_t ahead = rows_ahead(block.end(kind));
   if (options.book_energy) block.book(kind, rows, own_scratch);
-  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next);
+  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   const BlockLook before = block.look(kind, rows, own_loads, gradient.data());
-  const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next);
+  const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   block.add_fluid_taken(fluid_taken(block, before));
   return fastest;
 }

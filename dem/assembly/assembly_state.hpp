@@ -122,6 +122,7 @@ struct Assembly::State {
   void has_moved();
   void move_stripe(int stripe, int thread);
   bool keep_lists();
+  std::int64_t rows_ahead(std::int64_t end) const;
   double step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
   std::int64_t broken() const;

@@ -93,12 +93,14 @@ RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LoadRange loa
           {kind.weight[0], kind.weight[1], kind.weight[2]},
           gradient,
           nullptr,
+          0,
           led_};
 }
 
 double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
-                        const FiberBlock* next) {
+                        const FiberBlock* next, std::int64_t rows_ahead) {
   RowBlock block = view(kind, rows, loads, scratch, gradient);
+  block.rows_ahead = rows_ahead;
   if (next != nullptr) block.next_history = next->history_;
   const double fastest = kind.kernel->step(block);
   led_ = kind.parameters.step;

@@ -57,7 +57,7 @@ class FiberBlock {
   /// One step; the loads have acted and are zero then. Returns the square of the largest speed. `next` is stepped after it,
   /// if any.
   double step(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
-              const FiberBlock* next);
+              const FiberBlock* next, std::int64_t rows_ahead);
   /// Before a step: books what the bonds took in the last one.
   void book(const FiberKind& kind, SphereRows& rows, LaneArray& scratch);
 

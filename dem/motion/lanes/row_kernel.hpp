@@ -36,6 +36,7 @@ struct RowBlock {
   double weight[3];           ///< of a sphere [N]
   const double* gradient;     ///< fluid: A now, lane by lane
   const double* next_history; ///< of the block that comes next, to be fetched ahead; null if none
+  std::int64_t rows_ahead;    ///< spheres from those of this block to those whose places and motions are fetched meanwhile
   double led;                 ///< the step that led here: dt, or 0 before the first [s]
 };
 

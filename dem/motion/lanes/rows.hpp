@@ -92,20 +92,22 @@ class BlockRows {
   bool oriented_;
 };
 
-/// Fetches what the next block, whose rows lie behind this one's, needs for its sphere `i`: the rows are larger than the
+/// Inlined before the compiler asks what a function does: one that only fetches does nothing, and its calls would go.
+inline __attribute__((always_inline)) void fetch_lines(const double* from, std::ptrdiff_t numbers) {
+  for (std::ptrdiff_t n = 0; n < numbers; n += line_numbers) __builtin_prefetch(from + n, 1, 2);
+}
+
+/// Fetches, a part with every sphere, the rows of a later block and the history of the next one: the rows are larger than the
 /// caches, and the processor does not see them coming.
 template <class Real>
 inline __attribute__((always_inline)) void fetch_ahead(const RowBlock& block, std::ptrdiff_t i) {
   constexpr std::ptrdiff_t lanes = lane_count<Real>;
-  if (block.next_history == nullptr) return;
-  const std::ptrdiff_t row = block.first[lanes - 1] + block.bonds + 1 + i * lanes;
-  const auto fetch = [&](const double* from, std::ptrdiff_t numbers) {
-    for (std::ptrdiff_t n = 0; n < numbers; n += line_numbers) __builtin_prefetch(from + n, 1, 2);
-  };
-  fetch(block.places + row * place_numbers, lanes * place_numbers);
-  fetch(block.motions + row * motion_numbers, lanes * motion_numbers);
+  if (block.rows_ahead == 0) return;
+  const std::ptrdiff_t row = block.first[0] + block.rows_ahead + i * lanes;
+  fetch_lines(block.places + row * place_numbers, lanes * place_numbers);
+  fetch_lines(block.motions + row * motion_numbers, lanes * motion_numbers);
   constexpr std::ptrdiff_t history = sizeof(BondHistory<Real, 3>) / sizeof(double);
-  fetch(block.next_history + i * history, history);
+  if (block.next_history != nullptr) fetch_lines(block.next_history + i * history, history);
 }
 
 /// Position, and orientation where it is followed.
