@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
   BOOST_TEST(start.groups[0].fibers.size() == 2000u);
   BOOST_TEST(start.steps == 20000);
   BOOST_TEST(*start.options.step == 4e-6);
-  for (const char* name : {"packing.yaml", "packing-small.yaml"}) {
+  for (const char* name : {"packing.yaml", "packing-small.yaml", "compression.yaml"}) {
     const io::PackingScene scene =
         std::get<io::PackingScene>(io::parse_scene(io::read_scene_text(scenes / name)));
     BOOST_CHECK_NO_THROW(io::packing_start(scene, 1));
