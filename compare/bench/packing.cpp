@@ -12,6 +12,7 @@
 #include "compare/bench/timing.hpp"
 #include "compare/packing/run_measures.hpp"
 #include "dem/assembly/sphere_rows.hpp"
+#include "dem/assembly/stripes.hpp"
 #include "dem/io/h5md.hpp"
 #include "dem/io/packing_setup.hpp"
 
@@ -67,7 +68,7 @@ PackingScene part_of(const PackingScene& scene, std::size_t parts) {
 /// Kicking and moving so many spheres without bonds [ns a sphere], as the assembly keeps them: loads in an array that stays in
 /// the inner cache, one thread. A loop of its own: an assembly's does it together with the bonds.
 double motion_alone(std::int64_t spheres, const BenchOptions& options) {
-  constexpr std::int64_t stripe = 2048;
+  constexpr std::int64_t stripe = dem::cached_spheres;
   dem::SphereRows rows(spheres, false);
   std::vector<double> loads(stripe * dem::load_numbers, 1e-3);
   double* places = rows.places.data();

@@ -29,7 +29,7 @@ std::string step_words(const dem::StepChoice& choice, const dem::io::PackingScen
   const std::string limits = fmt::format(": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
                                          choice.bonds, choice.damped_bonds, choice.contacts);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
-  return fmt::format("0.9 of what is stable, set most by {}; each alone{}", choice.set_by, limits);
+  return fmt::format("{} of what is stable, set most by {}; each alone{}", dem::chosen_part, choice.set_by, limits);
 }
 
 /// The files of a run as they grow.

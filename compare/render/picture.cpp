@@ -135,20 +135,24 @@ std::pair<double, double> range_of(std::vector<double> values) {
   return high - low > least ? std::pair{low, high} : std::pair{low - least, high + least};
 }
 
+std::pair<double, double> shade_range(std::span<const dem::io::Frame> frames, Shade shade) {
+  std::vector<double> values;
+  for (const dem::io::Frame& frame : frames) {
+    const std::vector<double> more = shade_of(frame, shade);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return range_of(std::move(values));
+}
+
 Picture draw(const dem::io::Frame& frame, const PictureOptions& options, const Provenance& provenance) {
-  const auto range = options.range ? *options.range : range_of(shade_of(frame, options.shade));
+  const auto range = options.range ? *options.range : shade_range({&frame, 1}, options.shade);
   const Tile tile{trace(frame, options, range, image_width(options), options.height), 0, 0, kImages, 1, time_words(frame)};
   return {with_png_metadata(run_gnuplot(sheet_commands(options, range, 1) + tile_commands(tile, true)), provenance), range};
 }
 
 Picture draw_sheet(const std::vector<dem::io::Frame>& frames, const PictureOptions& options, const Provenance& provenance) {
   constexpr int columns = 2;
-  std::vector<double> values;
-  for (const dem::io::Frame& frame : frames) {
-    const std::vector<double> more = shade_of(frame, options.shade);
-    values.insert(values.end(), more.begin(), more.end());
-  }
-  const auto range = options.range ? *options.range : range_of(std::move(values));
+  const auto range = options.range ? *options.range : shade_range(frames, options.shade);
   const int count = static_cast<int>(frames.size()), rows = std::max((count + columns - 1) / columns, 1);
   const double width = kImages / columns, height = 1.0 / rows;
   std::string text = sheet_commands(options, range, rows);

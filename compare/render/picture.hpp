@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ std::vector<double> shade_of(const dem::io::Frame& frame, Shade shade);
 /// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the
 /// end colors.
 std::pair<double, double> range_of(std::vector<double> values);
+
+/// Those of all these frames.
+std::pair<double, double> shade_range(std::span<const dem::io::Frame> frames, Shade shade);
 
 struct Picture {
   std::string png;

@@ -117,6 +117,9 @@ class Assembly {
   std::unique_ptr<State> state_;
 };
 
+/// Part of the largest stable step that is chosen.
+inline constexpr double chosen_part = 0.9;
+
 /// The step [s] an assembly takes when none is asked for, and what sets it.
 struct StepChoice {
   double step;

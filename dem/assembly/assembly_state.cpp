@@ -177,7 +177,7 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& be
 
 /// From a block that ends there to the spheres whose rows are fetched meanwhile; 0 where none need be.
 std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
-  constexpr std::int64_t two_stripes = 4096;  // contacts of the next stripe, the other thread's too, find them at hand
+  constexpr std::int64_t two_stripes = 2 * cached_spheres;  // contacts of the next stripe, the other thread's too, find them at hand
   return rows.count > 2 * two_stripes ? std::min(two_stripes, rows.count - end) : 0;
 }
 

@@ -78,10 +78,7 @@ void CloseList::check_finite() const {
 void CloseList::sort() {
   const double reach = 2 * *std::ranges::max_element(spheres_.radius) + skin_;
   check_periods(spheres_.period, reach);
-  Box box{places_[0], places_[0]};
-  for (const Vec<double, 3>& x : places_) {
-    for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
-  }
+  Box box = box_around(places_);
   for (int c = 0; c < 3; ++c) {
     if (spheres_.period[c] > 0) box.low[c] = 0;
   }

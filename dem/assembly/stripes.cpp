@@ -6,8 +6,6 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Some 250 bytes a sphere: a quarter of a cache of 2 MB.
-constexpr std::int64_t kSpheres = 2048;
 /// Enough for threads to share, few enough to be numbered.
 constexpr std::int64_t kFewest = 16, kMost = 512;
 
@@ -31,7 +29,7 @@ Stripes even_stripes(std::int32_t spheres, int count) {
 }
 
 Stripes cached_stripes(const std::vector<std::int32_t>& ends) {
-  const std::int64_t spheres = ends.back(), count = std::clamp(spheres / kSpheres, kFewest, kMost);
+  const std::int64_t spheres = ends.back(), count = std::clamp(spheres / cached_spheres, kFewest, kMost);
   std::vector<std::int32_t> begins{0};
   for (const std::int32_t end : ends) {
     if (static_cast<std::int64_t>(end) * count >= spheres * static_cast<std::int64_t>(begins.size())) begins.push_back(end);

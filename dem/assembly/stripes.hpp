@@ -39,6 +39,9 @@ class StripeReach {
   std::vector<int> last_, first_;
 };
 
+/// Spheres of a stripe that the inner cache holds: some 250 bytes each, a quarter of 2 MB.
+inline constexpr std::int64_t cached_spheres = 2048;
+
 /// Spheres in stripes of about as many each.
 Stripes even_stripes(std::int32_t spheres, int count);
 

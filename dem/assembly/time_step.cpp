@@ -49,7 +49,6 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
 // (contact_parameters.hpp). K and C are sums over bonds and contacts: what each uses up alone, in its own
 // worst mode, adds up to no less than what both do.
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings) {
-  constexpr double part = 0.9;  // of the largest stable step
   StepChoice choice{1e300, "", 1e300, 1e300, 1e300};
   for (const FiberGroup& group : groups) {
     const double undamped = undamped_time_step(group.chain.fiber),
@@ -61,7 +60,7 @@ StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surro
         choice.contacts,
         step_that_uses_all([&](double dt) { return contacts.used(dt); }, 4 / std::sqrt(contacts.stiffness)));
     const auto used = [&](double dt) { return used_by_bonds(undamped, damped, dt) + contacts.used(dt); };
-    choice.step = std::min(choice.step, part * step_that_uses_all(used, damped));
+    choice.step = std::min(choice.step, chosen_part * step_that_uses_all(used, damped));
   }
   const double least = std::min({choice.bonds, choice.damped_bonds, choice.contacts});
   choice.set_by = least == choice.contacts ? "contacts" : least == choice.bonds ? "bonds" : "bond damping";

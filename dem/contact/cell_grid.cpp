@@ -5,6 +5,14 @@
 
 namespace fiberchain::dem {
 
+Box box_around(std::span<const Vec<double, 3>> places) {
+  Box box{places[0], places[0]};
+  for (const Vec<double, 3>& x : places) {
+    for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
+  }
+  return box;
+}
+
 Cells::Cells(const Box& box, const Vec<double, 3>& period, double edge, double most) : low_(box.low) {
   most = std::min(most, 1e9);
   double length[3], cells[3];

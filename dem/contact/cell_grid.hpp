@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dem/math/vec.hpp"
@@ -11,6 +12,9 @@ namespace fiberchain::dem {
 struct Box {
   Vec<double, 3> low, high;
 };
+
+/// The least one around some places, at least one.
+Box box_around(std::span<const Vec<double, 3>> places);
 
 /// Cells that fill a box. What stands outside of it counts for the cells at its border; along periodic axes the box is the
 /// period.

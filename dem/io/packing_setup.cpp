@@ -52,16 +52,11 @@ int useful_threads(const PackingScene& scene, int threads) {
 }
 
 /// Fibers of files may touch, but not lie in each other: contacts would burst.
-void check_apart(const PackingScene& scene, const std::vector<FiberGroup>& groups) {
+void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
   constexpr double deepest = 0.5;  // overlap over the smaller radius
-  const PlacedSpheres all = spheres_of(groups);
   if (all.radius.empty()) return;
   const auto [least, largest] = std::ranges::minmax(all.radius);
-  Box box{all.position[0], all.position[0]};
-  for (const Vec<double, 3>& x : all.position) {
-    for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
-  }
-  SphereGrid placed(box, scene.surroundings.period, largest, -deepest * least, std::ssize(all.radius));
+  SphereGrid placed(box_around(all.position), scene.surroundings.period, largest, -deepest * least, std::ssize(all.radius));
   std::size_t sphere = 0;
   for (const FiberKind& kind : scene.kinds) {
     for (std::size_t f = 0; f < kind.starts.size(); ++f) {
@@ -74,6 +69,14 @@ void check_apart(const PackingScene& scene, const std::vector<FiberGroup>& group
       }
     }
   }
+}
+
+std::int64_t steps_in(double duration, double step) {
+  const double steps = std::ceil(duration / step * (1 - 1e-12));
+  if (!(steps >= 1 && steps < 1e12)) {
+    throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s", duration, steps, step));
+  }
+  return static_cast<std::int64_t>(steps);
 }
 
 /// A batch after the end, or within a step of another, would never come.
@@ -91,8 +94,9 @@ void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
 
 PackingStart packing_start(const PackingScene& scene, int threads) {
   PackingStart start{groups_of_files(scene), scene.surroundings, {}, step_choice(scene), scene.steps};
-  check_apart(scene, start.groups);
-  for (FiberGroup& group : packing_batch(scene, 0, 0, spheres_of(start.groups))) {
+  const PlacedSpheres of_files = spheres_of(start.groups);
+  check_apart(scene, of_files);
+  for (FiberGroup& group : packing_batch(scene, 0, 0, of_files)) {
     start.groups.push_back(std::move(group));
   }
   const double step = scene.step.value_or(start.choice.step);
@@ -102,16 +106,7 @@ PackingStart packing_start(const PackingScene& scene, int threads) {
                    .threads = useful_threads(scene, threads),
                    .book_energy = scene.book_energy,
                    .orientations = scene.orientations};
-  if (start.steps > 0) {
-    check_batches(scene, step, start.steps);
-    return start;
-  }
-  const double steps = std::ceil(scene.duration / step * (1 - 1e-12));
-  if (!(steps >= 1 && steps < 1e12)) {
-    throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s",
-                                   scene.duration, steps, step));
-  }
-  start.steps = static_cast<std::int64_t>(steps);
+  if (start.steps == 0) start.steps = steps_in(scene.duration, step);
   check_batches(scene, step, start.steps);
   return start;
 }
