@@ -4,8 +4,7 @@ include(CMakePackageConfigHelpers)
 set_target_properties(fiberchain_dem PROPERTIES EXPORT_NAME dem)
 install(TARGETS fiberchain_dem EXPORT fiberchain-targets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/dem DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fiberchain
-  FILES_MATCHING PATTERN "*.hpp" PATTERN io EXCLUDE PATTERN lanes/instantiate.hpp EXCLUDE
-  PATTERN lanes/along.hpp EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp")
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fiberchain)
 install(EXPORT fiberchain-targets NAMESPACE fiberchain:: DESTINATION ${package_dir})

@@ -4,11 +4,11 @@
 #include "compare/app/results.hpp"
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
-#include "compare/bench/skips.hpp"
+#include "compare/bench/feature_costs.hpp"
 #include "compare/bench/tables.hpp"
-#include "compare/results/markdown.hpp"
-#include "compare/results/published.hpp"
-#include "dem/io/scene.hpp"
+#include "compare/study/markdown.hpp"
+#include "compare/study/published.hpp"
+#include "dem/scene/scene.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -53,14 +53,14 @@ std::vector<PrecisionProblem> problems_of(const Cases& cases, const BenchOptions
 /// What is printed: the first table as the command's own, the others as notes below it.
 struct Report {
   Results results{.name = "bench", .heading = "Run time against error", .table = compare::wanted_table({})};
-  std::optional<compare::Table> shown;
+  std::optional<dem::Table> shown;
 
   /// `whole` goes to the files, `short_one` to the reader.
-  void add(const std::string& name, const std::string& title, const compare::Table& whole,
-           const compare::Table& short_one) {
+  void add(const std::string& name, const std::string& title, const dem::Table& whole,
+           const dem::Table& short_one) {
     results.more_tables.emplace_back(name, whole);
     if (shown) {
-      results.notes += title + ":\n\n" + compare::to_markdown(short_one) + "\n";
+      results.notes += title + ":\n\n" + dem::to_markdown(short_one) + "\n";
     } else {
       results.table = whole;
       shown = short_one;
@@ -70,7 +70,7 @@ struct Report {
 
 void add_problems(Report& report, const std::vector<PrecisionProblem>& problems) {
   if (problems.empty()) return;
-  const compare::Table wanted = compare::wanted_table(problems);
+  const dem::Table wanted = compare::wanted_table(problems);
   report.add("bench-wanted", "", wanted, wanted.select(kShownWanted));
   report.results.more_tables.emplace_back("bench-precision", compare::precision_table(problems));
   report.results.notes += "The same in short, least run time of one chain:\n\n" +
@@ -90,7 +90,7 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
   }
   if (has(cases, Case::kernels)) {
     const auto peaks = compare::measured_peaks(times, options);
-    const compare::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks),
+    const dem::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks),
                          peak = compare::peak_table(peaks);
     report.add("bench-kernels", "A bond-step of each inner loop, chains of 11 spheres, and what bounds it",
                compare::kernel_table(times, peaks), shown.select(kShownKernels));
@@ -101,8 +101,8 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
 
 void add_packing(Report& report, const BenchOptions& options) {
   const auto path = compare::find_data_directory(std::nullopt) / "scenes" / "crossed-layers.yaml";
-  const auto scene = std::get<dem::io::PackingScene>(dem::io::parse_scene(dem::io::read_scene_text(path)));
-  const compare::Table times = compare::packing_time_table(compare::packing_times(scene, options));
+  const auto scene = std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(path)));
+  const dem::Table times = compare::packing_time_table(compare::packing_times(scene, options));
   report.add("bench-packing", "A sphere-step of a packing, on one thread and two, and of more and fewer spheres", times, times);
 }
 

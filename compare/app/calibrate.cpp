@@ -4,11 +4,11 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/damping/calibration_table.hpp"
-#include "compare/errors.hpp"
-#include "compare/static/point.hpp"
-#include "dem/io/numbers.hpp"
-#include "dem/io/units.hpp"
+#include "compare/calibration/table.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/static/case.hpp"
+#include "dem/files/numbers.hpp"
+#include "dem/scene/units.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -45,18 +45,18 @@ constexpr std::array kSettings = {"--bond-damping", "--retardation-time"};
 double quantity(const Arguments& arguments, const std::string& option, const std::string& si, double usual) {
   if (!arguments.has(option)) return usual;
   const std::string text = arguments.text(option);
-  if (const auto number = dem::io::parse_number(text)) return *number;
-  const dem::io::Units units;
+  if (const auto number = dem::parse_number(text)) return *number;
+  const dem::Units units;
   try {
     return units.to_si(text, si);
-  } catch (const dem::io::UnitError& error) {
+  } catch (const dem::UnitError& error) {
     throw InputError(fmt::format("{}: '{}' {}", option, text, error.what()));
   }
 }
 
 double number(const Arguments& arguments, const std::string& option, double usual) {
   if (!arguments.has(option)) return usual;
-  if (const auto value = dem::io::parse_number(arguments.text(option))) return *value;
+  if (const auto value = dem::parse_number(arguments.text(option))) return *value;
   throw InputError(fmt::format("{}: '{}' is no number", option, arguments.text(option)));
 }
 
@@ -158,7 +158,7 @@ CalibrationAnswer answer_of(const Arguments& arguments) {
 int run(const Arguments& arguments, Context& context) {
   OutputOptions output;
   output.json = arguments.has("--json");
-  std::optional<compare::OutputDirectory> directory;
+  std::optional<dem::OutputDirectory> directory;
   if (arguments.has("--out")) directory.emplace(arguments.text("--out"));
   CalibrationAnswer answer = answer_of(arguments);
   if (arguments.has("--verify")) answer.run = verify(answer.found);

@@ -1,24 +1,24 @@
-#include "compare/results/columns.hpp"
+#include "dem/record/columns.hpp"
 
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
-#include "compare/results/json.hpp"
-#include "compare/results/markdown.hpp"
-#include "compare/results/table.hpp"
+#include "compare/study/json.hpp"
+#include "compare/study/markdown.hpp"
+#include "dem/record/table.hpp"
 
 namespace fiberchain::app {
 namespace {
 
 int run(const Arguments& arguments, Context& context) {
-  compare::Table table({"column", "kind", "unit", "meaning"});
-  for (const compare::Column& column : compare::all_columns()) {
+  dem::Table table({"column", "kind", "unit", "meaning"});
+  for (const dem::Column& column : dem::all_columns()) {
     table.append({{"column", std::string(column.name)},
                   {"kind", std::string(to_string(column.kind))},
                   {"unit", std::string(column.unit)},
                   {"meaning", std::string(column.meaning)}});
   }
   const bool json = arguments.has("--json");
-  context.out << (json ? compare::to_text(to_json(table, context.provenance)) : to_markdown(table));
+  context.out << (json ? dem::to_text(dem::to_json(table, context.provenance)) : dem::to_markdown(table));
   return kSuccess;
 }
 

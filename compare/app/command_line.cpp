@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "compare/errors.hpp"
-#include "compare/results/build_info.hpp"
+#include "compare/study/errors.hpp"
+#include "dem/record/build_info.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -84,7 +84,7 @@ std::string names_below(const CLI::App& app) {
 Request parse_command_line(const std::vector<std::string>& arguments) {
   CLI::App program("Sphere-chain DEM for flexible fibers, held against continuum references.", "fiberchain");
   program.set_version_flag("--version",
-                           fmt::format("fiberchain {} (commit {})", compare::kVersion, compare::kCommit));
+                           fmt::format("fiberchain {} (commit {})", dem::kVersion, dem::kCommit));
   program.footer("Example:\n  fiberchain tables static --help");
   const auto commands = register_commands(program);
   try {

@@ -5,22 +5,22 @@
 #include <memory>
 #include <ostream>
 
-#include "compare/results/progress.hpp"
-#include "compare/results/provenance.hpp"
+#include "dem/record/progress.hpp"
+#include "dem/record/provenance.hpp"
 
 namespace fiberchain::app {
 
 /// What a command works in.
 struct Context {
-  compare::Provenance provenance;
+  dem::Provenance provenance;
   std::ostream& out;                    ///< standard output: results and nothing else
   std::ostream& bar;                    ///< standard error, for progress bars
   std::shared_ptr<spdlog::logger> log;  ///< messages, to standard error
   bool watched;                         ///< whether someone watches standard error: progress bars make sense
 
   /// A bar of `total` units if someone watches.
-  std::unique_ptr<compare::Progress> progress(std::size_t total) const {
-    return watched ? std::make_unique<compare::Progress>(bar, total) : std::make_unique<compare::Progress>();
+  std::unique_ptr<dem::Progress> progress(std::size_t total) const {
+    return watched ? std::make_unique<dem::Progress>(bar, total) : std::make_unique<dem::Progress>();
   }
 };
 

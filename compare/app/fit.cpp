@@ -2,8 +2,8 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/damping/fit_table.hpp"
-#include "compare/errors.hpp"
+#include "compare/fit/table.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <iostream>
 
 #include "compare/app/command_line.hpp"
-#include "compare/errors.hpp"
-#include "dem/errors.hpp"
-#include "dem/io/scene_error.hpp"
+#include "compare/study/errors.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/scene/scene_error.hpp"
 #include "reference/errors.hpp"
 #include "reference/gsl_status.hpp"
 
@@ -35,12 +35,12 @@ int report(const std::exception& error, int status) {
 }
 
 int run(const std::vector<std::string>& command_line) {
-  Context context{compare::collect_provenance(command_line), std::cout, std::cerr, make_log(),
-                  compare::someone_watches()};
+  Context context{dem::collect_provenance(command_line), std::cout, std::cerr, make_log(),
+                  dem::someone_watches()};
   const Request request = parse_command_line({command_line.begin() + 1, command_line.end()});
   context.out << request.text;
   const int status = request.command ? request.command->run(request.arguments, context) : kSuccess;
-  if (!std::cout.flush()) throw compare::OutputError("standard output", "is it closed, or its disk full?");
+  if (!std::cout.flush()) throw dem::OutputError("standard output", "is it closed, or its disk full?");
   return status;
 }
 
@@ -53,7 +53,7 @@ int main(int count, char** arguments) {
     return run({arguments, arguments + count});
   } catch (const compare::InputError& error) {
     return report(error, kBadInput);
-  } catch (const dem::io::SceneError& error) {
+  } catch (const dem::SceneError& error) {
     return report(error, kBadInput);
   } catch (const dem::InvalidInput& error) {
     return report(error, kBadInput);

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -40,24 +40,24 @@ OutputOptions output_options(const Arguments& arguments) {
   return options;
 }
 
-void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_list(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                std::vector<double>& values) {
   if (arguments.has(option)) values = compare::parse_numbers(option, arguments.text(option), allowed);
 }
 
-void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_list(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                std::vector<int>& values) {
   if (arguments.has(option)) values = compare::parse_integers(option, arguments.text(option), allowed);
 }
 
-void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_number(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                  double& value) {
   if (!arguments.has(option)) return;
   const std::string text = arguments.text(option);
   value = only_one(option, text, compare::parse_numbers(option, text, allowed));
 }
 
-void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_number(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                  int& value) {
   if (!arguments.has(option)) return;
   const std::string text = arguments.text(option);

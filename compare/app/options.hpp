@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compare/app/command.hpp"
-#include "compare/damping/peaks.hpp"
-#include "compare/results/ranges.hpp"
+#include "compare/measure/peaks.hpp"
+#include "compare/study/ranges.hpp"
 
 /// Options that several commands have, and how options become values.
 namespace fiberchain::app {
@@ -34,19 +34,19 @@ inline constexpr const char* kListHelp =
     "\nLists and ranges: 10,13   5..60   5..60:5 (step)   0.05..10:log:12 (number of values)";
 
 /// Poisson's ratios that an isotropic material can have.
-inline constexpr dem::io::Interval kPoissonRatios{.low = -1, .high = 0.5, .low_open = true};
+inline constexpr dem::ValueRange kPoissonRatios{.low = -1, .high = 0.5, .low_open = true};
 
 /// A list of numbers or integers in place of the usual one, if the option was typed.
 /// @throws compare::InputError naming option, value and what is allowed
-void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_list(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                std::vector<double>& values);
-void read_list(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_list(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                std::vector<int>& values);
 
 /// A single number, likewise.
-void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_number(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                  double& value);
-void read_number(const Arguments& arguments, const std::string& option, const dem::io::Interval& allowed,
+void read_number(const Arguments& arguments, const std::string& option, const dem::ValueRange& allowed,
                  int& value);
 
 /// --peaks: a range of at least two peaks, in place of the usual one, if the option was typed.

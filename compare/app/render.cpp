@@ -2,10 +2,10 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/render/picture.hpp"
-#include "compare/results/output.hpp"
-#include "dem/io/h5md.hpp"
+#include "dem/record/output.hpp"
+#include "dem/trajectory/h5md.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -44,7 +44,7 @@ compare::PictureOptions picture_options(const Arguments& arguments) {
 
 /// Number of the frame asked for.
 /// @throws compare::InputError if the trajectory has no such frame
-std::int64_t frame_of(const Arguments& arguments, const dem::io::TrajectoryReader& trajectory) {
+std::int64_t frame_of(const Arguments& arguments, const dem::TrajectoryReader& trajectory) {
   const std::int64_t last = trajectory.frames() - 1;
   if (last < 0) throw compare::InputError(arguments.text("FILE") + ": holds no frame yet");
   if (!arguments.has("--frame") || arguments.text("--frame") == "last") return last;
@@ -53,10 +53,10 @@ std::int64_t frame_of(const Arguments& arguments, const dem::io::TrajectoryReade
   return frame;
 }
 
-dem::io::TrajectoryReader open_trajectory(const std::filesystem::path& path) {
+dem::TrajectoryReader open_trajectory(const std::filesystem::path& path) {
   try {
-    return dem::io::TrajectoryReader(path);
-  } catch (const dem::io::ReadError& error) {
+    return dem::TrajectoryReader(path);
+  } catch (const dem::ReadError& error) {
     throw compare::InputError(error.what());
   }
 }
@@ -66,10 +66,10 @@ int run(const Arguments& arguments, Context& context) {
   compare::PictureOptions options = picture_options(arguments);
   options.threads = output.jobs;
   const std::filesystem::path path = arguments.text("FILE");
-  const dem::io::TrajectoryReader trajectory = open_trajectory(path);
+  const dem::TrajectoryReader trajectory = open_trajectory(path);
   const std::int64_t n = frame_of(arguments, trajectory);
-  const compare::OutputDirectory directory(output.out.value_or("results"));
-  const dem::io::Frame frame = trajectory.read(n);
+  const dem::OutputDirectory directory(output.out.value_or("results"));
+  const dem::TrajectoryFrame frame = trajectory.read(n);
   const compare::Picture picture = compare::draw(frame, options, context.provenance);
   const std::string color = arguments.has("--color") ? arguments.text("--color") : kShades.front().first;
   const std::string name = fmt::format("{}-{:04}-{}.png", path.stem().string(), n, color);

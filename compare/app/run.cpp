@@ -1,17 +1,17 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/run_packing.hpp"
-#include "compare/damping/release_report.hpp"
-#include "compare/errors.hpp"
-#include "compare/flow/scene_report.hpp"
-#include "compare/results/csv.hpp"
-#include "compare/static/cantilever.hpp"
-#include "dem/errors.hpp"
+#include "compare/scenes/release_report.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/scenes/flow_report.hpp"
+#include "dem/record/csv.hpp"
+#include "compare/scenes/cantilever.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
 
-Results run_cantilever(const dem::io::CantileverScene& scene, const std::string& name) {
+Results run_cantilever(const dem::CantileverScene& scene, const std::string& name) {
   const compare::CantileverRest rest = compare::rest_of(scene);
   return {.name = name,
           .heading = "Cantilever",
@@ -20,7 +20,7 @@ Results run_cantilever(const dem::io::CantileverScene& scene, const std::string&
           .figures = {{name + "-shape", compare::shape_figure(scene, rest)}}};
 }
 
-Results run_release(const dem::io::ReleaseScene& scene, const compare::ReleaseRun& run, const std::string& name) {
+Results run_release(const dem::ReleaseScene& scene, const compare::ReleaseRun& run, const std::string& name) {
   return {.name = name,
           .heading = "Release",
           .table = compare::release_table(scene, run),
@@ -32,26 +32,26 @@ Results run_release(const dem::io::ReleaseScene& scene, const compare::ReleaseRu
 /// What is delivered of a scene, what of it is shown, and why it stopped early, if it did.
 struct Outcome {
   Results results;
-  compare::Table shown;
+  dem::Table shown;
   std::string failure;
 };
 
-Outcome outcome_of(const dem::io::CantileverScene& scene, const std::string& name) {
+Outcome outcome_of(const dem::CantileverScene& scene, const std::string& name) {
   Results results = run_cantilever(scene, name);
-  compare::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle", "departure_y",
+  dem::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle", "departure_y",
                                                "departure_distance", "residual", "run_time"});
   return {std::move(results), std::move(shown), ""};
 }
 
-Outcome outcome_of(const dem::io::ReleaseScene& scene, const std::string& name) {
+Outcome outcome_of(const dem::ReleaseScene& scene, const std::string& name) {
   const compare::ReleaseRun run = compare::run_release(scene);
   Results results = run_release(scene, run, name);
-  compare::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
+  dem::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
                                                "fiber_damping", "fiber_damping_modes", "run_time", "status"});
   return {std::move(results), std::move(shown), run.failure};
 }
 
-Outcome outcome_of(const dem::io::FlowScene& scene, const std::string& name) {
+Outcome outcome_of(const dem::FlowScene& scene, const std::string& name) {
   const compare::FlowHistory history = compare::run_flow(scene);
   Results results{.name = name,
                   .heading = "Fiber in a flow",
@@ -61,26 +61,26 @@ Outcome outcome_of(const dem::io::FlowScene& scene, const std::string& name) {
   for (auto& [end, figure] : compare::flow_scene_figures(scene, history)) {
     results.figures.emplace_back(name + end, std::move(figure));
   }
-  compare::Table shown = results.table.select({"aspect_ratio", "hydrodynamics", "flow_method", "elasto_viscous", "strain",
+  dem::Table shown = results.table.select({"aspect_ratio", "hydrodynamics", "flow_method", "elasto_viscous", "strain",
                                                "period", "orbit_constant", "end_to_end_least", "bending_angle",
                                                "run_time", "status"});
   return {std::move(results), std::move(shown), history.record.failure};
 }
 
 /// Of a scene that is one fiber.
-Outcome outcome_of(const dem::io::Scene& scene, const std::string& name) {
-  if (const auto* cantilever = std::get_if<dem::io::CantileverScene>(&scene)) return outcome_of(*cantilever, name);
-  if (const auto* release = std::get_if<dem::io::ReleaseScene>(&scene)) return outcome_of(*release, name);
-  return outcome_of(std::get<dem::io::FlowScene>(scene), name);
+Outcome outcome_of(const dem::Scene& scene, const std::string& name) {
+  if (const auto* cantilever = std::get_if<dem::CantileverScene>(&scene)) return outcome_of(*cantilever, name);
+  if (const auto* release = std::get_if<dem::ReleaseScene>(&scene)) return outcome_of(*release, name);
+  return outcome_of(std::get<dem::FlowScene>(scene), name);
 }
 
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
-  const dem::io::SceneText text = dem::io::read_scene_text(path);
-  const dem::io::Scene scene = dem::io::parse_scene(text);
-  context.provenance = with_scene(context.provenance, path, text.text);
-  if (const auto* packing = std::get_if<dem::io::PackingScene>(&scene)) {
+  const dem::SceneText text = dem::read_scene_text(path);
+  const dem::Scene scene = dem::parse_scene(text);
+  context.provenance = dem::with_scene(context.provenance, path, text.text);
+  if (const auto* packing = std::get_if<dem::PackingScene>(&scene)) {
     return run_packing(text, *packing, arguments, context);
   }
   for (const char* option : {"--resume", "--force"}) {

@@ -7,7 +7,7 @@
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/damping/table.hpp"
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -85,7 +85,7 @@ int run(const Arguments& arguments, Context& context) {
     points = measure(compare::cases(sweep), output.jobs, context);
   } else {
     const compare::DampingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
-    const compare::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
+    const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
     results.more_tables = {{"fig-6", ring_down}, {"damping-dashpots", compare::dashpot_table(10, 0.3)}};
     results.figures = compare::damping_figures(figures, ring_down);
   }

@@ -6,7 +6,7 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/friction/table.hpp"
 
 namespace fiberchain::app {

@@ -5,8 +5,8 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/packing/study.hpp"
-#include "compare/packing/study_pictures.hpp"
-#include "compare/packing/study_rows.hpp"
+#include "compare/packing/pictures.hpp"
+#include "compare/packing/checks.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -46,7 +46,7 @@ Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context)
 }
 
 /// What the paper says, judged by the runs of several seeds and the energy of the one that is booked.
-compare::Table statements_of(const Runs& runs, const Arguments& arguments) {
+dem::Table statements_of(const Runs& runs, const Arguments& arguments) {
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
   std::vector<PackingRun> judged = runs.spread;
@@ -63,7 +63,7 @@ Results results_of(const Runs& runs) {
                   .heading = "Packings of flexible fibers, Figs 11 and 12",
                   .table = compare::run_table(all),
                   .notes = compare::packing_notes(runs.figures, runs.spread)};
-  const auto add = [&](const char* name, compare::Table table) {
+  const auto add = [&](const char* name, dem::Table table) {
     if (!table.rows().empty()) results.more_tables.emplace_back(name, std::move(table));
   };
   add("packing-stages", compare::stage_table(all));
@@ -94,7 +94,7 @@ int run(const Arguments& arguments, Context& context) {
   const compare::PackingPlan plan = plan_of(arguments);
   const auto directory = open_output(output);
   Runs runs = runs_of(plan, output.jobs, context);
-  std::vector<compare::OutputFile> pictures;
+  std::vector<dem::OutputFile> pictures;
   for (PackingRun& packing : runs.figures) {
     if (directory && !packing.pictures.empty()) {
       pictures = compare::stage_pictures(packing, output.jobs, context.provenance);
@@ -105,7 +105,7 @@ int run(const Arguments& arguments, Context& context) {
   results.more_files = std::move(pictures);
   if (!runs.spread.empty())
     results.more_tables.emplace_back("packing-statements", statements_of(runs, arguments));
-  const compare::Table shown = results.table.select(
+  const dem::Table shown = results.table.select(
       {"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
        "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});
   deliver(results, shown, output, directory, context);

@@ -2,7 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/inertia.hpp"
 #include "compare/flow/regimes.hpp"

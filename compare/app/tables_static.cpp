@@ -48,7 +48,7 @@ int run(const Arguments& arguments, Context& context) {
                   .heading = "Departure of the chain's free end from the Elastica",
                   .table = compare::static_table(points)};
   if (directory) {
-    const compare::Table orders = compare::static_order_table(sweep.poisson_ratio.front(), output.jobs);
+    const dem::Table orders = compare::static_order_table(sweep.poisson_ratio.front(), output.jobs);
     results.more_tables = {{"static-order", orders}};
     results.figures = compare::static_figures(points, orders);
   }

@@ -2,9 +2,9 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/results/matrix.hpp"
-#include "compare/results/published.hpp"
-#include "compare/validation.hpp"
+#include "compare/study/validation_report.hpp"
+#include "compare/study/published.hpp"
+#include "compare/study/validation.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -55,7 +55,7 @@ int run(const Arguments& arguments, Context& context) {
   const std::vector<compare::MatrixRow> rows = rows_of(steps, published, output.jobs, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
-  const compare::Table shown = results.table.select(
+  const dem::Table shown = results.table.select(
       {"id", "feature", "reference_kind", "expected", "measured", "difference", "tolerance", "verdict"});
   deliver(results, shown, output, directory, context);
   log_summary(rows, context);

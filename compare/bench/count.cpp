@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/bench/swing.hpp"
-#include "dem/errors.hpp"
+#include "compare/bench/swinging_chain.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/leapfrog.hpp"
 #include "dem/motion/relaxation.hpp"
 
@@ -26,7 +26,7 @@ To counted(const From& from, OperationCount* count) {
 }
 
 template <int Dim>
-dem::MarchParameters<double, Dim> parameters_of(const Swing<Dim>& swing, bool fluid) {
+dem::MarchParameters<double, Dim> parameters_of(const SwingingChain<Dim>& swing, bool fluid) {
   const dem::Fiber& fiber = swing.chain.fiber;
   dem::MarchParameters<double, Dim> p{};
   p.bond = dem::bond_parameters(fiber);
@@ -42,7 +42,7 @@ dem::MarchParameters<double, Dim> parameters_of(const Swing<Dim>& swing, bool fl
 template <dem::Physics P>
 OperationCount counted_bond_step() {
   constexpr int Dim = P.dimension;
-  const Swing<Dim> swing = swing_of<Dim>(P);
+  const SwingingChain<Dim> swing = swing_of<Dim>(P);
   OperationCount count;
   std::vector<dem::MovingSphere<Counted, Dim>> spheres;
   for (const auto& pose : swing.chain.poses) {

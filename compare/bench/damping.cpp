@@ -6,10 +6,10 @@
 
 #include "compare/bench/problems.hpp"
 #include "compare/bench/ring_down.hpp"
-#include "compare/damping/peaks.hpp"
-#include "compare/damping/release.hpp"
-#include "compare/linear_twin.hpp"
-#include "compare/static/point.hpp"
+#include "compare/measure/peaks.hpp"
+#include "compare/measure/ring_down_release.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "compare/static/case.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -28,7 +28,7 @@ struct Exact {
 };
 
 double dense_damping(const dem::Fiber& fiber) {
-  const auto modes = reference::chain_modes(linear_twin(fiber), reference::ChainMotion::bending,
+  const auto modes = reference::chain_modes(linear_chain_of(fiber), reference::ChainMotion::bending,
                                             reference::ChainEnds::clamped_free);
   return modes.front().damping;
 }
@@ -60,7 +60,7 @@ PrecisionRow eigenvalue_row(const dem::Fiber& fiber, const Exact& exact, const T
                    .aspect_ratio = fiber.aspect_ratio,
                    .in_time = false};
   return measured_row(
-      row, budget, [&] { return reference::first_bending_mode(linear_twin(fiber)).damping; },
+      row, budget, [&] { return reference::first_bending_mode(linear_chain_of(fiber)).damping; },
       [&](double found) -> Judged {
         return {std::abs(found / exact.damping - 1), {}};
       });
@@ -83,7 +83,7 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
       .reference_error = exact.error,
       .rows = {}};
   problem.rows.push_back(eigenvalue_row(fiber, exact, row_budget(options)));
-  const ChainMode mode = reference::first_bending_mode(linear_twin(fiber));
+  const ChainMode mode = reference::first_bending_mode(linear_chain_of(fiber));
   const dem::Release<2> release = mode_release(fiber, mode, amplitude, periods);
   auto rows = ring_down_rows(ring_down_settings(release, options.quick, false), release, row_budget(options),
                              [&](const dem::ReleaseRecord<2>& record) {

@@ -6,9 +6,9 @@
 #include "compare/bench/history_reference.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/ring_down.hpp"
-#include "compare/damping/release.hpp"
-#include "compare/linear_twin.hpp"
-#include "compare/static/point.hpp"
+#include "compare/measure/ring_down_release.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "compare/static/case.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -48,7 +48,7 @@ PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptio
   dem::Fiber fiber = nominal_fiber(aspect_ratio, 0.3, dem::BondModel::paper);
   fiber.bond_damping = 1;
   const dem::Release<2> release =
-      static_release(fiber, reference::first_bending_mode(linear_twin(fiber)), load, periods);
+      static_release(fiber, reference::first_bending_mode(linear_chain_of(fiber)), load, periods);
   const std::vector<double> times = times_of(release.period);
   const Path exact = tip_path_by_runge_kutta(release, times, 1e-12),
              looser = tip_path_by_runge_kutta(release, times, 1e-11);

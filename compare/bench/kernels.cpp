@@ -24,7 +24,7 @@ std::vector<KernelTime> kernel_times(const BenchOptions& options) {
   const auto all = instruction_sets();
   for (const InstructionSet set : options.quick ? std::vector{all.front(), all.back()} : all) {
     for (const Physics& physics : dem::built_physics) {
-      const int lanes = dem::lane_kernel(physics, set).width;
+      const int lanes = dem::chain_kernel(physics, set).width;
       const auto counted = std::ranges::find(times, physics, &KernelTime::physics);
       const OperationCount count = counted == times.end() ? operations_of_bond_step(physics) : counted->count;
       times.push_back({physics, set, lanes, 0, 0, count});
@@ -66,8 +66,8 @@ std::vector<MeasuredPeak> measured_peaks(const std::vector<KernelTime>& times, c
   return peaks;
 }
 
-Table peak_table(const std::vector<MeasuredPeak>& peaks) {
-  Table table(
+dem::Table peak_table(const std::vector<MeasuredPeak>& peaks) {
+  dem::Table table(
       {"instruction_set", "multiply_add_ns", "divide_ns", "square_root_ns", "sine_ns", "arc_tangent_ns"});
   for (const MeasuredPeak& p : peaks) {
     table.append({{"instruction_set", std::string(dem::name(p.set))},
@@ -89,8 +89,8 @@ std::vector<KernelTime> widest_or_wanted(const std::vector<KernelTime>& times) {
   return shown;
 }
 
-Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
-  Table table({"physics", "instruction_set", "lanes", "bond_step_ns", "bond_step_target_ns",
+dem::Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
+  dem::Table table({"physics", "instruction_set", "lanes", "bond_step_ns", "bond_step_target_ns",
                "lone_bond_step_ns", "lone_target_ns", "additions", "multiplications", "fusable", "divisions",
                "square_roots", "sines", "arc_tangents", "arithmetic_bound_ns", "divider_bound_ns",
                "bound_fraction"});
@@ -104,9 +104,9 @@ Table kernel_table(const std::vector<KernelTime>& times, const std::vector<Measu
                   {"instruction_set", std::string(dem::name(t.set))},
                   {"lanes", std::int64_t{t.lanes}},
                   {"bond_step_ns", 1e9 * t.ensemble},
-                  {"bond_step_target_ns", target ? Cell{1e9 * target->ensemble} : Cell{}},
+                  {"bond_step_target_ns", target ? dem::Cell{1e9 * target->ensemble} : dem::Cell{}},
                   {"lone_bond_step_ns", 1e9 * t.lone},
-                  {"lone_target_ns", alone ? Cell{1e9 * alone->lone} : Cell{}},
+                  {"lone_target_ns", alone ? dem::Cell{1e9 * alone->lone} : dem::Cell{}},
                   {"additions", t.count.additions},
                   {"multiplications", t.count.multiplications},
                   {"fusable", t.count.fusable},

@@ -7,9 +7,9 @@
 #include "compare/bench/count.hpp"
 #include "compare/bench/peak.hpp"
 #include "compare/bench/problems.hpp"
-#include "compare/bench/swing.hpp"
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
+#include "compare/bench/swinging_chain.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
 
 // The inner loops: how long a bond-step takes, what the operations in it must take at least, and what a scene
 // saves that lacks something. Chains of 11 spheres.
@@ -57,8 +57,8 @@ std::vector<MeasuredPeak> measured_peaks(const std::vector<KernelTime>& times, c
 /// The loops by the widest lanes, and those that take a lone chain fastest where a time is wanted of it.
 std::vector<KernelTime> widest_or_wanted(const std::vector<KernelTime>& times);
 
-Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks);
-Table peak_table(const std::vector<MeasuredPeak>& peaks);
+dem::Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks);
+dem::Table peak_table(const std::vector<MeasuredPeak>& peaks);
 
 /// Time of a bond-step against the bound, every loop by every instruction set.
 Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks);

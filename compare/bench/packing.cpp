@@ -10,16 +10,16 @@
 #endif
 
 #include "compare/bench/timing.hpp"
-#include "compare/packing/run_measures.hpp"
-#include "dem/assembly/sphere_rows.hpp"
-#include "dem/assembly/stripes.hpp"
-#include "dem/io/h5md.hpp"
-#include "dem/io/packing_setup.hpp"
+#include "dem/run/samples.hpp"
+#include "dem/chain/sphere_storage.hpp"
+#include "dem/parallel/partition.hpp"
+#include "dem/trajectory/h5md.hpp"
+#include "dem/scene/build_packing.hpp"
 
 namespace fiberchain::compare {
 namespace {
 
-using dem::io::PackingScene;
+using dem::PackingScene;
 
 /// Resident memory of the process [bytes]; 0 where the system does not say.
 double resident() {
@@ -40,7 +40,7 @@ double resident_at_rest() {
 PackingScene tiled(const PackingScene& scene, int tiles) {
   PackingScene wide = scene;
   const double length = scene.room.high[0] - scene.room.low[0];
-  for (dem::io::FiberKind& kind : wide.kinds) {
+  for (dem::FiberKind& kind : wide.kinds) {
     const std::vector<dem::FiberStart> once = kind.starts;
     for (int n = 1; n < tiles; ++n) {
       for (dem::FiberStart start : once) {
@@ -50,7 +50,7 @@ PackingScene tiled(const PackingScene& scene, int tiles) {
     }
   }
   wide.room.high[0] += (tiles - 1) * length;
-  for (dem::Wall& wall : wide.surroundings.walls) {
+  for (dem::Wall& wall : wide.domain.walls) {
     if (auto* plane = std::get_if<dem::Plane>(&wall.shape); plane != nullptr && plane->normal[0] < 0) {
       plane->point[0] += (tiles - 1) * length;
     }
@@ -61,22 +61,22 @@ PackingScene tiled(const PackingScene& scene, int tiles) {
 /// The first of its fibers.
 PackingScene part_of(const PackingScene& scene, std::size_t parts) {
   PackingScene part = scene;
-  for (dem::io::FiberKind& kind : part.kinds) kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
+  for (dem::FiberKind& kind : part.kinds) kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
   return part;
 }
 
 /// Kicking and moving so many spheres without bonds [ns a sphere], as the assembly keeps them: loads in an array that stays in
 /// the inner cache, one thread. A loop of its own: an assembly's does it together with the bonds.
 double motion_alone(std::int64_t spheres, const BenchOptions& options) {
-  constexpr std::int64_t stripe = dem::cached_spheres;
-  dem::SphereRows rows(spheres, false);
-  std::vector<double> loads(stripe * dem::load_numbers, 1e-3);
-  double* places = rows.places.data();
+  constexpr std::int64_t part = dem::cache_sized_part;
+  dem::SphereStorage rows(spheres, false);
+  std::vector<double> loads(part * dem::load_size, 1e-3);
+  double* places = rows.position_radius.data();
   double* motions = rows.motions.data();
   const auto step = [&] {
     for (std::int64_t i = 0; i < spheres; ++i) {
-      double *x = places + i * dem::place_numbers, *v = motions + i * dem::motion_numbers, *w = v + dem::motion_spin;
-      const double *force = &loads[static_cast<std::size_t>(i % stripe) * dem::load_numbers], *moment = force + dem::load_moment;
+      double *x = places + i * dem::position_radius_size, *v = motions + i * dem::velocity_spin_size, *w = v + dem::spin_offset;
+      const double *force = &loads[static_cast<std::size_t>(i % part) * dem::load_size], *moment = force + dem::moment_offset;
       for (int c = 0; c < 3; ++c) v[c] += 1e-6 * force[c], w[c] += 1e-5 * moment[c], x[c] += 1e-6 * v[c];
     }
   };
@@ -89,7 +89,7 @@ double motion_alone(std::int64_t spheres, const BenchOptions& options) {
 double frame_time(const dem::Assembly& assembly, const PackingScene& scene) {
   const auto directory = std::filesystem::temp_directory_path() / ("fiberchain-bench-" + std::to_string(getpid()));
   std::filesystem::create_directory(directory);
-  dem::io::TrajectoryWriter writer(directory / "frame.h5", {"bench", "", {}});
+  dem::TrajectoryWriter writer(directory / "frame.h5", {"bench", "", {}});
   const double time = time_once([&] { writer.append(frame_of(assembly, scene)); });
   std::filesystem::remove_all(directory);
   return time;
@@ -102,10 +102,10 @@ struct Windows {
 
 std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const Windows& windows, double motion) {
   const double before = resident_at_rest();
-  dem::io::PackingStart start = dem::io::packing_start(scene, threads);
+  dem::PackingStart start = dem::packing_start(scene, threads);
   const double frames_a_step = static_cast<double>(scene.output.frames) / static_cast<double>(start.steps);
   start.options.time_parts = true;
-  dem::Assembly assembly = dem::io::make_assembly(std::move(start));
+  dem::Assembly assembly = dem::make_assembly(std::move(start));
   std::vector<PackingTime> times;
   for (int n = 0; n < windows.count; ++n) {
     const dem::StepTimes last = assembly.times();
@@ -126,7 +126,7 @@ std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const 
 /// first, which has found none used before.
 std::vector<PackingTime> fastest_of(const std::vector<PackingScene>& sizes, int rounds, std::int64_t steps, const BenchOptions& options) {
   std::vector<double> motions;
-  for (const PackingScene& size : sizes) motions.push_back(motion_alone(dem::io::spheres_in(size), options));
+  for (const PackingScene& size : sizes) motions.push_back(motion_alone(dem::spheres_in(size), options));
   std::vector<PackingTime> fastest;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -149,14 +149,14 @@ std::vector<PackingTime> packing_times(const PackingScene& scene, const BenchOpt
   std::vector<PackingTime> all;
   const auto add = [&](const std::vector<PackingTime>& times) { all.insert(all.end(), times.begin(), times.end()); };
   const Windows windows = options.quick ? Windows{200, 2} : Windows{2000, 10};
-  const double motion = motion_alone(dem::io::spheres_in(scene), options);
+  const double motion = motion_alone(dem::spheres_in(scene), options);
   for (const int threads : {1, 2}) add(times_of(scene, threads, windows, motion));
   add(fastest_of({part_of(scene, 10), scene, tiled(scene, options.quick ? 2 : 10)}, options.quick ? 1 : 3, options.quick ? 100 : 1500, options));
   return all;
 }
 
-Table packing_time_table(const std::vector<PackingTime>& times) {
-  Table table({"spheres", "threads", "first_step", "steps", "coordination", "sphere_step_ns", "bonds_ns", "contacts_ns",
+dem::Table packing_time_table(const std::vector<PackingTime>& times) {
+  dem::Table table({"spheres", "threads", "first_step", "steps", "coordination", "sphere_step_ns", "bonds_ns", "contacts_ns",
                "search_ns", "motion_ns", "output_ns", "sphere_bytes"});
   for (const PackingTime& t : times) {
     table.append({{"spheres", t.spheres},

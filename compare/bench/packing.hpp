@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "compare/bench/problems.hpp"
-#include "compare/results/table.hpp"
-#include "dem/io/packing_scene.hpp"
+#include "dem/record/table.hpp"
+#include "dem/scene/packing_scene.hpp"
 
 namespace fiberchain::compare {
 
@@ -21,8 +21,8 @@ struct PackingTime {
 
 /// `scene` from its start, window by window on one thread and on two; then pieces of it from a tenth of its fibers to ten of
 /// it side by side, one thread. Fibers must come from a file, in a room whose first side walls stand across x.
-std::vector<PackingTime> packing_times(const dem::io::PackingScene& scene, const BenchOptions& options);
+std::vector<PackingTime> packing_times(const dem::PackingScene& scene, const BenchOptions& options);
 
-Table packing_time_table(const std::vector<PackingTime>& times);
+dem::Table packing_time_table(const std::vector<PackingTime>& times);
 
 }  // namespace fiberchain::compare

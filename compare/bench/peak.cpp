@@ -1,7 +1,5 @@
 #include "compare/bench/peak.hpp"
 
-#include "dem/errors.hpp"
-
 namespace fiberchain::compare {
 namespace {
 
@@ -17,22 +15,10 @@ double time_of(const PeakLoop& loop, const TimingBudget& budget) {
 
 }  // namespace
 
-PeakLoops peak_loops(InstructionSet set) {
-  dem::lane_kernel(dem::built_physics[0], set);  // throws where the processor lacks it
-  switch (set) {
-    case InstructionSet::avx512:
-      return peak_kernels_avx512();
-    case InstructionSet::avx2:
-      return peak_kernels_avx2();
-    case InstructionSet::sse2:
-      return peak_kernels_sse2();
-    default:
-      return peak_kernels_scalar();
-  }
-}
+const PeakLoops& peak_loops(InstructionSet set) { return dem::kernel_of<PeakKernels>(set, 0); }
 
 CorePeak measured_peak(InstructionSet set, const TimingBudget& budget) {
-  const PeakLoops loops = peak_loops(set);
+  const PeakLoops& loops = peak_loops(set);
   return {loops.fused,
           time_of(loops.multiply_add, budget),
           time_of(loops.divide, budget),

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "compare/bench/timing.hpp"
-#include "dem/motion/lanes/kernel.hpp"
+#include "dem/simd/instruction_set.hpp"
 
 // What one core does at most: throughput of independent operations on full vectors, in registers.
 namespace fiberchain::compare {
@@ -21,12 +21,13 @@ struct PeakLoops {
   PeakLoop divide, square_root, sine, arc_tangent;
 };
 
-PeakLoops peak_kernels_scalar();
-PeakLoops peak_kernels_sse2();
-PeakLoops peak_kernels_avx2();
-PeakLoops peak_kernels_avx512();
+/// The loops of one instruction set.
+template <dem::InstructionSet set>
+struct PeakKernels {
+  static const PeakLoops* table();
+};
 
-PeakLoops peak_loops(dem::InstructionSet set);
+const PeakLoops& peak_loops(dem::InstructionSet set);
 
 /// Least time of one operation on one double [s].
 struct CorePeak {

@@ -6,7 +6,7 @@
 #include "compare/bench/peak.hpp"
 
 // Included by one source file an instruction set; everything here is a template on that set's number type, as
-// in dem/motion/lanes/instantiate.hpp.
+// in dem/motion/kernels/instantiate.hpp.
 namespace fiberchain::compare {
 
 /// Independent chains of operations: enough to fill two units four cycles deep, few enough for sixteen

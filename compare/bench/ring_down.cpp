@@ -14,7 +14,7 @@ using dem::Integrator;
 /// A chain's bonds times its steps a period beyond which the settings are few: dt ~ t_b, period ~ r_f^2.
 constexpr int long_chain = 60;
 
-int lanes() { return dem::lane_kernel(dem::built_physics[0], dem::best_instruction_set()).width; }
+int lanes() { return dem::chain_kernel(dem::built_physics[0], dem::best_instruction_set()).width; }
 
 /// Largest stable dt / t_b.
 double limit_of(const dem::Fiber& fiber, Integrator integrator) {

@@ -5,8 +5,8 @@
 
 #include "compare/bench/problems.hpp"
 #include "compare/bench/static_reference.hpp"
-#include "compare/static/point.hpp"
-#include "dem/equilibrium/solve.hpp"
+#include "compare/static/case.hpp"
+#include "dem/equilibrium/newton.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/elastica.hpp"
 
@@ -21,7 +21,7 @@ using Distance = std::function<double(const dem::Poses<2>&)>;
 constexpr double poisson_ratio = 0.3;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-dem::MarchCase<2> cantilever(int aspect_ratio, BondModel bond, double load) {
+dem::RelaxCase<2> cantilever(int aspect_ratio, BondModel bond, double load) {
   const dem::Fiber fiber = nominal_fiber(aspect_ratio, poisson_ratio, bond);
   dem::Load<2> end{aspect_ratio, {}, {}};
   end.force[1] = dem::load_force(fiber, load);
@@ -34,7 +34,7 @@ Distance distance_from(const Point& point, const dem::Fiber& fiber) {
   return [=](const dem::Poses<2>& poses) { return dem::norm((1 / length) * poses.back().position - point); };
 }
 
-PrecisionRow solved_row(PrecisionRow row, const dem::MarchCase<2>& job, const Distance& distance,
+PrecisionRow solved_row(PrecisionRow row, const dem::RelaxCase<2>& job, const Distance& distance,
                         const dem::SolveOptions& solve, const TimingBudget& budget) {
   row.in_time = false;
   row.aspect_ratio = job.chain.fiber.aspect_ratio;
@@ -46,18 +46,18 @@ PrecisionRow solved_row(PrecisionRow row, const dem::MarchCase<2>& job, const Di
   });
 }
 
-PrecisionRow marched_row(PrecisionRow row, const dem::MarchCase<2>& job, const Distance& distance,
-                         const dem::MarchOptions& march, const TimingBudget& budget) {
+PrecisionRow marched_row(PrecisionRow row, const dem::RelaxCase<2>& job, const Distance& distance,
+                         const dem::RelaxOptions& march, const TimingBudget& budget) {
   row.aspect_ratio = job.chain.fiber.aspect_ratio;
-  const auto run = [&] { return dem::march_to_rest<2>({job}, march)[0]; };
-  return measured_row(row, budget, run, [&](const dem::MarchResult<2>& found) -> Judged {
+  const auto run = [&] { return dem::relax_to_equilibrium<2>({job}, march)[0]; };
+  return measured_row(row, budget, run, [&](const dem::RelaxResult<2>& found) -> Judged {
     return {distance(found.poses),
             {.steps = found.steps, .bond_evaluations = found.steps * row.aspect_ratio}};
   });
 }
 
 /// A march at this part of its own largest stable step.
-dem::MarchOptions at_step(dem::MarchOptions march, const dem::Fiber& fiber, double part) {
+dem::RelaxOptions at_step(dem::RelaxOptions march, const dem::Fiber& fiber, double part) {
   march.step_ratio.reset();
   march.step_ratio = part / 0.8 * dem::chosen_step(fiber, march) / dem::bond_time_step(fiber);
   return march;
@@ -71,16 +71,16 @@ struct Bench {
   void add(PrecisionRow row) { problem.rows.push_back(std::move(row)); }
 };
 
-dem::MarchOptions march_options(BondForm form, double residual) {
-  dem::MarchOptions march;
+dem::RelaxOptions march_options(BondForm form, double residual) {
+  dem::RelaxOptions march;
   march.form = form;
   march.residual = residual;
   return march;
 }
 
 /// No drag: the dashpots of the bonds alone bring the chain to rest, xi_b = 1.
-dem::MarchOptions paper_march(double residual) {
-  dem::MarchOptions march = march_options(BondForm::incremental, residual);
+dem::RelaxOptions paper_march(double residual) {
+  dem::RelaxOptions march = march_options(BondForm::incremental, residual);
   march.bond_damping = 1;
   march.drag = 0;
   return march;
@@ -93,7 +93,7 @@ TimingBudget long_budget(const TimingBudget& budget) { return {budget.seconds, 2
 /// Number of bonds, each bond solved; marched as far as residual 1e-6 is worth.
 void add_elastica_rows(Bench& bench, double load, const Point& tip) {
   const bool quick = bench.options.quick;
-  const auto distance = [&](const dem::MarchCase<2>& job) { return distance_from(tip, job.chain.fiber); };
+  const auto distance = [&](const dem::RelaxCase<2>& job) { return distance_from(tip, job.chain.fiber); };
   for (const BondModel bond : {BondModel::paper, BondModel::corrected}) {
     for (const int r_f :
          quick ? std::vector{5, 10, 20, 50} : std::vector{3, 5, 10, 20, 50, 100, 200, 500, 1000}) {
@@ -118,7 +118,7 @@ void add_elastica_rows(Bench& bench, double load, const Point& tip) {
 }
 
 /// Tolerance of Newton's method, residual limits of each form, steps of the incremental one, the paper's way.
-void add_equilibrium_rows(Bench& bench, const dem::MarchCase<2>& job, const Distance& distance) {
+void add_equilibrium_rows(Bench& bench, const dem::RelaxCase<2>& job, const Distance& distance) {
   const bool quick = bench.options.quick;
   for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-9}) {
     dem::SolveOptions solve;

@@ -9,7 +9,7 @@
 #include <new>
 #include <vector>
 
-#include "dem/equilibrium/balance.hpp"
+#include "dem/chain/residual.hpp"
 #include "reference/elastica.hpp"
 #include "reference/errors.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/boundary.hpp"
-#include "dem/chain.hpp"
+#include "dem/model/loads.hpp"
+#include "dem/chain/chain.hpp"
 
 namespace fiberchain::compare {
 

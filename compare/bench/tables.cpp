@@ -39,15 +39,15 @@ bool has_both(const PrecisionProblem& problem) {
 
 }  // namespace
 
-Table precision_table(const std::vector<PrecisionProblem>& problems) {
-  Table table({"problem", "method", "setting", "aspect_ratio", "lanes", "error", "reference_error",
+dem::Table precision_table(const std::vector<PrecisionProblem>& problems) {
+  dem::Table table({"problem", "method", "setting", "aspect_ratio", "lanes", "error", "reference_error",
                "run_time", "run_time_median", "runs", "steps", "bond_evaluations", "linear_solves",
                "factorizations", "status"});
   for (const PrecisionProblem& problem : problems) {
     for (const PrecisionRow& row : problem.rows) {
       const bool measured = row.status == measured_status;
       const auto work = [&](double n) {
-        return measured ? Cell{static_cast<std::int64_t>(std::llround(n))} : Cell{};
+        return measured ? dem::Cell{static_cast<std::int64_t>(std::llround(n))} : dem::Cell{};
       };
       table.append({{"problem", problem.id},
                     {"method", row.method},
@@ -69,8 +69,8 @@ Table precision_table(const std::vector<PrecisionProblem>& problems) {
   return table;
 }
 
-Table wanted_table(const std::vector<PrecisionProblem>& problems) {
-  Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time", "run_time_paper",
+dem::Table wanted_table(const std::vector<PrecisionProblem>& problems) {
+  dem::Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time", "run_time_paper",
                "speedup"});
   for (const PrecisionProblem& problem : problems) {
     for (const auto& [wanted, label] : wanted_errors) {
@@ -78,7 +78,7 @@ Table wanted_table(const std::vector<PrecisionProblem>& problems) {
         if (choice.among == Among::in_time && !has_both(problem)) continue;
         const PrecisionRow* best = cheapest(problem.rows, wanted, choice.among);
         const PrecisionRow* paper = cheapest(problem.rows, wanted, Among::as_paper);
-        NamedRow row{{"problem", problem.id}, {"wanted_error", wanted}, {"among", std::string(choice.name)}};
+        dem::NamedRow row{{"problem", problem.id}, {"wanted_error", wanted}, {"among", std::string(choice.name)}};
         if (best) {
           row.insert(row.end(), {{"method", best->method},
                                  {"setting", best->setting},

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "compare/bench/row.hpp"
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
 
 // The precision problems as tables, Markdown and figures.
 namespace fiberchain::compare {
 
 /// A row per method and setting of every problem.
-Table precision_table(const std::vector<PrecisionProblem>& problems);
+dem::Table precision_table(const std::vector<PrecisionProblem>& problems);
 
 /// An error that one may want.
 struct WantedError {
@@ -25,7 +25,7 @@ inline constexpr WantedError wanted_errors[] = {
 /// For every problem and wanted error the cheapest method of all and, where it is another, the cheapest that
 /// follows the motion in time; beside it the paper's way at the cheapest of its settings that keeps the
 /// error, if any.
-Table wanted_table(const std::vector<PrecisionProblem>& problems);
+dem::Table wanted_table(const std::vector<PrecisionProblem>& problems);
 
 /// The same for reading: a line per problem, a column per wanted error, "method, setting: run time" in the
 /// cells.

@@ -24,7 +24,7 @@ Series series(std::string label, const Points& points, const Value& x, const Val
 double measured(const DampingPoint& p) { return p.damping; }
 double as_paper(const DampingPoint& p) { return p.damping_paper; }
 
-Figure ring_down_figure(const Table& table) {
+Figure ring_down_figure(const dem::Table& table) {
   Series chain{"sphere chain", {}, {}, Mark::points}, elastica{"damped Elastica", {}, {}, Mark::line};
   for (std::size_t row = 0; row < table.rows().size(); ++row) {
     elastica.x.push_back(table.number(row, "time"));
@@ -102,7 +102,7 @@ Figure aspect_ratio_figure(const Points& points) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, Figure>> damping_figures(const DampingFigurePoints& points, const Table& ring_down) {
+std::vector<std::pair<std::string, Figure>> damping_figures(const DampingFigurePoints& points, const dem::Table& ring_down) {
   return {{"fig-6", ring_down_figure(ring_down)},
           {"fig-7", bond_damping_figure(points.bond_damping)},
           {"fig-8-load", load_figure(points.load)},

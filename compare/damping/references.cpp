@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/errors.hpp"
-#include "compare/linear_twin.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/measure/linear_chain_of.hpp"
 #include "reference/damped_beam.hpp"
 #include "reference/damped_elastica.hpp"
 #include "reference/errors.hpp"
@@ -81,7 +81,7 @@ double unsheared_damping(const DampingCase& asked) {
 
 }  // namespace
 
-reference::LinearChain linear_chain_of(const DampingCase& asked) { return linear_twin(damped_fiber(asked)); }
+reference::LinearChain linear_chain_of(const DampingCase& asked) { return linear_chain_of(damped_fiber(asked)); }
 
 TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& times, double unit) {
   std::vector<double> reduced;

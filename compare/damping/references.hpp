@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/damping/point.hpp"
+#include "compare/damping/case.hpp"
 #include "reference/cvode.hpp"
 
 // What the references say of a case of point.hpp.

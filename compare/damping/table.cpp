@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/damping/references.hpp"
-#include "compare/damping/release.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_elastica.hpp"
 
@@ -22,7 +22,7 @@ const std::vector<std::string> columns{
     "frequency", "frequency_modes", "cvode_steps", "cvode_right_hand_sides", "cvode_jacobians",
     "cvode_error_test_failures", "cvode_convergence_failures", "step_ratio", "steps", "status"};
 
-NamedRow row_of(const DampingPoint& p) {
+dem::NamedRow row_of(const DampingPoint& p) {
   const DampingCase& c = p.asked;
   const dem::Fiber fiber = damped_fiber(c);
   const bool retarded = c.dashpots == DashpotLaw::retardation_time;
@@ -32,8 +32,8 @@ NamedRow row_of(const DampingPoint& p) {
           {"bond", std::string(dem::name(c.bond))},
           {"form", std::string(dem::name(c.form))},
           {"dashpots", std::string(dem::name(c.dashpots))},
-          {"bond_damping", retarded ? Cell{} : Cell{c.bond_damping}},
-          {"retardation_ratio", retarded ? Cell{c.bond_damping} : Cell{}},
+          {"bond_damping", retarded ? dem::Cell{} : dem::Cell{c.bond_damping}},
+          {"retardation_ratio", retarded ? dem::Cell{c.bond_damping} : dem::Cell{}},
           {"force", dem::load_force(fiber, c.load)},
           {"youngs_modulus", c.youngs_modulus},
           {"shear_modulus", fiber.material.shear_modulus},
@@ -123,15 +123,15 @@ DampingFigureCases damping_figure_cases(PeakRange peaks) {
   return figures;
 }
 
-Table damping_table(const std::vector<DampingPoint>& points) {
-  Table table(columns);
+dem::Table damping_table(const std::vector<DampingPoint>& points) {
+  dem::Table table(columns);
   for (const DampingPoint& point : points) table.append(row_of(point));
   return table;
 }
 
-Table dashpot_table(int aspect_ratio, double poisson_ratio) {
+dem::Table dashpot_table(int aspect_ratio, double poisson_ratio) {
   using reference::ChainMotion;
-  Table table({"dashpots", "bond_damping", "retardation_ratio", "motion", "mode", "mode_damping", "stable_step_ratio"});
+  dem::Table table({"dashpots", "bond_damping", "retardation_ratio", "motion", "mode", "mode_damping", "stable_step_ratio"});
   const DampingCase paper{.aspect_ratio = aspect_ratio, .poisson_ratio = poisson_ratio};
   const double wanted = reference::first_bending_mode(linear_chain_of(paper)).damping;
   for (const DashpotLaw law : {DashpotLaw::bond_damping, DashpotLaw::retardation_time, DashpotLaw::bending_only}) {
@@ -143,8 +143,8 @@ Table dashpot_table(int aspect_ratio, double poisson_ratio) {
       const auto modes = reference::chain_modes(linear_chain_of(asked), motion, reference::ChainEnds::clamped_free);
       for (std::size_t mode = 0; mode < std::min<std::size_t>(3, modes.size()); ++mode) {
         table.append({{"dashpots", std::string(dem::name(law))},
-                      {"bond_damping", retarded ? Cell{} : Cell{asked.bond_damping}},
-                      {"retardation_ratio", retarded ? Cell{asked.bond_damping} : Cell{}},
+                      {"bond_damping", retarded ? dem::Cell{} : dem::Cell{asked.bond_damping}},
+                      {"retardation_ratio", retarded ? dem::Cell{asked.bond_damping} : dem::Cell{}},
                       {"motion", std::string(label)},
                       {"mode", static_cast<std::int64_t>(mode + 1)},
                       {"mode_damping", modes[mode].damping},
@@ -155,7 +155,7 @@ Table dashpot_table(int aspect_ratio, double poisson_ratio) {
   return table;
 }
 
-Table ring_down_table(const DampingCase& asked, double periods) {
+dem::Table ring_down_table(const DampingCase& asked, double periods) {
   const dem::Fiber fiber = damped_fiber(asked);
   const reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(asked));
   dem::ReleaseOptions options;
@@ -166,7 +166,7 @@ Table ring_down_table(const DampingCase& asked, double periods) {
   const double unit = reference::chain_time_unit(asked.aspect_ratio) * dem::bond_time_step(fiber);
   const double period = 2 * std::acos(-1.0) / mode.eigenvalue.imag();
   const TipHistory elastica = elastica_at(asked, chain.time, unit);
-  Table table({"time", "chain_y", "elastica_y"});
+  dem::Table table({"time", "chain_y", "elastica_y"});
   for (std::size_t i = 0; i < chain.time.size(); ++i) {
     table.append({{"time", chain.time[i] / period},
                   {"chain_y", chain.y[i] / chain.y[0]},

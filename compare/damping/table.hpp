@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/damping/point.hpp"
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
+#include "compare/damping/case.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
 
 // The damped cantilever as tables and figures (Figs 6 to 9 of the paper).
 namespace fiberchain::compare {
@@ -35,19 +35,19 @@ struct DampingFigureCases {
 DampingFigureCases damping_figure_cases(PeakRange peaks);
 
 /// A row per point.
-Table damping_table(const std::vector<DampingPoint>& points);
+dem::Table damping_table(const std::vector<DampingPoint>& points);
 
 /// The first modes in bending, axial motion and twist, and the stable step, of each way to set the dashpots, all with
 /// the same xi_f in the first bending mode as xi_b = 1 gives.
-Table dashpot_table(int aspect_ratio, double poisson_ratio);
+dem::Table dashpot_table(int aspect_ratio, double poisson_ratio);
 
 /// Free end against time, chain beside damped Elastica (Fig 6).
-Table ring_down_table(const DampingCase& asked, double periods);
+dem::Table ring_down_table(const DampingCase& asked, double periods);
 
 /// Figures by file name; the points of each as damping_figure_cases() has them.
 struct DampingFigurePoints {
   std::vector<DampingPoint> bond_damping, load, modulus, aspect_ratio;
 };
-std::vector<std::pair<std::string, Figure>> damping_figures(const DampingFigurePoints& points, const Table& ring_down);
+std::vector<std::pair<std::string, Figure>> damping_figures(const DampingFigurePoints& points, const dem::Table& ring_down);
 
 }  // namespace fiberchain::compare

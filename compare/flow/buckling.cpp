@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/flow/setup.hpp"
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::compare {
 
@@ -50,12 +50,12 @@ BucklingRun run_buckling(const BucklingCase& c, int shapes) {
   constexpr int intervals = 60;
   const dem::Fiber fiber = fiber_of_spheres(c.spheres, c.poisson_ratio);
   const dem::Fluid fluid{viscosity_of(fiber, c.number, 1), {dem::planar_extension(-1)}};
-  dem::io::FlowStart start;
+  dem::FlowStart start;
   start.direction = {1, 0, 0};
   start.bend_direction = {0, 1, 0};
   start.bend = c.bend;
   FlowHistory history =
-      follow_flow<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
+      integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
                      even_times(c.duration, intervals), {.tolerance = c.tolerance}, 1);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
   BucklingRun run{};

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "compare/flow/buckling.hpp"
-#include "compare/parallel.hpp"
+#include "compare/study/parallel.hpp"
 #include "reference/compressed_chain.hpp"
 #include "reference/filament_buckling.hpp"
 
@@ -35,8 +35,8 @@ std::vector<Growth> growths(const OrbitOptions& options) {
   return all;
 }
 
-Table growth_table(const std::vector<Growth>& growths) {
-  Table table({"aspect_ratio", "spheres", "elasto_viscous", "growth", "growth_chain", "growth_filament",
+dem::Table growth_table(const std::vector<Growth>& growths) {
+  dem::Table table({"aspect_ratio", "spheres", "elasto_viscous", "growth", "growth_chain", "growth_filament",
                "growth_error"});
   for (const Growth& g : growths) {
     table.append({{"aspect_ratio", std::int64_t{g.asked.spheres - 1}},
@@ -50,8 +50,8 @@ Table growth_table(const std::vector<Growth>& growths) {
   return table;
 }
 
-Table threshold_table(const OrbitOptions& options) {
-  Table table({"aspect_ratio", "spheres", "threshold_below", "threshold_above", "threshold_chain",
+dem::Table threshold_table(const OrbitOptions& options) {
+  dem::Table table({"aspect_ratio", "spheres", "threshold_below", "threshold_above", "threshold_chain",
                "threshold_inextensible", "threshold_filament"});
   std::vector<Threshold> found(std::size(kSpheres));
   parallel_for(found.size(), options.jobs,

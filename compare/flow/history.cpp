@@ -60,7 +60,7 @@ std::vector<double> even_times(double duration, int intervals) {
 }
 
 template <int Dim>
-FlowHistory follow_flow(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
+FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
                         const dem::FlowOptions& options, int shape_interval) {
   FlowHistory history{};
   const auto begin = std::chrono::steady_clock::now();
@@ -75,9 +75,9 @@ FlowHistory follow_flow(const dem::FlowCase<Dim>& flow, const std::vector<double
   return history;
 }
 
-template FlowHistory follow_flow<2>(const dem::FlowCase<2>&, const std::vector<double>&,
+template FlowHistory integrate_in_flow_history<2>(const dem::FlowCase<2>&, const std::vector<double>&,
                                     const dem::FlowOptions&, int);
-template FlowHistory follow_flow<3>(const dem::FlowCase<3>&, const std::vector<double>&,
+template FlowHistory integrate_in_flow_history<3>(const dem::FlowCase<3>&, const std::vector<double>&,
                                     const dem::FlowOptions&, int);
 
 }  // namespace fiberchain::compare

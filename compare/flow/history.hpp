@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "dem/flow/follow.hpp"
+#include "dem/flow/integrate_in_flow.hpp"
 
 // What a fiber in a flow does, measured at moments of its history.
 namespace fiberchain::compare {
@@ -40,7 +40,7 @@ std::vector<double> even_times(double duration, int intervals);
 /// Follows the fiber; the shape of every `shape_interval`-th moment is kept, none with 0. L is the length of
 /// the bonds. Throws as dem::follow.
 template <int Dim>
-FlowHistory follow_flow(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
+FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
                         const dem::FlowOptions& options, int shape_interval = 0);
 
 }  // namespace fiberchain::compare

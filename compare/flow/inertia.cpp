@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "compare/flow/setup.hpp"
-#include "compare/parallel.hpp"
-#include "dem/errors.hpp"
+#include "compare/study/parallel.hpp"
+#include "dem/model/errors.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -22,8 +22,8 @@ double density_of(double stokes, double viscosity, double radius) {
 constexpr double kStokes[] = {0.1, 0.03, 0.01, 0.003, 0.001};
 
 /// Time of a step over the spheres, which does not change with their number where the cost is linear.
-Table cost_table() {
-  Table table({"aspect_ratio", "spheres", "hydrodynamics", "steps", "run_time", "sphere_step_ns"});
+dem::Table cost_table() {
+  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "steps", "run_time", "sphere_step_ns"});
   for (const int N : {26, 51, 101, 201, 401}) {
     double least = std::numeric_limits<double>::infinity();
     FlowHistory history{};
@@ -49,9 +49,9 @@ FlowHistory run_inertia(const InertiaCase& c, double strain, int intervals, bool
   dem::Fiber fiber = fiber_of_spheres(c.spheres);
   const double viscosity = viscosity_of(fiber, c.elasto_viscous, 1);
   if (c.stokes > 0) fiber.material.density = density_of(c.stokes, viscosity, dem::sphere_radius(fiber));
-  dem::io::FlowStart start;
+  dem::FlowStart start;
   start.direction = Dim == 2 ? Triple{0, 1, 0} : Triple{0, std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2};
-  FlowHistory history = follow_flow<Dim>({dem::straight_chain<Dim>(fiber),
+  FlowHistory history = integrate_in_flow_history<Dim>({dem::straight_chain<Dim>(fiber),
                                           start_poses<Dim>(fiber, start),
                                           {viscosity, {dem::simple_shear(1)}},
                                           {}},
@@ -99,7 +99,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
     if (cases[i].method == leapfrog) drift[i] = orbit_drift(cases[i], 1);
   });
   const double without = orbit_drift({.tolerance = 1e-11}, 1);
-  FlowStudy study{Table({"aspect_ratio", "spheres", "elasto_viscous", "flow_method", "stokes",
+  FlowStudy study{dem::Table({"aspect_ratio", "spheres", "elasto_viscous", "flow_method", "stokes",
                          "inertia_distance", "order", "orbit_drift", "orbit_drift_inertialess"})};
   Figure figure{"What inertia does to a fiber of 21 spheres in shear",
                 {"Stokes number {/:Italic m} rate/(6{/Symbol p m}{/:Italic R})", true},
@@ -118,8 +118,8 @@ FlowStudy inertia_study(const OrbitOptions& options) {
                         {"flow_method", std::string(name(cases[i].method))},
                         {"stokes", cases[i].stokes},
                         {"inertia_distance", distance[i]},
-                        {"order", std::isfinite(order) ? Cell(order) : Cell(Missing{})},
-                        {"orbit_drift", std::isfinite(drift[i]) ? Cell(drift[i]) : Cell(Missing{})},
+                        {"order", std::isfinite(order) ? dem::Cell(order) : dem::Cell(dem::Missing{})},
+                        {"orbit_drift", std::isfinite(drift[i]) ? dem::Cell(drift[i]) : dem::Cell(dem::Missing{})},
                         {"orbit_drift_inertialess", without}});
     Series& places = cases[i].method == cvode ? by_cvode : by_leapfrog;
     places.x.push_back(cases[i].stokes), places.y.push_back(distance[i]);

@@ -80,8 +80,8 @@ Figure sphere_figure(const std::vector<JefferyRun>& runs) {
   return figure;
 }
 
-Table table_of(const std::vector<JefferyRun>& runs) {
-  Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "orbit_constant", "orbits",
+dem::Table table_of(const std::vector<JefferyRun>& runs) {
+  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "orbit_constant", "orbits",
                "period", "period_jeffery", "period_error", "direction_error", "orbit_constant_drift",
                "bending_angle", "steps", "run_time", "status"});
   for (const JefferyRun& run : runs) {

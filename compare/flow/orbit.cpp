@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "compare/flow/setup.hpp"
-#include "compare/flow/turns.hpp"
-#include "compare/parallel.hpp"
+#include "compare/flow/turn_detection.hpp"
+#include "compare/study/parallel.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -16,11 +16,11 @@ template <int Dim>
 FlowHistory followed(const OrbitCase& c) {
   const dem::Fiber fiber = fiber_of_spheres(c.spheres, c.poisson_ratio);
   const dem::Fluid fluid{viscosity_of(fiber, c.elasto_viscous, 1), {dem::simple_shear(1)}, c.hydrodynamics};
-  dem::io::FlowStart start;
+  dem::FlowStart start;
   start.direction = c.direction;
   const double period = reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
   const double duration = (c.turns + 0.25) * period;
-  return follow_flow<Dim>({dem::straight_chain<Dim>(fiber), start_poses<Dim>(fiber, start), fluid, {}},
+  return integrate_in_flow_history<Dim>({dem::straight_chain<Dim>(fiber), start_poses<Dim>(fiber, start), fluid, {}},
                           even_times(duration, static_cast<int>(std::ceil(duration / c.interval))),
                           {.tolerance = c.tolerance});
 }

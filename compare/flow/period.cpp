@@ -36,9 +36,9 @@ double correlated(std::string_view name, double ratio) {
   return nan;
 }
 
-Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
+dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
 
-NamedRow row_of(const OrbitPoint& p) {
+dem::NamedRow row_of(const OrbitPoint& p) {
   const int N = p.asked.spheres;
   const double cox = correlated("Cox", N), measured = correlated("Goldsmith-Mason", N);
   const double rigid_period = rigid(N, p.asked.hydrodynamics);
@@ -62,8 +62,8 @@ NamedRow row_of(const OrbitPoint& p) {
           {"status", p.status}};
 }
 
-Table table_of(const Points& points) {
-  Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "period", "period_rigid",
+dem::Table table_of(const Points& points) {
+  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "period", "period_rigid",
                "period_error", "period_jeffery", "period_cox", "period_goldsmith_mason",
                "period_harris_pittman", "period_zhang", "over_cox", "over_goldsmith_mason", "bending_angle",
                "steps", "run_time", "status"});

@@ -16,8 +16,8 @@ constexpr double kNumbers[] = {100, 300, 600, 800, 1000, 1200, 1500, 2000, 2500,
 constexpr double kStretch = 4;
 constexpr int kFrames = 9;
 
-Table table_of(const std::vector<RegimePoint>& points) {
-  Table table({"aspect_ratio", "spheres", "elasto_viscous", "regime", "end_to_end_least", "gradient_extent",
+dem::Table table_of(const std::vector<RegimePoint>& points) {
+  dem::Table table({"aspect_ratio", "spheres", "elasto_viscous", "regime", "end_to_end_least", "gradient_extent",
                "direction_span", "stretch", "inflections", "half_turns", "axis_half_turns", "period",
                "run_time", "status"});
   for (const RegimePoint& p : points) {
@@ -32,7 +32,7 @@ Table table_of(const std::vector<RegimePoint>& points) {
                   {"inflections", std::int64_t{p.inflections}},
                   {"half_turns", std::int64_t{p.half_turns}},
                   {"axis_half_turns", std::int64_t{p.axis_half_turns}},
-                  {"period", std::isfinite(p.period) ? Cell(p.period) : Cell(Missing{})},
+                  {"period", std::isfinite(p.period) ? dem::Cell(p.period) : dem::Cell(dem::Missing{})},
                   {"run_time", p.run_time},
                   {"status", p.status}});
   }

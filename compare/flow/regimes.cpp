@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "compare/flow/setup.hpp"
-#include "compare/flow/turns.hpp"
-#include "compare/parallel.hpp"
+#include "compare/flow/turn_detection.hpp"
+#include "compare/study/parallel.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -78,7 +78,7 @@ int inflections(const std::vector<double>& directions) {
 FlowHistory followed(const RegimeCase& c) {
   const dem::Fiber fiber = fiber_of_spheres(c.spheres);
   const dem::Fluid fluid{viscosity_of(fiber, c.elasto_viscous, 1), {dem::simple_shear(1)}};
-  dem::io::FlowStart start;
+  dem::FlowStart start;
   const double length = std::hypot(1, 0.05);
   start.direction = {-1 / length, 0.05 / length, 0};
   start.bend_direction = {-0.05 / length, -1 / length, 0};
@@ -86,7 +86,7 @@ FlowHistory followed(const RegimeCase& c) {
   start.s_bend = c.bend / 3;
   const double strain =
       c.turns * reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
-  return follow_flow<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
+  return integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
                         even_times(strain, static_cast<int>(20 * strain)), {.tolerance = c.tolerance}, 1);
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/static/point.hpp"
+#include "compare/static/case.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -14,12 +14,12 @@ double hydrodynamic_length(const dem::Fiber& fiber) { return fiber.diameter * (f
 
 /// Slope of the start's curve at xi from -1 to 1 along the fiber: a (1 - xi^2) + b (5 xi^3 - 3 xi)/2 over the
 /// length 2.
-double slope(const dem::io::FlowStart& start, double xi) {
+double slope(const dem::FlowStart& start, double xi) {
   return 2 * (-2 * start.bend * xi + start.s_bend * (7.5 * xi * xi - 1.5));
 }
 
 template <int Dim>
-dem::Vec<double, Dim> turned(const dem::io::FlowStart& start, double angle) {
+dem::Vec<double, Dim> turned(const dem::FlowStart& start, double angle) {
   dem::Vec<double, Dim> axis;
   for (int i = 0; i < Dim; ++i) {
     axis[i] = std::cos(angle) * start.direction[i] + std::sin(angle) * start.bend_direction[i];
@@ -27,14 +27,14 @@ dem::Vec<double, Dim> turned(const dem::io::FlowStart& start, double angle) {
   return axis;
 }
 
-double orientation(const dem::io::FlowStart& start, const dem::Vec<double, 2>&, double angle) {
+double orientation(const dem::FlowStart& start, const dem::Vec<double, 2>&, double angle) {
   const Triple& p = start.direction;
   const Triple& n = start.bend_direction;
   return std::atan2(p[1], p[0]) + std::copysign(1.0, p[0] * n[1] - p[1] * n[0]) * angle;
 }
 
 /// The x axis turned into the fiber's line (by way of -x where that is nearer), then by the slope.
-dem::Quaternion<double> orientation(const dem::io::FlowStart& start, const dem::Vec<double, 3>&,
+dem::Quaternion<double> orientation(const dem::FlowStart& start, const dem::Vec<double, 3>&,
                                     double angle) {
   const dem::Vec<double, 3> p{start.direction[0], start.direction[1], start.direction[2]},
       n{start.bend_direction[0], start.bend_direction[1], start.bend_direction[2]},
@@ -63,7 +63,7 @@ double viscosity_of(const dem::Fiber& fiber, double elasto_viscous, double rate)
 }
 
 template <int Dim>
-dem::Poses<Dim> start_poses(const dem::Fiber& fiber, const dem::io::FlowStart& start) {
+dem::Poses<Dim> start_poses(const dem::Fiber& fiber, const dem::FlowStart& start) {
   const int bonds = fiber.aspect_ratio;
   const auto xi = [&](double i) { return 2 * i / bonds - 1; };
   dem::Poses<Dim> poses;
@@ -77,7 +77,7 @@ dem::Poses<Dim> start_poses(const dem::Fiber& fiber, const dem::io::FlowStart& s
   return poses;
 }
 
-template dem::Poses<2> start_poses<2>(const dem::Fiber&, const dem::io::FlowStart&);
-template dem::Poses<3> start_poses<3>(const dem::Fiber&, const dem::io::FlowStart&);
+template dem::Poses<2> start_poses<2>(const dem::Fiber&, const dem::FlowStart&);
+template dem::Poses<3> start_poses<3>(const dem::Fiber&, const dem::FlowStart&);
 
 }  // namespace fiberchain::compare

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/history.hpp"
 #include "compare/flow/setup.hpp"
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -30,11 +30,11 @@ double growth_at_passage(const ShearPassage& c) {
   constexpr double before = 0.35, passage = 0.75 * std::numbers::pi;
   const dem::Fiber fiber = fiber_of_spheres(c.spheres, c.poisson_ratio);
   const dem::Fluid fluid{viscosity_of(fiber, c.number, 1), {dem::simple_shear(1)}};
-  dem::io::FlowStart start;
+  dem::FlowStart start;
   start.direction = {std::cos(passage + before), std::sin(passage + before), 0};
   start.bend_direction = {-start.direction[1], start.direction[0], 0};
   start.bend = c.bend;
-  const FlowHistory history = follow_flow<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
+  const FlowHistory history = integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
                                              even_times(1.5, 600), {.tolerance = c.tolerance}, 1);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
   // the interval in which it passes: central differences at both ends, linear in between

@@ -37,7 +37,7 @@ std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<doub
 }
 
 FlowStudy stiffness_study(const OrbitOptions& options) {
-  Table table({"aspect_ratio", "spheres", "viscous_ratio", "elasto_viscous", "period_error", "order"});
+  dem::Table table({"aspect_ratio", "spheres", "viscous_ratio", "elasto_viscous", "period_error", "order"});
   Figure figure{"Period of a chain of finite stiffness over the rigid one's",
                 {"{/Symbol m} rate/{/:Italic E}", true},
                 {"|period over the rigid chain's - 1|", true},
@@ -54,7 +54,7 @@ FlowStudy stiffness_study(const OrbitOptions& options) {
                           {"viscous_ratio", p.viscous_ratio},
                           {"elasto_viscous", 192 * std::pow(p.spheres, 4) * p.viscous_ratio},
                           {"period_error", p.correction},
-                          {"order", std::isfinite(p.order) ? Cell(p.order) : Cell(Missing{})}});
+                          {"order", std::isfinite(p.order) ? dem::Cell(p.order) : dem::Cell(dem::Missing{})}});
       if (std::isnan(p.correction)) ++study.failed;
       s.x.push_back(p.viscous_ratio);
       s.y.push_back(std::abs(p.correction));

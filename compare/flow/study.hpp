@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "compare/flow/orbit.hpp"
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
 
 // What is asked of fibers in a flow, question by question: cases, table, figures.
 namespace fiberchain::compare {
 
 struct FlowStudy {
-  Table table;
+  dem::Table table;
   std::vector<std::pair<std::string, Figure>> figures = {};     ///< by the name of their files
-  std::vector<std::pair<std::string, Table>> more_tables = {};  ///< likewise
+  std::vector<std::pair<std::string, dem::Table>> more_tables = {};  ///< likewise
   int failed = 0;                                               ///< rows that could not be measured
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/fiber.hpp"
+#include "dem/model/fiber.hpp"
 #include "reference/chain_modes.hpp"
 
 // Rolling friction at small amplitude, worked out from the linear mode: no march.

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/linear_twin.hpp"
-#include "dem/equilibrium/solve.hpp"
-#include "dem/motion/lanes/block.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "dem/equilibrium/newton.hpp"
+#include "dem/motion/kernels/chain_batch.hpp"
 #include "reference/chain_modes.hpp"
 
 namespace fiberchain::compare {
 namespace {
 
-using Block = dem::MarchingBlock<2>;
+using Block = dem::ChainBatch<2>;
 
 Block let_go(const dem::Fiber& fiber, const dem::Poses<2>& start, double dt) {
   const dem::Chain<2> chain = dem::straight_chain<2>(fiber);
@@ -49,7 +49,7 @@ void record(TipHistory& history, const Block& block, const dem::Fiber& fiber, do
 
 StretchComparison compare_stretch(const dem::Fiber& fiber, double load, double step_ratio, PeakRange peaks) {
   const double dt = step_ratio * dem::bond_time_step(fiber), l = dem::bond_length(fiber);
-  const auto mode = reference::first_bending_mode(linear_twin(fiber));
+  const auto mode = reference::first_bending_mode(linear_chain_of(fiber));
   const double period = 2 * std::numbers::pi / mode.eigenvalue.imag();
   const dem::Load<2> end{fiber.aspect_ratio, {0, dem::load_force(fiber, load)}, {}};
   const auto start = dem::solve_equilibrium(dem::straight_chain<2>(fiber), dem::Boundary<2>{{0}, {end}}).poses;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "compare/damping/peaks.hpp"
-#include "dem/fiber.hpp"
+#include "compare/measure/peaks.hpp"
+#include "dem/model/fiber.hpp"
 
 // The incremental form's summed stretch against the bond's length, along a ring-down.
 namespace fiberchain::compare {

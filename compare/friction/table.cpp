@@ -9,11 +9,11 @@ const std::vector<std::string> columns{
     "fiber_damping_modes", "fiber_damping_as_bond", "fiber_damping_weak", "step_ratio", "steps", "status"};
 
 /// Load or amplitude of a case, whichever it was let go with.
-std::vector<std::pair<std::string, Cell>> start_of(const RollingCase& c) {
-  return {{"load", c.amplitude ? Cell{} : Cell{c.load}}, {"amplitude", c.amplitude ? Cell{*c.amplitude} : Cell{}}};
+std::vector<std::pair<std::string, dem::Cell>> start_of(const RollingCase& c) {
+  return {{"load", c.amplitude ? dem::Cell{} : dem::Cell{c.load}}, {"amplitude", c.amplitude ? dem::Cell{*c.amplitude} : dem::Cell{}}};
 }
 
-NamedRow row_of(const RollingPoint& p) {
+dem::NamedRow row_of(const RollingPoint& p) {
   const RollingCase& c = p.asked;
   const auto start = start_of(c);
   return {start[0],
@@ -90,14 +90,14 @@ RollingFigureCases rolling_figure_cases(PeakRange peaks) {
   return figures;
 }
 
-Table rolling_table(const std::vector<RollingPoint>& points) {
-  Table table(columns);
+dem::Table rolling_table(const std::vector<RollingPoint>& points) {
+  dem::Table table(columns);
   for (const RollingPoint& point : points) table.append(row_of(point));
   return table;
 }
 
-Table rolling_peaks_table(const std::vector<RollingPoint>& points) {
-  Table table({"aspect_ratio", "load", "rolling_friction", "rolling", "peak", "peak_height", "peak_time"});
+dem::Table rolling_peaks_table(const std::vector<RollingPoint>& points) {
+  dem::Table table({"aspect_ratio", "load", "rolling_friction", "rolling", "peak", "peak_height", "peak_time"});
   for (const RollingPoint& p : points) {
     const double t_b = dem::bond_time_step(rolling_fiber(p.asked));
     for (std::size_t j = 0; j < p.peaks.size(); ++j) {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/friction/point.hpp"
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
+#include "compare/friction/case.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
 
 // Rolling friction of the bonds as tables and figures (Eq 21, Fig 10 of the paper).
 namespace fiberchain::compare {
@@ -37,10 +37,10 @@ struct RollingFigureCases {
 RollingFigureCases rolling_figure_cases(PeakRange peaks);
 
 /// A row per point.
-Table rolling_table(const std::vector<RollingPoint>& points);
+dem::Table rolling_table(const std::vector<RollingPoint>& points);
 
 /// A row per peak.
-Table rolling_peaks_table(const std::vector<RollingPoint>& points);
+dem::Table rolling_peaks_table(const std::vector<RollingPoint>& points);
 
 /// Figures by file name; the points of each as rolling_figure_cases() has them.
 struct RollingFigurePoints {

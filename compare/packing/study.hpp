@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/packing/study_run.hpp"
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
+#include "compare/packing/case.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
 
 // Figs 11 and 12: the packings of the paper, how they differ, and how much of that is the seed's.
 namespace fiberchain::compare {
@@ -46,14 +46,14 @@ BendingSpread bending_spread(const SeedGroup& group);
 Spread paired_difference(const SeedGroup& a, const SeedGroup& b, double BendingParts::*part);
 
 // Tables.
-Table run_table(const std::vector<PackingRun>& runs);          ///< a row a run
-Table stage_table(const std::vector<PackingRun>& runs);        ///< a row a run and stage
-Table spread_table(const std::vector<PackingRun>& runs);       ///< a row a group of seeds
-Table history_table(const std::vector<PackingRun>& runs);      ///< a row a run and sample
-Table density_table(const std::vector<PackingRun>& runs);      ///< a row a run and slab, at rest
-Table orientation_table(const std::vector<PackingRun>& runs);  ///< a row a run and class of angles
-Table energy_table(const PackingRun& booked);                  ///< a row a sample
-Table comparison_table(const std::vector<PackingRun>& runs);  ///< a row a group: less the first, seed by seed
+dem::Table run_table(const std::vector<PackingRun>& runs);          ///< a row a run
+dem::Table stage_table(const std::vector<PackingRun>& runs);        ///< a row a run and stage
+dem::Table spread_table(const std::vector<PackingRun>& runs);       ///< a row a group of seeds
+dem::Table history_table(const std::vector<PackingRun>& runs);      ///< a row a run and sample
+dem::Table density_table(const std::vector<PackingRun>& runs);      ///< a row a run and slab, at rest
+dem::Table orientation_table(const std::vector<PackingRun>& runs);  ///< a row a run and class of angles
+dem::Table energy_table(const PackingRun& booked);                  ///< a row a sample
+dem::Table comparison_table(const std::vector<PackingRun>& runs);  ///< a row a group: less the first, seed by seed
 
 /// By the name of their files.
 std::vector<std::pair<std::string, Figure>> packing_figures(const std::vector<PackingRun>& figure_runs,

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "compare/results/figure_metadata.hpp"
-#include "compare/results/gnuplot.hpp"
+#include "compare/figures/figure_metadata.hpp"
+#include "compare/figures/gnuplot.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -38,12 +38,12 @@ int place_of(double value, const std::pair<double, double>& range) {
 }
 
 /// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn.
-std::vector<Rod> rods_of(const dem::io::Frame& frame, const std::vector<double>& values,
+std::vector<Rod> rods_of(const dem::TrajectoryFrame& frame, const std::vector<double>& values,
                          const std::pair<double, double>& range) {
   std::vector<Rod> rods;
   for (std::size_t i = 0; i < frame.position.size(); ++i)
     rods.push_back({frame.position[i], frame.position[i], frame.radius[i], place_of(values[i], range)});
-  for (const dem::io::FrameBond& bond : frame.bonds) {
+  for (const dem::FrameBond& bond : frame.bonds) {
     const auto a = static_cast<std::size_t>(bond.first), b = a + 1;
     if (norm(frame.position[b] - frame.position[a]) > 4 * frame.radius[a]) continue;
     rods.push_back({frame.position[a], frame.position[b], frame.radius[a],
@@ -68,14 +68,14 @@ constexpr double kImages = 6.0 / 7;
 
 int image_width(const PictureOptions& options) { return std::max(static_cast<int>(kImages * options.width), 1); }
 
-Image trace(const dem::io::Frame& frame, const PictureOptions& options, const std::pair<double, double>& range, int width,
+Image trace(const dem::TrajectoryFrame& frame, const PictureOptions& options, const std::pair<double, double>& range, int width,
             int height) {
   Solids solids{rods_of(frame, shade_of(frame, options.shade), range), {}, frame.low, frame.high};
   for (int i = 0; i < kColors; ++i) solids.palette.push_back(color_at((i + 0.5) / kColors));
   return ray_trace(solids, options.view, width, height, options.threads);
 }
 
-std::string time_words(const dem::io::Frame& frame) { return fmt::format("t = {:.4g} s", frame.time); }
+std::string time_words(const dem::TrajectoryFrame& frame) { return fmt::format("t = {:.4g} s", frame.time); }
 
 /// Gnuplot's commands for the whole picture: its size and its color scale.
 std::string sheet_commands(const PictureOptions& options, const std::pair<double, double>& range, int rows) {
@@ -107,14 +107,14 @@ std::string tile_commands(const Tile& tile, bool with_scale) {
 
 }  // namespace
 
-std::vector<double> shade_of(const dem::io::Frame& frame, Shade shade) {
+std::vector<double> shade_of(const dem::TrajectoryFrame& frame, Shade shade) {
   std::vector<double> values(frame.position.size(), 0);
   if (shade == Shade::vertical_speed) {
     std::ranges::transform(frame.velocity, values.begin(), [](const Point& v) { return v[2]; });
     return values;
   }
   std::vector<int> bonds(values.size(), 0);
-  for (const dem::io::FrameBond& bond : frame.bonds) {
+  for (const dem::FrameBond& bond : frame.bonds) {
     for (const auto i : {static_cast<std::size_t>(bond.first), static_cast<std::size_t>(bond.first) + 1}) {
       values[i] += bond.bending_angle;
       ++bonds[i];
@@ -135,22 +135,22 @@ std::pair<double, double> range_of(std::vector<double> values) {
   return high - low > least ? std::pair{low, high} : std::pair{low - least, high + least};
 }
 
-std::pair<double, double> shade_range(std::span<const dem::io::Frame> frames, Shade shade) {
+std::pair<double, double> shade_range(std::span<const dem::TrajectoryFrame> frames, Shade shade) {
   std::vector<double> values;
-  for (const dem::io::Frame& frame : frames) {
+  for (const dem::TrajectoryFrame& frame : frames) {
     const std::vector<double> more = shade_of(frame, shade);
     values.insert(values.end(), more.begin(), more.end());
   }
   return range_of(std::move(values));
 }
 
-Picture draw(const dem::io::Frame& frame, const PictureOptions& options, const Provenance& provenance) {
+Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options, const dem::Provenance& provenance) {
   const auto range = options.range ? *options.range : shade_range({&frame, 1}, options.shade);
   const Tile tile{trace(frame, options, range, image_width(options), options.height), 0, 0, kImages, 1, time_words(frame)};
   return {with_png_metadata(run_gnuplot(sheet_commands(options, range, 1) + tile_commands(tile, true)), provenance), range};
 }
 
-Picture draw_sheet(const std::vector<dem::io::Frame>& frames, const PictureOptions& options, const Provenance& provenance) {
+Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options, const dem::Provenance& provenance) {
   constexpr int columns = 2;
   const auto range = options.range ? *options.range : shade_range(frames, options.shade);
   const int count = static_cast<int>(frames.size()), rows = std::max((count + columns - 1) / columns, 1);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compare/render/ray_trace.hpp"
-#include "compare/results/provenance.hpp"
-#include "dem/io/frame.hpp"
+#include "dem/record/provenance.hpp"
+#include "dem/trajectory/frame.hpp"
 
 /// Pictures of many fibers as the paper's Fig 11.
 namespace fiberchain::compare {
@@ -29,14 +29,14 @@ struct PictureOptions {
 };
 
 /// A number for each sphere of the frame.
-std::vector<double> shade_of(const dem::io::Frame& frame, Shade shade);
+std::vector<double> shade_of(const dem::TrajectoryFrame& frame, Shade shade);
 
 /// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the
 /// end colors.
 std::pair<double, double> range_of(std::vector<double> values);
 
 /// Those of all these frames.
-std::pair<double, double> shade_range(std::span<const dem::io::Frame> frames, Shade shade);
+std::pair<double, double> shade_range(std::span<const dem::TrajectoryFrame> frames, Shade shade);
 
 struct Picture {
   std::string png;
@@ -45,10 +45,10 @@ struct Picture {
 
 /// The frame as PNG: fibers, box, color scale with its unit, time; provenance as tEXt chunks.
 /// @throws FigureError if gnuplot, which sets the texts, is missing or refuses
-Picture draw(const dem::io::Frame& frame, const PictureOptions& options, const Provenance& provenance);
+Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options, const dem::Provenance& provenance);
 
 /// Some frames in two columns, (a), (b), ..., under one color scale; width and height are those of all together.
 /// @throws FigureError as draw()
-Picture draw_sheet(const std::vector<dem::io::Frame>& frames, const PictureOptions& options, const Provenance& provenance);
+Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options, const dem::Provenance& provenance);
 
 }  // namespace fiberchain::compare

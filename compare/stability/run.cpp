@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/kernels/chain_batch.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -16,13 +16,13 @@ dem::Physics physics_of(const StabilityRun& run) {
   return {.dimension = run.dimension,
           .form = run.form,
           .damped = damped,
-          .drag = false,
+          .settling_damping = false,
           .curved = false,
           .solved = damped && run.scheme == dem::Integrator::leapfrog_damped};
 }
 
 template <int Dim>
-void stir(dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber, int lane) {
+void stir(dem::ChainBatch<Dim>& block, const dem::Fiber& fiber, int lane) {
   std::mt19937 generator(276);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const double rate = 1e-9 / dem::bond_time_step(fiber);
@@ -36,7 +36,7 @@ void stir(dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber, int lane) {
 
 /// Root mean square over the spheres of velocity and l times spin.
 template <int Dim>
-double speed(const dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber, int lane) {
+double speed(const dem::ChainBatch<Dim>& block, const dem::Fiber& fiber, int lane) {
   const double l = dem::bond_length(fiber);
   double sum = 0;
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
@@ -52,7 +52,7 @@ std::vector<bool> block_grows(const StabilityRun& run, const std::vector<double>
   const int lanes = static_cast<int>(time_steps.size());
   const std::vector<dem::Chain<Dim>> chains(time_steps.size(), dem::straight_chain<Dim>(run.fiber));
   const dem::Clamps clamps{run.ends == reference::ChainEnds::clamped_free, false};
-  dem::MarchingBlock<Dim> block(chains, clamps, time_steps, std::vector<double>(time_steps.size(), 0.0),
+  dem::ChainBatch<Dim> block(chains, clamps, time_steps, std::vector<double>(time_steps.size(), 0.0),
                                 physics_of(run), dem::best_instruction_set());
   for (int lane = 0; lane < lanes; ++lane) stir(block, run.fiber, lane);
   const double start = speed(block, run.fiber, 0);
@@ -68,7 +68,7 @@ std::vector<bool> block_grows(const StabilityRun& run, const std::vector<double>
 }
 
 int lanes_of_block(const StabilityRun& run) {
-  return dem::lane_kernel(physics_of(run), dem::best_instruction_set()).width;
+  return dem::chain_kernel(physics_of(run), dem::best_instruction_set()).width;
 }
 
 /// Narrows to the last that was stable before the first that grew. If the lowest grew that was stable before,

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dem/fiber.hpp"
+#include "dem/model/fiber.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/physics.hpp"
 #include "reference/amplification.hpp"

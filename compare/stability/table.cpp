@@ -26,7 +26,7 @@ const std::vector<std::string> columns{"aspect_ratio",
                                        "steps",
                                        "status"};
 
-NamedRow row_of(const StabilityPoint& p) {
+dem::NamedRow row_of(const StabilityPoint& p) {
   const StabilityCase& c = p.asked;
   return {{"aspect_ratio", std::int64_t{c.aspect_ratio}},
           {"poisson_ratio", c.poisson_ratio},
@@ -81,8 +81,8 @@ std::vector<StabilityCase> stability_figure_cases() {
   return all;
 }
 
-Table stability_table(const std::vector<StabilityPoint>& points) {
-  Table table(columns);
+dem::Table stability_table(const std::vector<StabilityPoint>& points) {
+  dem::Table table(columns);
   for (const StabilityPoint& point : points) table.append(row_of(point));
   return table;
 }

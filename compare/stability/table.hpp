@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
-#include "compare/stability/point.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
+#include "compare/stability/case.hpp"
 
 // The stability map as tables and figures.
 namespace fiberchain::compare {
@@ -28,7 +28,7 @@ std::vector<StabilityCase> cases(const StabilitySweep& sweep);
 std::vector<StabilityCase> stability_figure_cases();
 
 /// A row per point.
-Table stability_table(const std::vector<StabilityPoint>& points);
+dem::Table stability_table(const std::vector<StabilityPoint>& points);
 
 /// What the points say of theory against measurement and of the paper's rules, as Markdown.
 std::string stability_notes(const std::vector<StabilityPoint>& points);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "compare/static/tip.hpp"
-#include "compare/validation.hpp"
+#include "compare/study/validation.hpp"
 #include "reference/elastica.hpp"
 #include "reference/reissner.hpp"
 

@@ -112,7 +112,7 @@ Figure budget_figure(const Points& points) {
   return figure;
 }
 
-Figure order_figure(const Table& orders) {
+Figure order_figure(const dem::Table& orders) {
   Figure figure{"Distance of the free end from the Elastica against aspect ratio",
                 {"{/:Italic r_f}", true},
                 {"|{/Symbol D}{/:Italic r}|/{/:Italic L}", true},
@@ -143,7 +143,7 @@ Figure order_figure(const Table& orders) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, Figure>> static_figures(const Points& points, const Table& orders) {
+std::vector<std::pair<std::string, Figure>> static_figures(const Points& points, const dem::Table& orders) {
   const std::map<int, Points> groups = by_aspect_ratio(points);
   const Points& shown = shown_aspect_ratio(groups);
   return {{"fig-3", deflection_figure(shown)},

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -56,7 +56,7 @@ bool allowed(StaticMethod method, dem::BondForm form) {
   return method == StaticMethod::march || form == dem::BondForm::total;
 }
 
-NamedRow row_of(const StaticPoint& p) {
+dem::NamedRow row_of(const StaticPoint& p) {
   const StaticCase& c = p.asked;
   const StaticBudget& b = p.budget;
   return {{"aspect_ratio", std::int64_t{c.aspect_ratio}},
@@ -130,25 +130,25 @@ std::vector<StaticCase> cases(const StaticSweep& sweep) {
   return all;
 }
 
-Table static_table(const std::vector<StaticPoint>& points) {
-  Table table(columns);
+dem::Table static_table(const std::vector<StaticPoint>& points) {
+  dem::Table table(columns);
   for (const StaticPoint& point : points) table.append(row_of(point));
   return table;
 }
 
-Table static_order_table(double poisson_ratio, int jobs) {
+dem::Table static_order_table(double poisson_ratio, int jobs) {
   StaticSweep sweep;
   sweep.aspect_ratio = {5, 10, 20, 40, 80};
   sweep.poisson_ratio = {poisson_ratio};
   sweep.bond = {dem::BondModel::paper, dem::BondModel::corrected};
-  Table table({"bond", "load", "aspect_ratio", "departure_distance", "order",
+  dem::Table table({"bond", "load", "aspect_ratio", "departure_distance", "order",
                "departure_distance_unstretched", "order_unstretched"});
   for (const double load : {1.0, 6.0}) {
     sweep.load = {load};
     const std::vector<StaticPoint> points = static_points(cases(sweep), {.jobs = jobs});
     for (std::size_t i = 0; i < points.size(); ++i) {
       const StaticPoint& p = points[i];
-      NamedRow row{{"bond", std::string(dem::name(p.asked.bond))},
+      dem::NamedRow row{{"bond", std::string(dem::name(p.asked.bond))},
                    {"load", load},
                    {"aspect_ratio", std::int64_t{p.asked.aspect_ratio}},
                    {"departure_distance", p.distance},

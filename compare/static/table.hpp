@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/results/figure.hpp"
-#include "compare/results/table.hpp"
-#include "compare/static/point.hpp"
+#include "compare/figures/figure.hpp"
+#include "dem/record/table.hpp"
+#include "compare/static/case.hpp"
 
 // The static cantilever as tables and figures (Figs 3 and 4 of the paper).
 namespace fiberchain::compare {
@@ -28,15 +28,15 @@ struct StaticSweep {
 std::vector<StaticCase> cases(const StaticSweep& sweep);
 
 /// A row per point.
-Table static_table(const std::vector<StaticPoint>& points);
+dem::Table static_table(const std::vector<StaticPoint>& points);
 
 /// Aspect ratios in turn at the same bond and load: departures and the order at which they vanish in 1 / r_f,
 /// pairwise. Both bonds, loads 1 and 6, solved.
-Table static_order_table(double poisson_ratio, int jobs);
+dem::Table static_order_table(double poisson_ratio, int jobs);
 
 /// Figures by file name: fig-3 (deflection against load), fig-4 (departure against load), static-budget (what
 /// the departure consists of), static-order (departure against aspect ratio).
 std::vector<std::pair<std::string, Figure>> static_figures(const std::vector<StaticPoint>& points,
-                                                           const Table& orders);
+                                                           const dem::Table& orders);
 
 }  // namespace fiberchain::compare

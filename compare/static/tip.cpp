@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "dem/equilibrium/solve.hpp"
+#include "dem/equilibrium/newton.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -24,7 +24,7 @@ TipState tip_state(const dem::Poses<Dim>& poses, double length) {
 }
 
 template <int Dim>
-dem::MarchCase<Dim> cantilever(const dem::Fiber& fiber, double load) {
+dem::RelaxCase<Dim> cantilever(const dem::Fiber& fiber, double load) {
   const int tip = fiber.aspect_ratio;
   dem::Load<Dim> end{tip, {}, {}};
   end.force[1] = dem::load_force(fiber, load);
@@ -33,7 +33,7 @@ dem::MarchCase<Dim> cantilever(const dem::Fiber& fiber, double load) {
 
 template <int Dim>
 ChainTip solve_tip(const dem::Fiber& fiber, double load) {
-  const dem::MarchCase<Dim> job = cantilever<Dim>(fiber, load);
+  const dem::RelaxCase<Dim> job = cantilever<Dim>(fiber, load);
   const auto begin = Clock::now();
   const auto found = dem::solve_equilibrium(job.chain, job.loading[0]);
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -47,7 +47,7 @@ ChainTip solve_tip(const dem::Fiber& fiber, double load) {
 
 /// Where the march still has to go: K^-1 times the forces it left, at its last state.
 template <int Dim>
-TipState leftover(const dem::MarchCase<Dim>& job, const dem::MarchResult<Dim>& march, double length) {
+TipState leftover(const dem::RelaxCase<Dim>& job, const dem::RelaxResult<Dim>& march, double length) {
   dem::ChainVector<Dim> motion = march.net;
   auto K = dem::stiffness(job.chain, march.poses, job.loading[0]);
   dem::solve_in_place(K, motion);
@@ -57,27 +57,27 @@ TipState leftover(const dem::MarchCase<Dim>& job, const dem::MarchResult<Dim>& m
 }
 
 template <int Dim>
-std::vector<dem::MarchResult<Dim>> march_all(const std::vector<dem::MarchCase<Dim>>& jobs,
-                                             dem::MarchOptions options, double step_factor) {
+std::vector<dem::RelaxResult<Dim>> march_all(const std::vector<dem::RelaxCase<Dim>>& jobs,
+                                             dem::RelaxOptions options, double step_factor) {
   if (step_factor != 1) {
     const dem::Fiber& fiber = jobs[0].chain.fiber;
     options.step_ratio = step_factor * dem::chosen_step(fiber, options) / dem::bond_time_step(fiber);
   }
-  return dem::march_to_rest(jobs, options);
+  return dem::relax_to_equilibrium(jobs, options);
 }
 
 /// Marches a block of cases that differ in the load only.
 template <int Dim>
 std::vector<ChainTip> march_tips(const dem::Fiber& fiber, const std::vector<double>& loads,
-                                 const dem::MarchOptions& options) {
-  std::vector<dem::MarchCase<Dim>> jobs;
+                                 const dem::RelaxOptions& options) {
+  std::vector<dem::RelaxCase<Dim>> jobs;
   for (const double load : loads) jobs.push_back(cantilever<Dim>(fiber, load));
   const double length = dem::fiber_length(fiber);
   const auto begin = Clock::now();
   const auto marched = march_all(jobs, options, 1.0);
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   const bool incremental = options.form == dem::BondForm::incremental;
-  const auto halved = incremental ? march_all(jobs, options, 0.5) : std::vector<dem::MarchResult<Dim>>{};
+  const auto halved = incremental ? march_all(jobs, options, 0.5) : std::vector<dem::RelaxResult<Dim>>{};
   std::vector<ChainTip> tips;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     ChainTip tip = solve_tip<Dim>(fiber, loads[i]);
@@ -105,13 +105,13 @@ ChainTip solve_tip(int dimension, const dem::Fiber& fiber, double load) {
 }
 
 std::vector<ChainTip> march_tips(int dimension, const dem::Fiber& fiber, const std::vector<double>& loads,
-                                 const dem::MarchOptions& options) {
+                                 const dem::RelaxOptions& options) {
   return dimension == 2 ? march_tips<2>(fiber, loads, options) : march_tips<3>(fiber, loads, options);
 }
 
 double small_load_departure(const dem::Fiber& fiber) {
   const double force = dem::load_force(fiber, 1.0), L = dem::fiber_length(fiber);
-  const dem::MarchCase<2> job = cantilever<2>(fiber, 1.0);
+  const dem::RelaxCase<2> job = cantilever<2>(fiber, 1.0);
   const auto motion = dem::linear_response(job.chain, job.chain.poses, job.loading[0]);
   const double beam = force * L * L * L / (3 * dem::bending_stiffness(fiber));
   return motion.back()[1] / beam - 1;

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "dem/equilibrium/march.hpp"
+#include "dem/equilibrium/dynamic_relaxation.hpp"
 #include "reference/tip_state.hpp"
 
 // The free end of a cantilevered chain under a dead load, by each of the two ways to its equilibrium.
@@ -37,7 +37,7 @@ ChainTip solve_tip(int dimension, const dem::Fiber& fiber, double load);
 
 /// By marching, the loads side by side in lanes; the incremental form twice, to know what the step does.
 std::vector<ChainTip> march_tips(int dimension, const dem::Fiber& fiber, const std::vector<double>& loads,
-                                 const dem::MarchOptions& options);
+                                 const dem::RelaxOptions& options);
 
 /// Departure of the deflection from P L^3 / (3 E I) at vanishing load, from the chain's tangent at rest.
 double small_load_departure(const dem::Fiber& fiber);

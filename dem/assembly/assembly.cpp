@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
-#include "dem/assembly/observables.hpp"
-#include "dem/errors.hpp"
+#include "dem/analysis/observables.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -23,22 +23,22 @@ void check(const FiberGroup& group) {
   }
 }
 
-void check_fluid(const Surroundings& surroundings) {
-  if (!surroundings.fluid) return;
-  check<3>(*surroundings.fluid);
-  if (surroundings.fluid->hydrodynamics != Hydrodynamics::free_draining) {
+void check_fluid(const Domain& domain) {
+  if (!domain.fluid) return;
+  check<3>(*domain.fluid);
+  if (domain.fluid->hydrodynamics != Hydrodynamics::free_draining) {
     throw InvalidInput(fmt::format("hydrodynamics = {} is not allowed: fibers among others are free draining",
-                                   name(surroundings.fluid->hydrodynamics)));
+                                   name(domain.fluid->hydrodynamics)));
   }
 }
 
-void check_places(const std::vector<FiberGroup>& groups, const Surroundings& surroundings, double time) {
+void check_places(const std::vector<FiberGroup>& groups, const Domain& domain, double time) {
   for (const FiberGroup& group : groups) {
     for (std::size_t f = 0; f < group.fibers.size(); ++f) {
       for (std::size_t i = 0; i < group.fibers[f].poses.size(); ++i) {
-        for (std::size_t w = 0; w < surroundings.walls.size(); ++w) {
-          const Wall& wall = surroundings.walls[w];
-          if (!is_there(wall, time) || gap_to(wall, group.fibers[f].poses[i].position, time) > 0) continue;
+        for (std::size_t w = 0; w < domain.walls.size(); ++w) {
+          const Wall& wall = domain.walls[w];
+          if (!is_active(wall, time) || gap_to(wall, group.fibers[f].poses[i].position, time) > 0) continue;
           throw InvalidInput(fmt::format("sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
         }
       }
@@ -47,16 +47,16 @@ void check_places(const std::vector<FiberGroup>& groups, const Surroundings& sur
 }
 
 /// Spheres have no images: what they meet must be the same at all of them.
-void check_periods(const Surroundings& surroundings) {
-  for (const Wall& wall : surroundings.walls) {
+void check_periods(const Domain& domain) {
+  for (const Wall& wall : domain.walls) {
     for (int c = 0; c < 3; ++c) {
-      if (surroundings.period[c] > 0 && !is_even_along(wall, c)) throw InvalidInput("a wall across or askew to a periodic side is not allowed");
+      if (domain.period[c] > 0 && !is_invariant_along(wall, c)) throw InvalidInput("a wall across or askew to a periodic side is not allowed");
     }
   }
-  if (!surroundings.fluid) return;
-  for (const Gradient& A : {surroundings.fluid->flow.gradient, gradient_at(surroundings.fluid->flow, 0)}) {
+  if (!domain.fluid) return;
+  for (const Gradient& A : {domain.fluid->flow.gradient, gradient_at(domain.fluid->flow, 0)}) {
     for (int c = 0; c < 3; ++c) {
-      if (surroundings.period[c] > 0 && (A[0][c] != 0 || A[1][c] != 0 || A[2][c] != 0)) {
+      if (domain.period[c] > 0 && (A[0][c] != 0 || A[1][c] != 0 || A[2][c] != 0)) {
         throw InvalidInput("a flow that varies along a periodic side is not allowed");
       }
     }
@@ -69,14 +69,14 @@ double stored(const EnergyBalance& e) { return e.kinetic + e.bonds + e.contacts 
 
 }  // namespace
 
-Assembly::Assembly(std::vector<FiberGroup> groups, Surroundings surroundings, AssemblyOptions options) {
+Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOptions options) {
   if (groups.empty()) throw InvalidInput("fibers = none is not allowed: an assembly needs at least one");
   for (const FiberGroup& group : groups) check(group);
-  check_fluid(surroundings);
-  check_periods(surroundings);
-  if (!options.placed_anywhere) check_places(groups, surroundings, 0);
+  check_fluid(domain);
+  check_periods(domain);
+  if (!options.placed_anywhere) check_places(groups, domain, 0);
   if (options.threads < 1) throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
-  const StepChoice choice = assembly_time_step(groups, surroundings);
+  const StepChoice choice = assembly_time_step(groups, domain);
   const double step = options.step ? *options.step : choice.step;
   if (!(step > 0) || !std::isfinite(step)) {
     throw InvalidInput(fmt::format("step = {} s is not allowed: it must be finite and greater than 0", step));
@@ -85,11 +85,11 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Surroundings surroundings, As
     throw InvalidInput(fmt::format("step = {:g} s is not allowed: it must be at most {:g} s, beyond which bonds are unstable",
                                    step, largest_step(choice)));
   }
-  state_ = std::make_unique<State>(std::move(surroundings), std::move(options), step);
+  state_ = std::make_unique<State>(std::move(domain), std::move(options), step);
   State& s = *state_;
   s.add(groups);
   s.touch();
-  s.contacts.begin_books();
+  s.contacts.begin_accounts();
   s.start_blocks(0);
 }
 
@@ -99,15 +99,15 @@ Assembly::Assembly(Assembly&&) noexcept = default;
 void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
-  check_places({group}, s.surroundings, s.time());
-  const double largest = largest_step(assembly_time_step({group}, s.surroundings));
+  check_places({group}, s.domain, s.time());
+  const double largest = largest_step(assembly_time_step({group}, s.domain));
   if (s.step > largest) {
     throw InvalidInput(fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear", s.step,
                                    largest));
   }
-  const double before = s.options.book_energy ? stored(s.energy()) : 0;
+  const double before = s.options.account_energy ? stored(s.energy()) : 0;
   s.start_blocks(s.add({group}));
-  if (s.options.book_energy) s.inserted += stored(s.energy()) - before;
+  if (s.options.account_energy) s.inserted += stored(s.energy()) - before;
 }
 
 void Assembly::march(std::int64_t steps) { state_->march(steps); }
@@ -122,7 +122,7 @@ int Assembly::fibers(int group) const { return state_->fibers[group]; }
 PlacedSpheres Assembly::placed() const {
   PlacedSpheres all;
   for (std::int64_t i = 0; i < state_->rows.count; ++i) {
-    all.position.push_back(state_->rows.place(i));
+    all.position.push_back(state_->rows.position(i));
     all.radius.push_back(state_->rows.radius(i));
   }
   return all;
@@ -132,15 +132,15 @@ std::int64_t Assembly::first_sphere(int group, int fiber) const { return state_-
 
 namespace {
 
-/// A block and its look, to take fibers from.
-struct Looked {
+/// A block and its snapshot, to take fibers from.
+struct GroupSnapshot {
   const Assembly::State& all;
   const FiberBlock& block;
-  const FiberKind& kind;
-  BlockLook now;
+  const GroupKind& kind;
+  BlockSnapshot now;
 
-  Looked(const Assembly::State& s, int number)
-      : all(s), block(s.blocks[number]), kind(s.kinds[block.group()]), now(s.look(block)) {}
+  GroupSnapshot(const Assembly::State& s, int number)
+      : all(s), block(s.blocks[number]), kind(s.kinds[block.group()]), now(s.snapshot(block)) {}
 
   ChainState<3> state(int lane) const {
     ChainState<3> state;
@@ -181,43 +181,43 @@ struct Looked {
   }
 };
 
-/// visit(looked, lane) for all fibers of a group.
+/// visit(snapshot, lane) for all fibers of a group.
 template <class Visit>
 void each_fiber(const Assembly::State& s, int group, const Visit& visit) {
   for (int fiber = 0; fiber < s.fibers[group];) {
-    const Looked looked(s, s.place(group, fiber).block);
-    for (int lane = 0; lane < looked.block.lanes(); ++lane, ++fiber) visit(looked, lane);
+    const GroupSnapshot snapshot(s, s.slot(group, fiber).block);
+    for (int lane = 0; lane < snapshot.block.lanes(); ++lane, ++fiber) visit(snapshot, lane);
   }
 }
 
 }  // namespace
 
 ChainState<3> Assembly::state(int group, int fiber) const {
-  const State::Place at = state_->place(group, fiber);
-  return Looked(*state_, at.block).state(at.lane);
+  const State::Slot at = state_->slot(group, fiber);
+  return GroupSnapshot(*state_, at.block).state(at.lane);
 }
 
 std::vector<BondState> Assembly::bonds(int group, int fiber) const {
-  const State::Place at = state_->place(group, fiber);
-  return Looked(*state_, at.block).bonds(at.lane);
+  const State::Slot at = state_->slot(group, fiber);
+  return GroupSnapshot(*state_, at.block).bonds(at.lane);
 }
 
 std::vector<ChainState<3>> Assembly::states(int group) const {
   std::vector<ChainState<3>> all;
-  each_fiber(*state_, group, [&](const Looked& looked, int lane) { all.push_back(looked.state(lane)); });
+  each_fiber(*state_, group, [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.state(lane)); });
   return all;
 }
 
 std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
   std::vector<std::vector<BondState>> all;
-  each_fiber(*state_, group, [&](const Looked& looked, int lane) { all.push_back(looked.bonds(lane)); });
+  each_fiber(*state_, group, [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.bonds(lane)); });
   return all;
 }
 
 void Assembly::visit(int group, const FiberVisit& fiber) const {
-  each_fiber(*state_, group, [&](const Looked& looked, int lane) {
-    const ChainState<3> state = looked.state(lane);
-    fiber(state, looked.bonds(state, lane));
+  each_fiber(*state_, group, [&](const GroupSnapshot& snapshot, int lane) {
+    const ChainState<3> state = snapshot.state(lane);
+    fiber(state, snapshot.bonds(state, lane));
   });
 }
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "dem/assembly/sphere_grid.hpp"
-#include "dem/assembly/surroundings.hpp"
-#include "dem/motion/chain_state.hpp"
-#include "dem/motion/lanes/kernel.hpp"
+#include "dem/insertion/insertion_grid.hpp"
+#include "dem/model/domain.hpp"
+#include "dem/chain/chain_state.hpp"
+#include "dem/motion/kernels/chain_kernel.hpp"
 
 // Many fibers that touch each other and walls, marched by the leapfrog: bonds in SIMD lanes across fibers, contacts
 // in lanes across pairs. Results do not depend on the number of threads, to the bit.
@@ -27,18 +27,18 @@ struct AssemblyOptions {
   Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
   int threads = 1;
   bool time_parts = false;                ///< measure where the time goes (StepTimes)
-  bool book_energy = false;               ///< sum what each mechanism dissipates
+  bool account_energy = false;               ///< sum what each mechanism dissipates
   bool orientations = true;               ///< follow the orientations of spheres where the bonds do not need them (incremental form)
   bool placed_anywhere = false;           ///< fibers may start behind walls: their state comes from restore()
   InstructionSet instruction_set = best_instruction_set();
 };
 
-/// Where energy is, and what each mechanism has taken or given since the start where it is booked [J].
+/// Where energy is, and what each mechanism has dissipated or given since the start where it is accounted [J].
 struct EnergyBalance {
   double kinetic, bonds, contacts, gravity;  ///< stored now
-  double bond_damping, bond_friction;        ///< taken by the dashpots and by the rolling friction of bonds
-  double contact_normal, contact_tangential, contact_rolling;  ///< taken by contacts
-  double fluid;                              ///< taken by the fluid (negative where it drives)
+  double bond_damping, bond_friction;        ///< dissipated by the dashpots and by the rolling friction of bonds
+  double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
+  double fluid;                              ///< dissipated by the fluid (negative where it drives)
   double wall_work;                          ///< given by walls that move
   double inserted;                           ///< that fibers brought with them
 };
@@ -48,7 +48,7 @@ struct StepTimes {
   double bonds_and_motion, contacts, search;
 };
 
-/// Stored, and taken less what was given [J]: constant but for errors of the step.
+/// Stored, and dissipated less what was given [J]: constant but for errors of the step.
 double total(const EnergyBalance& energy);
 
 /// A bond now.
@@ -69,7 +69,7 @@ class Assembly {
  public:
   /// Throws InvalidInput for what makes no sense or is not built: no fibers, spheres beyond a wall, a fluid that is not free
   /// draining, a step beyond the stable one.
-  Assembly(std::vector<FiberGroup> groups, Surroundings surroundings, AssemblyOptions options);
+  Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOptions options);
   ~Assembly();
   Assembly(Assembly&&) noexcept;
 
@@ -126,6 +126,6 @@ struct StepChoice {
   std::string_view set_by;  ///< "bonds", "bond damping" or "contacts"
   double bonds, damped_bonds, contacts;  ///< largest steps each allows [s]
 };
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings);
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain);
 
 }  // namespace fiberchain::dem

@@ -4,30 +4,30 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/half_step.hpp"
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/motion/kernels/chain_lane.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
-Physics physics_of(const Chain<3>& chain, const Surroundings& surroundings, const AssemblyOptions& options) {
-  Physics physics{.dimension = 3, .form = options.form, .damped = damped(chain.fiber), .drag = false,
+Physics physics_of(const Chain<3>& chain, const Domain& domain, const AssemblyOptions& options) {
+  Physics physics{.dimension = 3, .form = options.form, .damped = damped(chain.fiber), .settling_damping = false,
                   .curved = options.form == BondForm::total && !chain.natural.empty()};
-  physics.fluid = surroundings.fluid.has_value();
+  physics.fluid = domain.fluid.has_value();
   if (chain.fiber.rolling_friction > 0) physics.rolling = options.rolling, physics.damped = true;
   return physics;
 }
 
 /// The rows of `from` at the beginning of larger ones.
-SphereRows grown(const SphereRows& from, std::int64_t count, bool oriented) {
-  SphereRows rows(count, oriented);
+SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented) {
+  SphereStorage rows(count, oriented);
   const auto copy = [&](const LaneArray& source, LaneArray& target, int numbers) {
     std::copy_n(source.data(), from.count * numbers, target.data());
   };
-  copy(from.places, rows.places, place_numbers);
-  copy(from.motions, rows.motions, motion_numbers);
-  if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_numbers);
+  copy(from.position_radius, rows.position_radius, position_radius_size);
+  copy(from.motions, rows.motions, velocity_spin_size);
+  if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_size);
   return rows;
 }
 
@@ -51,7 +51,7 @@ constexpr int kStepsBetweenLooks = 256;
 }  // namespace
 
 std::int64_t Assembly::State::first_sphere(int group, int fiber) const {
-  const Place at = place(group, fiber);
+  const Slot at = slot(group, fiber);
   return blocks[at.block].first(at.lane);
 }
 
@@ -66,10 +66,10 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   const int first_new = static_cast<int>(blocks.size());
   std::size_t scratch_size = scratch.empty() ? 0 : scratch[0].size();
   for (const FiberGroup& group : groups) {
-    const Physics physics = physics_of(group.chain, surroundings, options);
+    const Physics physics = physics_of(group.chain, domain, options);
     const int number = static_cast<int>(kinds.size());
-    kinds.push_back(fiber_kind(group.chain, group.fibers.size(), physics, surroundings, step, options.instruction_set));
-    FiberKind& kind = kinds.back();
+    kinds.push_back(group_kind(group.chain, group.fibers.size(), physics, domain, step, options.instruction_set));
+    GroupKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
     contacts.add(group.chain.fiber, fibers.back());
@@ -77,7 +77,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
       const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
-      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes, options.book_energy, rows);
+      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes, options.account_energy, rows);
       row = blocks.back().end(kind);
     }
     if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
@@ -87,17 +87,17 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   set_gradient();
   own_times.resize(options.threads);
   const std::vector<double> loads_before = loads.all();
-  contacts.begin(rows, stripes_of_blocks(), time(), team);
-  loads = StripeLoads(contacts.stripes(), options.threads);
+  contacts.begin(rows, partition_of_blocks(), time(), pool);
+  loads = ForceBuffers(contacts.parts(), options.threads);
   loads.set(loads_before.data(), loads_before.size());
-  room = 0.5 * contacts.skin();
-  wave = PairedWork(contacts.stripes().count());
-  paths.assign(contacts.stripes().count(), 0);
+  displacement_budget = 0.5 * contacts.skin();
+  wave = WavefrontSchedule(contacts.parts().count());
+  paths.assign(contacts.parts().count(), 0);
   return first_new;
 }
 
 /// Whole blocks of any width, so that the cuts do not depend on it.
-Stripes Assembly::State::stripes_of_blocks() {
+Partition Assembly::State::partition_of_blocks() {
   std::vector<std::int32_t> ends;
   for (std::size_t g = 0; g < kinds.size(); ++g) {
     for (int f = 0; f < fibers[g]; f += widest_block) {
@@ -105,101 +105,101 @@ Stripes Assembly::State::stripes_of_blocks() {
       ends.push_back(static_cast<std::int32_t>(first_sphere(static_cast<int>(g), last)) + kinds[g].spheres());
     }
   }
-  Stripes stripes = cached_stripes(ends);
-  stripe_blocks.assign(1, 0);
-  for (int k = 0; k < stripes.count(); ++k) {
-    int b = stripe_blocks.back();
-    while (b < static_cast<int>(blocks.size()) && blocks[b].first(0) < stripes.end(k)) ++b;
-    stripe_blocks.push_back(b);
+  Partition parts = cache_sized_partition(ends);
+  part_blocks.assign(1, 0);
+  for (int k = 0; k < parts.count(); ++k) {
+    int b = part_blocks.back();
+    while (b < static_cast<int>(blocks.size()) && blocks[b].first(0) < parts.end(k)) ++b;
+    part_blocks.push_back(b);
   }
-  return stripes;
+  return parts;
 }
 
 void Assembly::State::start_blocks(int from) {
   for (std::size_t b = from; b < blocks.size(); ++b) {
-    blocks[b].start(kinds[blocks[b].group()], rows, loads.of(stripe_of(blocks[b])), gradient.data(), gradient_now());
+    blocks[b].start(kinds[blocks[b].group()], rows, loads.of(part_of(blocks[b])), gradient.data(), gradient_now());
   }
 }
 
-MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, const BlockLook& look, int lane, int i) const {
-  const FiberKind& kind = kinds[block.group()];
-  MovingSphere<double, 3> s = block.sphere(kind, look, lane, i);
+MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane, int i) const {
+  const GroupKind& kind = kinds[block.group()];
+  MovingSphere<double, 3> s = block.sphere(kind, snapshot, lane, i);
   move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
   return s;
 }
 
 Gradient Assembly::State::gradient_now() const {
-  return surroundings.fluid ? gradient_at(surroundings.fluid->flow, time()) : Gradient{};
+  return domain.fluid ? gradient_at(domain.fluid->flow, time()) : Gradient{};
 }
 
 void Assembly::State::set_gradient() {
-  if (!surroundings.fluid) return;
+  if (!domain.fluid) return;
   const Gradient A = gradient_now();
   const std::size_t width = gradient.size() / 9;
   for (int n = 0; n < 9; ++n) std::fill_n(gradient.data() + n * width, width, A[n / 3][n % 3]);
 }
 
-void Assembly::State::list_pairs() {
-  contacts.list_pairs(rows, time(), team);
-  room = 0.5 * contacts.skin();
+void Assembly::State::rebuild_neighbor_list() {
+  contacts.rebuild_neighbor_list(rows, time(), pool);
+  displacement_budget = 0.5 * contacts.skin();
 }
 
-/// Speeds tell when a sphere may have moved so far that a pair is missing, or a wall. Whether lists were looked at.
-bool Assembly::State::keep_lists() {
-  contacts.count_paths(paths);
+/// Speeds tell when a sphere may have moved so far that a pair is missing, or a wall. Whether lists were snapshot at.
+bool Assembly::State::update_neighbor_list() {
+  contacts.add_displacements(paths);
   if (contacts.walls_moved_far(time())) {
-    list_pairs();
+    rebuild_neighbor_list();
     return true;
   }
-  room -= *std::ranges::max_element(paths);
-  if (room > 0) return false;
-  room = contacts.follow(rows, team);
+  displacement_budget -= *std::ranges::max_element(paths);
+  if (displacement_budget > 0) return false;
+  displacement_budget = contacts.follow(rows, pool);
   return true;
 }
 
 /// Kinetic energy and the work of all other forces tell what the fluid took.
-double Assembly::State::fluid_taken(const FiberBlock& block, const BlockLook& before) const {
-  const FiberKind& kind = kinds[block.group()];
-  double taken = 0;
+double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const {
+  const GroupKind& kind = kinds[block.group()];
+  double dissipated = 0;
   for (int lane = 0; lane < block.lanes(); ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       const MovingSphere<double, 3> s = block.sphere(kind, before, lane, i);
       const Vec<double, 3> v = rows.velocity(block.first(lane) + i), w = rows.spin(block.first(lane) + i);
       for (int c = 0; c < 3; ++c) {
         const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + w[c]);
-        taken += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
+        dissipated += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
                  mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
       }
     }
   }
-  return taken;
+  return dissipated;
 }
 
 /// From a block that ends there to the spheres whose rows are fetched meanwhile; 0 where none need be.
 std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
-  constexpr std::int64_t two_stripes = 2 * cached_spheres;  // contacts of the next stripe, the other thread's too, find them at hand
-  return rows.count > 2 * two_stripes ? std::min(two_stripes, rows.count - end) : 0;
+  constexpr std::int64_t two_parts = 2 * cache_sized_part;  // contacts of the next part, the other thread's too, find them at hand
+  return rows.count > 2 * two_parts ? std::min(two_parts, rows.count - end) : 0;
 }
 
 double Assembly::State::step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch) {
   FiberBlock& block = blocks[number];
   const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
-  const FiberKind& kind = kinds[block.group()];
+  const GroupKind& kind = kinds[block.group()];
   const std::int64_t ahead = rows_ahead(block.end(kind));
-  if (options.book_energy) block.book(kind, rows, own_scratch);
-  if (!options.book_energy || !surroundings.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
-  const BlockLook before = block.look(kind, rows, own_loads, gradient.data());
+  if (options.account_energy) block.account(kind, rows, own_scratch);
+  if (!options.account_energy || !domain.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
+  const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
   const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   block.add_fluid_taken(fluid_taken(block, before));
   return fastest;
 }
 
-void Assembly::State::move_stripe(int stripe, int thread) {
+void Assembly::State::move_part(int part, int thread) {
   double fastest = 0;
-  const LoadRange own = loads.of(stripe);
-  for (int b = stripe_blocks[stripe]; b < stripe_blocks[stripe + 1]; ++b) fastest = std::max(fastest, step_block(b, own, scratch[thread]));
-  loads.give_back(stripe, thread);
-  paths[stripe] = step * std::sqrt(fastest);
+  const LoadRange own = loads.of(part);
+  for (int b = part_blocks[part]; b < part_blocks[part + 1]; ++b) fastest = std::max(fastest, step_block(b, own, scratch[thread]));
+  loads.give_back(part, thread);
+  paths[part] = step * std::sqrt(fastest);
 }
 
 void Assembly::State::has_moved() {
@@ -209,31 +209,31 @@ void Assembly::State::has_moved() {
 
 /// All fibers move.
 void Assembly::State::move() {
-  team.each(contacts.stripes().count(), [&](int k, int thread) { move_stripe(k, thread); });
+  pool.each(contacts.parts().count(), [&](int k, int thread) { move_part(k, thread); });
   has_moved();
   watch.lap(&StepTimes::bonds_and_motion);
 }
 
 /// Loads of all contacts.
 void Assembly::State::touch() {
-  contacts.work_out(rows, time(), loads, team);
+  contacts.work_out(rows, time(), loads, pool);
   watch.lap(&StepTimes::contacts);
 }
 
-/// Both of these, stripe by stripe: what contacts have read and written is moved while it is at hand.
+/// Both of these, part by part: what contacts have read and written is moved while it is at hand.
 void Assembly::State::touch_and_move() {
   for (StepTimes& own : own_times) own = {};
   const double now = time();
   wave.run(
-      team, contacts.reach(),
+      pool, contacts.reach(),
       [&](int k, int thread) {
         const TimedPart timed(watch.on, own_times[thread].contacts);
         contacts.work_out(k, rows, now, loads.take(k, thread));
       },
       [&](int k, int thread) {
         const TimedPart timed(watch.on, own_times[thread].bonds_and_motion);
-        contacts.gather_loads(k, loads.of(k));
-        move_stripe(k, thread);
+        contacts.reduce_halo_forces(k, loads.of(k));
+        move_part(k, thread);
       });
   has_moved();
   watch.lap(own_times);
@@ -245,9 +245,9 @@ bool Assembly::State::march_some(int count) {
   for (int n = 0; n < count; ++n) {
     n == 0 ? move() : touch_and_move();
     try {
-      if (keep_lists()) watch.lap(&StepTimes::search);
+      if (update_neighbor_list()) watch.lap(&StepTimes::search);
     } catch (const InvalidInput&) {
-      for (int k = 0; k < contacts.stripes().count(); ++k) loads.take(k, 0);  // who looks at the wreck finds some
+      for (int k = 0; k < contacts.parts().count(); ++k) loads.take(k, 0);  // who looks at the wreck finds some
       return false;
     }
   }
@@ -268,13 +268,13 @@ void Assembly::State::march(std::int64_t count) {
 /// First sphere that has blown up: not finite, or its bond ten times too long or short; -1 if none.
 std::int64_t Assembly::State::broken() const {
   for (const FiberBlock& block : blocks) {
-    const FiberKind& kind = kinds[block.group()];
+    const GroupKind& kind = kinds[block.group()];
     const double l = bond_length(kind.chain.fiber);
     for (int lane = 0; lane < block.lanes(); ++lane) {
       for (std::int64_t i = block.first(lane); i < block.first(lane) + kind.spheres(); ++i) {
         const Vec<double, 3> v = rows.velocity(i), w = rows.spin(i);
         const double sum = v[0] + v[1] + v[2] + w[0] + w[1] + w[2];
-        const double length = i > block.first(lane) ? norm(rows.place(i) - rows.place(i - 1)) : l + 0 * norm(rows.place(i));
+        const double length = i > block.first(lane) ? norm(rows.position(i) - rows.position(i - 1)) : l + 0 * norm(rows.position(i));
         if (!std::isfinite(sum) || blown_up(length, l)) return i;
       }
     }
@@ -283,7 +283,7 @@ std::int64_t Assembly::State::broken() const {
 }
 
 void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
-  const bool walls_come = std::ranges::any_of(surroundings.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
+  const bool walls_come = std::ranges::any_of(domain.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
   int fiber = 0;
   for (const FiberBlock& block : blocks) {
     for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
@@ -302,8 +302,8 @@ EnergyBalance Assembly::State::energy() const {
   EnergyBalance sum{};
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const FiberBlock& block = blocks[b];
-    const FiberKind& kind = kinds[block.group()];
-    const BlockLook now = look(block);
+    const GroupKind& kind = kinds[block.group()];
+    const BlockSnapshot now = snapshot(block);
     for (int lane = 0; lane < block.lanes(); ++lane) {
       Poses<3> poses;
       MovingSphere<double, 3> before{};
@@ -313,7 +313,7 @@ EnergyBalance Assembly::State::energy() const {
         sum.gravity -= dot(kind.weight, s.pose.position);
         poses.push_back(s.pose);
         // the kick that is centered on this moment has done half of its work
-        if (options.book_energy && block.moved() && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
+        if (options.account_energy && block.moved() && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
         before = s;
       }
       if (options.form == BondForm::total) {
@@ -330,10 +330,10 @@ EnergyBalance Assembly::State::energy() const {
     sum.fluid += block.fluid_taken();
   }
   sum.contacts = contacts.stored_energy();
-  const ContactBook<double> taken = contacts.taken();
-  sum.contact_normal = taken.normal_dashpot;
-  sum.contact_tangential = taken.sliding;
-  sum.contact_rolling = taken.rolling;
+  const ContactAccount<double> dissipated = contacts.dissipated();
+  sum.contact_normal = dissipated.normal_dashpot;
+  sum.contact_tangential = dissipated.sliding;
+  sum.contact_rolling = dissipated.rolling;
   sum.wall_work = contacts.wall_work();
   sum.inserted = inserted;
   return sum;

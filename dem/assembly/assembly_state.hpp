@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/assembly/contact_set.hpp"
+#include "dem/contact/contacts.hpp"
 #include "dem/assembly/fiber_block.hpp"
-#include "dem/assembly/paired_work.hpp"
-#include "dem/assembly/team.hpp"
+#include "dem/parallel/wavefront_schedule.hpp"
+#include "dem/parallel/thread_pool.hpp"
 
 namespace fiberchain::dem {
 
@@ -58,73 +58,73 @@ class TimedPart {
 
 /// The inside of an assembly: rows of spheres, blocks of fibers that move them, contacts between them.
 struct Assembly::State {
-  Surroundings surroundings;
+  Domain domain;
   AssemblyOptions options;
   double step;
   std::int64_t steps = 0;
-  std::vector<FiberKind> kinds;  ///< one a group
+  std::vector<GroupKind> kinds;  ///< one a group
   std::vector<int> fibers;       ///< in each group
   std::vector<int> first_block;  ///< of each group
   std::vector<FiberBlock> blocks;
-  std::vector<int> stripe_blocks;  ///< the first block of each stripe of spheres, and one past the last
-  SphereRows rows;
-  StripeLoads loads;             ///< of contacts at this moment
-  Team team;
-  ContactSet contacts;
+  std::vector<int> part_blocks;  ///< the first block of each part of spheres, and one past the last
+  SphereStorage rows;
+  ForceBuffers loads;             ///< of contacts at this moment
+  ThreadPool pool;
+  Contacts contacts;
   LaneArray gradient;               ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;   ///< one a thread
-  std::vector<double> paths;        ///< how far spheres of each stripe went in the last step at most [m]
+  std::vector<double> paths;        ///< how far spheres of each part went in the last step at most [m]
   std::vector<StepTimes> own_times; ///< one a thread, where parts run side by side
-  PairedWork wave{0};
-  double room = 0;                  ///< what spheres may move before their distance from where they were listed is looked at [m]
+  WavefrontSchedule wave{0};
+  double displacement_budget = 0;                  ///< what spheres may move before their distance from where they were listed is snapshot at [m]
   StopWatch watch;
   double inserted = 0;              ///< energy that fibers brought with them [J]
 
-  State(Surroundings around, AssemblyOptions how, double dt)
-      : surroundings(std::move(around)), options(std::move(how)), step(dt), team(options.threads),
-        contacts(surroundings, options, step) {
+  State(Domain around, AssemblyOptions how, double dt)
+      : domain(std::move(around)), options(std::move(how)), step(dt), pool(options.threads),
+        contacts(domain, options, step) {
     watch.on = options.time_parts;
   }
 
   double time() const { return static_cast<double>(steps) * step; }
   std::int64_t first_sphere(int group, int fiber) const;
-  struct Place {
+  struct Slot {
     int block, lane;
   };
-  Place place(int group, int fiber) const {
+  Slot slot(int group, int fiber) const {
     const int width = kinds[group].kernel->width;
     return {first_block[group] + fiber / width, fiber % width};
   }
 
-  /// Makes room for the groups, sets their spheres, and lists pairs; returns the first new block.
+  /// Makes displacement_budget for the groups, sets their spheres, and lists pairs; returns the first new block.
   int add(const std::vector<FiberGroup>& groups);
   /// Blocks from this one on have the velocities of this moment: half a step back.
   void start_blocks(int from);
 
-  int stripe_of(const FiberBlock& block) const { return contacts.stripes().of(block.first(0)); }
-  BlockLook look(const FiberBlock& block) const {
-    return block.look(kinds[block.group()], rows, loads.of(stripe_of(block)), gradient.data());
+  int part_of(const FiberBlock& block) const { return contacts.parts().of(block.first(0)); }
+  BlockSnapshot snapshot(const FiberBlock& block) const {
+    return block.snapshot(kinds[block.group()], rows, loads.of(part_of(block)), gradient.data());
   }
   /// With the velocities of this moment.
-  MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockLook& look, int lane, int i) const;
+  MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane, int i) const;
   Gradient gradient_now() const;
   void set_gradient();
-  void list_pairs();
+  void rebuild_neighbor_list();
   void touch();
   void march(std::int64_t count);
   EnergyBalance energy() const;
 
  private:
   bool march_some(int count);
-  Stripes stripes_of_blocks();
+  Partition partition_of_blocks();
   void move();
   void touch_and_move();
   void has_moved();
-  void move_stripe(int stripe, int thread);
-  bool keep_lists();
+  void move_part(int part, int thread);
+  bool update_neighbor_list();
   std::int64_t rows_ahead(std::int64_t end) const;
   double step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch);
-  double fluid_taken(const FiberBlock& block, const BlockLook& before) const;
+  double fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const;
   std::int64_t broken() const;
   [[noreturn]] void fail(std::int64_t sphere, std::int64_t from) const;
 };

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "dem/motion/half_step.hpp"
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/motion/kernels/chain_lane.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
 using Sphere = MovingSphere<double, 3>;
 
-/// Lanes of `taken_`: two sums a lane.
+/// Lanes of `dissipated_`: two accumulators a lane.
 constexpr int taken_numbers = 2;
 
 double sum_of_lanes(const double* numbers, int lanes) {
@@ -19,18 +19,18 @@ double sum_of_lanes(const double* numbers, int lanes) {
   return sum;
 }
 
-void put_rows(SphereRows& rows, std::int64_t row, const ChainState<3>& state, double radius) {
+void put_rows(SphereStorage& rows, std::int64_t row, const ChainState<3>& state, double radius) {
   for (std::size_t i = 0; i < state.poses.size(); ++i, ++row) {
-    double *place = rows.place_row(row), *motion = rows.motion_row(row);
+    double *slot = rows.position_row(row), *motion = rows.velocity_row(row);
     for (int c = 0; c < 3; ++c) {
-      place[c] = state.poses[i].position[c];
+      slot[c] = state.poses[i].position[c];
       motion[c] = state.velocity[i][c];
-      motion[motion_spin + c] = state.spin[i][c];
+      motion[spin_offset + c] = state.spin[i][c];
     }
-    place[place_radius] = radius;
+    slot[radius_offset] = radius;
     if (!rows.oriented()) continue;
     const Quaternion<double>& turn = state.poses[i].orientation;
-    double* q = rows.orientation.data() + row * orientation_numbers;
+    double* q = rows.orientation.data() + row * orientation_size;
     q[0] = turn.w;
     for (int c = 0; c < 3; ++c) q[1 + c] = turn.v[c];
   }
@@ -38,12 +38,12 @@ void put_rows(SphereRows& rows, std::int64_t row, const ChainState<3>& state, do
 
 }  // namespace
 
-FiberKind fiber_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Surroundings& surroundings, double step,
+GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Domain& domain, double step,
                      InstructionSet set) {
   const Fiber& fiber = chain.fiber;
-  FiberKind kind{chain, physics, &row_kernel(physics, set), {}, {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
-  kind.weight = kind.mass * surroundings.gravity;
-  if (surroundings.fluid) kind.drag = stokes_drag(*surroundings.fluid, fiber);
+  GroupKind kind{chain, physics, &packing_kernel(physics, set), {}, {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
+  kind.weight = kind.mass * domain.gravity;
+  if (domain.fluid) kind.drag = stokes_drag(*domain.fluid, fiber);
   kind.parameters = march_parameters<3>(fiber, kind.drag, step);
   const std::size_t width = kind.kernel->width;
   kind.histories = LaneArray((fibers + width - 1) / width * kind.history_size());
@@ -57,15 +57,15 @@ FiberKind fiber_kind(const Chain<3>& chain, std::size_t fibers, const Physics& p
   return kind;
 }
 
-FiberBlock::FiberBlock(FiberKind& kind, int group, int number, std::int64_t first, const std::vector<ChainState<3>>& fibers,
-                       bool booked, SphereRows& rows)
+FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t first, const std::vector<ChainState<3>>& fibers,
+                       bool accounted, SphereStorage& rows)
     : group_(group), lanes_(static_cast<int>(fibers.size())), history_(kind.histories.data() + number * kind.history_size()),
       history_size_(kind.history_size()) {
   const int width = kind.kernel->width, bonds = kind.chain.fiber.aspect_ratio;
   workspace_ = LaneArray(kind.kernel->workspace(bonds) * width);
-  const bool books = booked && kind.kernel->book != nullptr;
-  kept_ = LaneArray(books ? static_cast<std::size_t>(bonds) * book_numbers * width : 0);
-  taken_ = LaneArray(taken_numbers * width);
+  const bool accounts = accounted && kind.kernel->account != nullptr;
+  previous_ = LaneArray(accounts ? static_cast<std::size_t>(bonds) * bond_account_size * width : 0);
+  dissipated_ = LaneArray(taken_numbers * width);
   for (int lane = 0; lane < width; ++lane) {
     const int fiber = std::min(lane, lanes_ - 1);
     first_.push_back(first + static_cast<std::int64_t>(fiber) * kind.spheres());
@@ -77,10 +77,10 @@ FiberBlock::FiberBlock(FiberKind& kind, int group, int number, std::int64_t firs
   for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
 }
 
-RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient) {
+PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient) {
   return {kind.chain.fiber.aspect_ratio,
           first_.data(),
-          rows.places.data(),
+          rows.position_radius.data(),
           rows.motions.data(),
           loads.rows,
           loads.first,
@@ -94,84 +94,84 @@ RowBlock FiberBlock::view(const FiberKind& kind, SphereRows& rows, LoadRange loa
           gradient,
           nullptr,
           0,
-          led_};
+          previous_step_};
 }
 
-double FiberBlock::step(const FiberKind& kind, SphereRows& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
+double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
                         const FiberBlock* next, std::int64_t rows_ahead) {
-  RowBlock block = view(kind, rows, loads, scratch, gradient);
+  PackingBlock block = view(kind, rows, loads, scratch, gradient);
   block.rows_ahead = rows_ahead;
   if (next != nullptr) block.next_history = next->history_;
   const double fastest = kind.kernel->step(block);
-  led_ = kind.parameters.step;
+  previous_step_ = kind.parameters.step;
   return fastest;
 }
 
-void FiberBlock::book(const FiberKind& kind, SphereRows& rows, LaneArray& scratch) {
-  if (kept_.size() == 0) return;
-  kind.kernel->book(view(kind, rows, {nullptr, first_[0]}, scratch, nullptr), {kept_.data(), taken_.data(), taken_.data() + kind.kernel->width});
+void FiberBlock::account(const GroupKind& kind, SphereStorage& rows, LaneArray& scratch) {
+  if (previous_.size() == 0) return;
+  kind.kernel->account(view(kind, rows, {nullptr, first_[0]}, scratch, nullptr), {previous_.data(), dissipated_.data(), dissipated_.data() + kind.kernel->width});
 }
 
-BlockLook FiberBlock::look(const FiberKind& kind, const SphereRows& rows, LoadRange loads, const double* gradient) const {
-  BlockLook look{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_size_)};
-  std::copy_n(history_, history_size_, look.history.data());
+BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient) const {
+  BlockSnapshot snapshot{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_size_)};
+  std::copy_n(history_, history_size_, snapshot.history.data());
   LaneArray workspace(workspace_.size());
   std::copy_n(workspace_.data(), workspace_.size(), workspace.data());
-  // what a look writes are its own copies
-  RowBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereRows&>(rows), loads, look.spheres, gradient);
-  view.history = look.history.data();
+  // what a snapshot writes are its own copies
+  PackingBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereStorage&>(rows), loads, snapshot.spheres, gradient);
+  view.history = snapshot.history.data();
   view.workspace = workspace.data();
-  kind.kernel->look(view);
-  return look;
+  kind.kernel->snapshot(view);
+  return snapshot;
 }
 
-Sphere FiberBlock::sphere(const FiberKind& kind, const BlockLook& look, int lane, int index) const {
+Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const {
   const std::size_t width = kind.kernel->width;
   Sphere sphere{};
-  look.spheres.get(sphere, index * numbers_of<Sphere> * width + lane, width);
+  snapshot.spheres.get(sphere, index * numbers_of<Sphere> * width + lane, width);
   return sphere;
 }
 
-BondHistory<double, 3> FiberBlock::history(const FiberKind& kind, const BlockLook& look, int lane, int bond) const {
+BondHistory<double, 3> FiberBlock::history(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int bond) const {
   const std::size_t width = kind.kernel->width;
   BondHistory<double, 3> history{};
-  look.history.get(history, bond * numbers_of<BondHistory<double, 3>> * width + lane, width);
+  snapshot.history.get(history, bond * numbers_of<BondHistory<double, 3>> * width + lane, width);
   return history;
 }
 
-void FiberBlock::start(const FiberKind& kind, SphereRows& rows, LoadRange loads, const double* gradient, const Gradient& A) {
-  const BlockLook now = look(kind, rows, loads, gradient);
+void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient, const Gradient& A) {
+  const BlockSnapshot now = snapshot(kind, rows, loads, gradient);
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       Sphere s = sphere(kind, now, lane, i);
       move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
-      double* own = rows.motion_row(first_[lane] + i);
-      for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[motion_spin + c] = s.spin[c];
+      double* own = rows.velocity_row(first_[lane] + i);
+      for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];
     }
   }
 }
 
-double FiberBlock::bond_damping() const { return sum_of_lanes(taken_.data(), lanes_); }
+double FiberBlock::bond_damping() const { return sum_of_lanes(dissipated_.data(), lanes_); }
 
 double FiberBlock::bond_friction() const {
-  return sum_of_lanes(taken_.data() + taken_.size() / taken_numbers, lanes_);
+  return sum_of_lanes(dissipated_.data() + dissipated_.size() / taken_numbers, lanes_);
 }
 
-std::size_t FiberBlock::saved_size() const { return 2 + history_size_ + workspace_.size() + kept_.size() + taken_.size(); }
+std::size_t FiberBlock::saved_size() const { return 2 + history_size_ + workspace_.size() + previous_.size() + dissipated_.size(); }
 
 void FiberBlock::save(std::vector<double>& to) const {
-  to.push_back(led_);
+  to.push_back(previous_step_);
   to.push_back(fluid_taken_);
   to.insert(to.end(), history_, history_ + history_size_);
-  for (const LaneArray* a : {&workspace_, &kept_, &taken_}) to.insert(to.end(), a->data(), a->data() + a->size());
+  for (const LaneArray* a : {&workspace_, &previous_, &dissipated_}) to.insert(to.end(), a->data(), a->data() + a->size());
 }
 
 const double* FiberBlock::restore(const double* from) {
-  led_ = *from++;
+  previous_step_ = *from++;
   fluid_taken_ = *from++;
   std::copy_n(from, history_size_, history_);
   from += history_size_;
-  for (LaneArray* a : {&workspace_, &kept_, &taken_}) {
+  for (LaneArray* a : {&workspace_, &previous_, &dissipated_}) {
     std::copy_n(from, a->size(), a->data());
     from += a->size();
   }

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/assembly/contact_parameters.hpp"
+#include "dem/contact/contact_parameters.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -28,32 +28,32 @@ double step_that_uses_all(const Used& used, double high) {
 
 /// The stiffest and the most damped contacts that spheres of a group take part in.
 ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGroup>& groups,
-                            const Surroundings& surroundings) {
+                            const Domain& domain) {
   constexpr double pressed = 0.1;  // overlap over the radius that contacts are expected to stay below
   constexpr int neighbors = 6;     // of a sphere, so pressed
   const ContactBody body = sphere_body(group.chain.fiber);
   ContactRates worst{};
   const auto meet = [&](const ContactBody& other) {
     const double overlap = pressed * std::min(body.radius, other.radius);
-    const ContactRates rates = contact_rates(body, other, surroundings.contacts, overlap, neighbors);
+    const ContactRates rates = contact_rates(body, other, domain.contacts, overlap, neighbors);
     worst = {std::max(worst.stiffness, rates.stiffness), std::max(worst.dashpots, rates.dashpots)};
   };
   for (const FiberGroup& other : groups) meet(sphere_body(other.chain.fiber));
-  if (!surroundings.walls.empty()) meet(wall_body(surroundings));
+  if (!domain.walls.empty()) meet(wall_body(domain));
   return worst;
 }
 
 }  // namespace
 
 // Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
-// (contact_parameters.hpp). K and C are sums over bonds and contacts: what each uses up alone, in its own
+// (contact_parameters.hpp). K and C are accumulators over bonds and contacts: what each uses up alone, in its own
 // worst mode, adds up to no less than what both do.
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Surroundings& surroundings) {
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain) {
   StepChoice choice{1e300, "", 1e300, 1e300, 1e300};
   for (const FiberGroup& group : groups) {
     const double undamped = undamped_time_step(group.chain.fiber),
                  damped = stable_time_step(group.chain.fiber);
-    const ContactRates contacts = worst_contacts(group, groups, surroundings);
+    const ContactRates contacts = worst_contacts(group, groups, domain);
     choice.bonds = std::min(choice.bonds, undamped);
     choice.damped_bonds = std::min(choice.damped_bonds, damped);
     choice.contacts = std::min(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/bond/kinematics.hpp"
-#include "dem/fiber.hpp"
+#include "dem/model/fiber.hpp"
 
 // The bond law, once for every dimension, number type, equilibrium and integrator. Its energy
 //   U = 1/2 K_n (l - l_r)^2 + 1/2 K_t l_0^2 gamma^2 + 1/2 K_bend theta_b^2 + 1/2 K_twist psi^2

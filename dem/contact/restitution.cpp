@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {

@@ -1,6 +1,6 @@
 #include "dem/flow/draining_balance.hpp"
 
-#include "dem/motion/chain_state.hpp"
+#include "dem/chain/chain_state.hpp"
 
 namespace fiberchain::dem {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "dem/flow/fluid.hpp"
+#include "dem/model/fluid.hpp"
 
 namespace fiberchain::dem {
 

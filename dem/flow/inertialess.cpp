@@ -8,7 +8,7 @@
 #include "dem/flow/draining_balance.hpp"
 #include "dem/flow/interacting_balance.hpp"
 #include "dem/motion/cvode_session.hpp"
-#include "dem/motion/pose_numbers.hpp"
+#include "dem/chain/pose_numbers.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -86,7 +86,7 @@ struct InertialessMotion<Dim>::Solver {
     return std::sqrt(sum / (spheres * sphere_motions<Dim>));
   }
 
-  /// At the last poses that Newton's iterations led to: the tension of predicted ones, whose strains are extrapolated, would
+  /// At the last poses that Newton's iterations previous_step to: the tension of predicted ones, whose strains are extrapolated, would
   /// stiffen or soften the bonds across them by far more than the fiber's own.
   void set_up(const CvodeProblem::Newton& newton) {
     factors_at = newton.again > 0 || at_rates_before.empty() ? at_last_rates : at_rates_before;
@@ -111,7 +111,7 @@ struct InertialessMotion<Dim>::Solver {
     return x;
   }
 
-  /// Newton's correction x of the motions; a kept matrix is made anew where gamma has moved on, the matrix has served long,
+  /// Newton's correction x of the motions; a kept matrix is made rebuilt where gamma has moved on, the matrix has served long,
   /// or corrections do not shrink to a fifth.
   void solve(const CvodeProblem::Newton& newton, const double* b, double* out) {
     const Poses<Dim> poses = unpack(newton.y);

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "dem/flow/follow.hpp"
+#include "dem/flow/integrate_in_flow.hpp"
 
 // A fiber in a fluid without inertia: the velocities of its spheres follow from the balance of forces. Integrated by CVODE
 // (BDF, variable order and step), implicit in the bonds, so that neither stretching waves nor stiff bonds bound the step.

@@ -1,7 +1,7 @@
 #include "dem/flow/interacting_balance.hpp"
 
-#include "dem/errors.hpp"
-#include "dem/motion/chain_state.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/chain/chain_state.hpp"
 
 namespace fiberchain::dem {
 namespace {

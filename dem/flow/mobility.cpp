@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/flow/pair_mobility.hpp"
 
 namespace fiberchain::dem {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "dem/flow/fluid.hpp"
+#include "dem/model/fluid.hpp"
 
 // Hydrodynamic interactions between the spheres of a fiber: equal spheres without lubrication.
 namespace fiberchain::dem {

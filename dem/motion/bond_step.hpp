@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/motion/rolling_slot.hpp"
-#include "dem/motion/state.hpp"
+#include "dem/motion/moving_sphere.hpp"
 
 // What one bond does in one step, for every integrator that marches.
 namespace fiberchain::dem {
@@ -49,7 +49,7 @@ void add_rolling(const ChainBlock<P, Real>& chain, int bond, const BondHistory<R
   }
 }
 
-/// Forces of one bond at the poses now; `dt` is the step that led here (0 before the first).
+/// Forces of one bond at the poses now; `dt` is the step that previous_step here (0 before the first).
 template <Physics P, class Real>
 BondLoads<Real, P.dimension> bond_step(const ChainBlock<P, Real>& chain, int bond,
                                        const MovingSphere<Real, P.dimension>& a,

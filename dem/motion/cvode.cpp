@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "dem/motion/cvode_session.hpp"
-#include "dem/motion/pose_numbers.hpp"
+#include "dem/chain/pose_numbers.hpp"
 
 namespace fiberchain::dem {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "dem/motion/chain_state.hpp"
+#include "dem/chain/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
 
 // SUNDIALS' CVODE (BDF, variable order and step) on the chain itself, total form. Newton's matrix M + g C + g^2 K is

@@ -11,7 +11,7 @@
 #include <sundials/sundials_linearsolver.h>
 #include <utility>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/vector_operations.hpp"
 
 namespace fiberchain::dem {

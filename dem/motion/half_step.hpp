@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/flow/flow.hpp"
+#include "dem/model/velocity_gradient.hpp"
 #include "dem/motion/relaxation.hpp"
 
 // Between the velocities of the leapfrog, half a step before the poses, and those of the poses' moment.

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "dem/motion/chain_state.hpp"
+#include "dem/chain/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
 
 // Implicit midpoint with the bonds' forces corrected along the motion so that their work is exactly the change of their

@@ -47,7 +47,7 @@ void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p, 
   if constexpr (P.fluid) {
     sphere.velocity = p.keep * sphere.velocity + p.follow * (flow.gradient * sphere.pose.position) + change;
     sphere.spin = p.spin_keep * sphere.spin + p.spin_follow * flow.spin + spin_change;
-  } else if constexpr (P.drag) {
+  } else if constexpr (P.settling_damping) {
     const Real half = Real(0.5) * p.step * p.drag;
     const Real scale = Real(1.0) / (Real(1.0) + half);
     const Real keep = (Real(1.0) - half) * scale;
@@ -71,7 +71,7 @@ void clear_forces(MovingSphere<Real, Dim>& sphere) {
   for (Real& c : sphere.moment.c) c = Real(0.0);
 }
 
-/// The forces of bond `bond` at the poses now onto its two spheres; `dt` is the step that led here (0 at the start).
+/// The forces of bond `bond` at the poses now onto its two spheres; `dt` is the step that previous_step here (0 at the start).
 template <Physics P, class Real>
 void add_bond(const ChainBlock<P, Real>& chain, int bond, MovingSphere<Real, P.dimension>& first,
               MovingSphere<Real, P.dimension>& second, const Real& dt) {

@@ -2,7 +2,7 @@
 
 #include "dem/math/small_matrix.hpp"
 #include "dem/motion/physics.hpp"
-#include "dem/motion/state.hpp"
+#include "dem/motion/moving_sphere.hpp"
 
 namespace fiberchain::dem {
 

@@ -33,11 +33,11 @@ struct Physics {
   int dimension;  ///< 2: position and angle; 3: position and unit quaternion
   BondForm form;
   bool damped;    ///< dashpots in the bonds, their force taken at the lagged velocity unless `solved`
-  bool drag;      ///< force on every sphere against its velocity, to settle a chain
+  bool settling_damping;      ///< force on every sphere against its velocity, to settle a chain
   bool curved;    ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
   bool solved = false;  ///< dashpots centered in the step and solved for: stable up to the undamped limit
   Rolling rolling = Rolling::none;
-  bool fluid = false;  ///< Stokes' drag of a flow on every sphere, solved within the step
+  bool fluid = false;  ///< Stokes' settling_damping of a flow on every sphere, solved within the step
 
   constexpr bool operator==(const Physics&) const = default;
 };
@@ -48,10 +48,10 @@ inline constexpr auto built_physics = [] {
   int n = 0;
   for (const int dimension : {2, 3}) {
     for (const bool damped : {false, true}) {
-      for (const bool drag : {false, true}) {
-        list[n++] = {dimension, BondForm::incremental, damped, drag, false};
-        list[n++] = {dimension, BondForm::total, damped, drag, false};
-        list[n++] = {dimension, BondForm::total, damped, drag, true};
+      for (const bool settling_damping : {false, true}) {
+        list[n++] = {dimension, BondForm::incremental, damped, settling_damping, false};
+        list[n++] = {dimension, BondForm::total, damped, settling_damping, false};
+        list[n++] = {dimension, BondForm::total, damped, settling_damping, true};
       }
     }
     list[n++] = {dimension, BondForm::incremental, true, false, false, true};
@@ -67,9 +67,9 @@ inline constexpr auto built_physics = [] {
   return list;
 }();
 
-/// What is also built for one chain along the lanes: no drag, straight at rest, nothing to solve along the chain.
-constexpr bool built_along(const Physics& p) {
-  return !p.drag && !p.curved && !p.solved && p.rolling != Rolling::set_valued;
+/// What is also built for one chain along the lanes: no settling_damping, straight at rest, nothing to solve along the chain.
+constexpr bool built_for_single_chain(const Physics& p) {
+  return !p.settling_damping && !p.curved && !p.solved && p.rolling != Rolling::set_valued;
 }
 
 }  // namespace fiberchain::dem

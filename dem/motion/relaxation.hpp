@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "dem/fiber.hpp"
-#include "dem/flow/fluid.hpp"
-#include "dem/motion/state.hpp"
+#include "dem/model/fiber.hpp"
+#include "dem/model/fluid.hpp"
+#include "dem/motion/moving_sphere.hpp"
 
 // Stokes' drag within a step: solved, not lagged.
 namespace fiberchain::dem {

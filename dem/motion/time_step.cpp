@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {

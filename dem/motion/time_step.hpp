@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/fiber.hpp"
-#include "dem/flow/fluid.hpp"
+#include "dem/model/fiber.hpp"
+#include "dem/model/fluid.hpp"
 
 namespace fiberchain::dem {
 

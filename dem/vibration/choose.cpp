@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <tuple>
 
-#include "dem/errors.hpp"
-#include "dem/motion/lanes/kernel.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/motion/time_step.hpp"
 #include "dem/vibration/choose.hpp"
 #include "dem/vibration/release_lanes.hpp"
@@ -77,7 +77,7 @@ void march_in_blocks(const std::vector<Release<Dim>>& releases, const std::vecto
     groups[{r.chain.fiber.aspect_ratio, damped(r.chain.fiber), r.chain.natural.empty(),
             r.chain.fiber.rolling_friction > 0, steps_per_sample(r, options), samples_of(r, options)}].push_back(i);
   }
-  const std::size_t width = lane_kernel(built_physics[0], options.instruction_set).width;
+  const std::size_t width = chain_kernel(built_physics[0], options.instruction_set).width;
   for (const auto& [kind, members] : groups) {
     for (std::size_t first = 0; first < members.size(); first += width) {
       const std::size_t end = std::min(first + width, members.size());
@@ -122,7 +122,7 @@ std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& relea
     if (marches(options.integrator)) {
       marched.push_back(i);
     } else {
-      records[i] = follow_release(releases[i], steps_per_sample(releases[i], options), samples_of(releases[i], options),
+      records[i] = integrate_release(releases[i], steps_per_sample(releases[i], options), samples_of(releases[i], options),
                                   options);
     }
   }

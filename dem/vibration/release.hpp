@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "dem/boundary.hpp"
-#include "dem/chain.hpp"
-#include "dem/motion/chain_state.hpp"
+#include "dem/model/loads.hpp"
+#include "dem/chain/chain.hpp"
+#include "dem/chain/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
-#include "dem/motion/lanes/kernel.hpp"
+#include "dem/motion/kernels/chain_kernel.hpp"
 
 // Damped vibration: chains let go from a given state, marched side by side in lanes, their free end recorded.
 namespace fiberchain::dem {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/cvode.hpp"
 #include "dem/motion/implicit.hpp"
 #include "dem/vibration/release_lanes.hpp"
@@ -60,7 +60,7 @@ void record(ReleaseRecord<Dim>& record, const Release<Dim>& release, int samples
 }  // namespace
 
 template <int Dim>
-ReleaseRecord<Dim> follow_release(const Release<Dim>& release, int stride, int samples, const ReleaseOptions& options) {
+ReleaseRecord<Dim> integrate_release(const Release<Dim>& release, int stride, int samples, const ReleaseOptions& options) {
   const double interval = release.period / options.samples_per_period;
   ReleaseRecord<Dim> result{};
   result.integrator = options.integrator;
@@ -84,7 +84,7 @@ ReleaseRecord<Dim> follow_release(const Release<Dim>& release, int stride, int s
   return result;
 }
 
-template ReleaseRecord<2> follow_release<2>(const Release<2>&, int, int, const ReleaseOptions&);
-template ReleaseRecord<3> follow_release<3>(const Release<3>&, int, int, const ReleaseOptions&);
+template ReleaseRecord<2> integrate_release<2>(const Release<2>&, int, int, const ReleaseOptions&);
+template ReleaseRecord<3> integrate_release<3>(const Release<3>&, int, int, const ReleaseOptions&);
 
 }  // namespace fiberchain::dem

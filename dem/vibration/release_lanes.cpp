@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -12,7 +12,7 @@ namespace {
 
 /// Puts a release into its lane.
 template <int Dim>
-void place(MarchingBlock<Dim>& block, int lane, const Release<Dim>& release) {
+void place(ChainBatch<Dim>& block, int lane, const Release<Dim>& release) {
   ChainState<Dim> state = at_rest<Dim>(release.start);
   if (!release.velocity.empty()) state.velocity = release.velocity;
   if (!release.spin.empty()) state.spin = release.spin;
@@ -21,7 +21,7 @@ void place(MarchingBlock<Dim>& block, int lane, const Release<Dim>& release) {
 
 /// Energy at the moment of the poses; v(-1/2) v(+1/2) makes the kinetic part exact for a linear chain.
 template <int Dim>
-double energy(const MarchingBlock<Dim>& block, int lane, const Release<Dim>& release, double dt, BondForm form) {
+double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt, BondForm form) {
   const Fiber& fiber = release.chain.fiber;
   const double m = sphere_mass(fiber), J = sphere_inertia(fiber);
   const BondParameters<double> bond = bond_parameters(fiber);
@@ -41,7 +41,7 @@ double energy(const MarchingBlock<Dim>& block, int lane, const Release<Dim>& rel
 }
 
 template <int Dim>
-TipSample<Dim> sample(const MarchingBlock<Dim>& block, int lane, const Release<Dim>& release, double dt, double steps,
+TipSample<Dim> sample(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt, double steps,
                       const ReleaseOptions& options) {
   const MovingSphere<double, Dim> s = block.sphere(lane, release.chain.fiber.aspect_ratio);
   const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / sphere_mass(release.chain.fiber)) * s.force;
@@ -64,7 +64,7 @@ struct March {
   const ReleaseOptions& options;
   std::vector<ReleaseRecord<Dim>>& records;
   std::vector<double> steps;
-  MarchingBlock<Dim> block;
+  ChainBatch<Dim> block;
 
   const Fiber& fiber(std::size_t lane) const { return all[members[lane]].chain.fiber; }
 
@@ -139,7 +139,7 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
     steps.push_back(release_step(all[i], options));
   }
   March<Dim> march{all, members, options, records, steps,
-                   MarchingBlock<Dim>(chains, {true, false}, steps, std::vector<double>(chains.size(), 0.0),
+                   ChainBatch<Dim>(chains, {true, false}, steps, std::vector<double>(chains.size(), 0.0),
                                       physics_of(chains, options), options.instruction_set)};
   for (std::size_t lane = 0; lane < members.size(); ++lane) place(march.block, static_cast<int>(lane), all[members[lane]]);
   march.block.synchronize();

@@ -12,6 +12,6 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
 
 /// Follows one release by the implicit midpoint or CVODE, `stride` steps between two samples.
 template <int Dim>
-ReleaseRecord<Dim> follow_release(const Release<Dim>& release, int stride, int samples, const ReleaseOptions& options);
+ReleaseRecord<Dim> integrate_release(const Release<Dim>& release, int stride, int samples, const ReleaseOptions& options);
 
 }  // namespace fiberchain::dem

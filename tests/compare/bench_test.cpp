@@ -9,14 +9,14 @@
 #include "compare/bench/history_reference.hpp"
 #include "compare/bench/kernels.hpp"
 #include "compare/bench/problems.hpp"
-#include "compare/bench/skips.hpp"
+#include "compare/bench/feature_costs.hpp"
 #include "compare/bench/static_reference.hpp"
 #include "compare/bench/tables.hpp"
-#include "compare/damping/release.hpp"
-#include "compare/linear_twin.hpp"
-#include "compare/static/point.hpp"
-#include "dem/equilibrium/solve.hpp"
-#include "dem/errors.hpp"
+#include "compare/measure/ring_down_release.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "compare/static/case.hpp"
+#include "dem/equilibrium/newton.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/leapfrog.hpp"
 
 namespace compare = fiberchain::compare;
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(a_choice_can_be_held_to_marching_or_to_the_papers_way) {
   BOOST_TEST(compare::cheapest(rows, 1e-3, Among::in_time)->method == "implicit");
   BOOST_TEST(compare::cheapest(rows, 1e-3, Among::as_paper)->method == "leapfrog");
   const compare::PrecisionProblem problem{"p", "", "", "the problem", "", 0, rows};
-  const compare::Table table = compare::wanted_table({problem});
+  const dem::Table table = compare::wanted_table({problem});
   BOOST_TEST(table.rows().size() == 2 * std::size(compare::wanted_errors));
   BOOST_TEST(table.text(1, "method") == "implicit");
   BOOST_TEST(table.number(1, "speedup") == 7.0);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(what_fails_keeps_its_row_with_the_reason) {
   BOOST_TEST(std::isnan(bad.error));
   BOOST_TEST(bad.status == "it diverged");
   const compare::PrecisionProblem problem{"p", "", "", "", "", 0, {bad}};
-  const compare::Table table = compare::precision_table({problem});
+  const dem::Table table = compare::precision_table({problem});
   BOOST_TEST(table.rows().size() == 1u);
   BOOST_TEST(table.text(0, "status") == "it diverged");
   BOOST_TEST(compare::precision_notes({problem}).find("m, s: it diverged") != std::string::npos);
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(savings_are_those_of_pairs_that_differ_in_one_thing) {
   BOOST_TEST(std::abs(rows[0].saving() - 4) < 1e-12);
   BOOST_TEST(rows[1].skipped == "no bond damping");
   BOOST_TEST(std::abs(rows[1].saving() - 3) < 1e-12);
-  const compare::Table summary =
+  const dem::Table summary =
       compare::skip_summary({{"s", "", 6, 1}, {"s", "", 4, 2}, {"t", "", 5, 1}, {"s", "", 9, 3}});
   BOOST_TEST(summary.number(0, "saving_least") == 2.0);
   BOOST_TEST(summary.number(0, "saving") == 3.0);
@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(root_search_and_newton_find_the_same_equilibrium) {
 BOOST_AUTO_TEST_CASE(the_runge_kutta_path_is_the_linear_mode_at_small_amplitude) {
   dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, 5};
   fiber.bond_damping = 0.7;
-  const auto mode = reference::first_bending_mode(compare::linear_twin(fiber));
+  const auto mode = reference::first_bending_mode(compare::linear_chain_of(fiber));
   constexpr double amplitude = 1e-5;
   const auto release = compare::mode_release(fiber, mode, amplitude, 1);
   const std::vector<double> times{0.0, 0.3 * release.period, release.period};

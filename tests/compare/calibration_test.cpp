@@ -7,13 +7,13 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/damping/calibration.hpp"
-#include "compare/damping/calibration_table.hpp"
-#include "compare/damping/peaks.hpp"
-#include "compare/errors.hpp"
-#include "compare/linear_twin.hpp"
-#include "compare/static/point.hpp"
-#include "dem/errors.hpp"
+#include "compare/calibration/calibration.hpp"
+#include "compare/calibration/table.hpp"
+#include "compare/measure/peaks.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "compare/static/case.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_elastica.hpp"
 #include "reference/elastica.hpp"
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(there_and_back) {
           const Calibration back = calibration_of({there.fiber});
           BOOST_TEST(std::abs(back.damping_ratio / xi - 1) < 1e-9);
           BOOST_TEST(back.setting == there.setting);
-          BOOST_TEST(std::abs(reference::first_bending_mode(linear_twin(there.fiber)).damping / xi - 1) <
+          BOOST_TEST(std::abs(reference::first_bending_mode(linear_chain_of(there.fiber)).damping / xi - 1) <
                      1e-9);
         }
       }
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(proportional_damping_has_its_closed_form) {
     const Calibration found = calibrate(case_of(r_f, 0.43, DashpotLaw::retardation_time), 0.031);
     dem::Fiber bare = found.fiber;
     bare.retardation_time = 0;
-    const double omega = reference::first_bending_mode(linear_twin(bare)).frequency;
+    const double omega = reference::first_bending_mode(linear_chain_of(bare)).frequency;
     BOOST_TEST(std::abs(found.retardation_time / (2 * 0.031 / omega) - 1) < 1e-9);
     BOOST_TEST(found.retardation_time == found.fiber.retardation_time);
   }
@@ -257,10 +257,10 @@ BOOST_AUTO_TEST_CASE(table_holds_what_was_found) {
   CalibrationCase asked = case_of(9, 0.23);
   asked.amplitude = 0.2;
   CalibrationAnswer answer{asked, 0.01, calibrate(asked, 0.01)};
-  const Table bare = calibration_table({answer});
+  const dem::Table bare = calibration_table({answer});
   BOOST_TEST(std::isnan(bare.number(0, "fiber_damping")));
   answer.run = verify(answer.found);
-  const Table table = calibration_table({answer});
+  const dem::Table table = calibration_table({answer});
   BOOST_TEST(table.number(0, "bond_damping") == answer.found.setting);
   BOOST_TEST(std::abs(table.number(0, "quality_factor") - 50) < 1e-7);
   BOOST_TEST(std::abs(table.number(0, "loss_factor") - 0.02) < 1e-10);

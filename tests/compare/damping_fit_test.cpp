@@ -6,14 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/damping/fit.hpp"
-#include "compare/damping/fit_choices.hpp"
-#include "compare/damping/fit_table.hpp"
-#include "compare/errors.hpp"
-#include "compare/linear_twin.hpp"
-#include "compare/static/point.hpp"
-#include "compare/static/release.hpp"
-#include "dem/errors.hpp"
+#include "compare/fit/fit.hpp"
+#include "compare/fit/choices.hpp"
+#include "compare/fit/table.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "compare/static/case.hpp"
+#include "compare/measure/static_release.hpp"
+#include "dem/model/errors.hpp"
 #include "reference/chain_modes.hpp"
 #include "tests/compare/messages.hpp"
 
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(regions_and_lists_read_as_ranges) {
 BOOST_AUTO_TEST_CASE(slope_of_the_linear_chain_does_not_depend_on_scale) {
   dem::Fiber fiber = nominal_fiber(13, kind.poisson_ratio, dem::BondModel::paper);
   fiber.bond_damping = kind.bond_damping;
-  const double twin = reference::first_bending_mode(linear_twin(fiber)).damping / kind.bond_damping;
+  const double twin = reference::first_bending_mode(linear_chain_of(fiber)).damping / kind.bond_damping;
   BOOST_TEST(std::abs(linear_chain_slope(13, kind) / twin - 1) < 1e-12);
 }
 
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(study_measures_fits_and_tells) {
   const FitStudy study = fit_study(sweep, 2);
   BOOST_TEST(std::abs(find(study.fits, DampingLaw::shifted_square, FitKind::logarithmic).parameters[0] -
                       0.5) < 0.01);
-  const Table fits = fit_table(study), residuals = fit_residual_table(study),
+  const dem::Table fits = fit_table(study), residuals = fit_residual_table(study),
               choices = fit_choice_table(study);
   BOOST_TEST(fits.rows().size() == 8u);
   BOOST_TEST(residuals.rows().size() == 8u * 7);

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "compare/damping/references.hpp"
-#include "compare/damping/release.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "compare/damping/table.hpp"
-#include "compare/errors.hpp"
-#include "dem/errors.hpp"
+#include "compare/study/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "tests/compare/elastica_error.hpp"
 
 using namespace fiberchain;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(dashpot_laws_are_measured_as_their_linear_chain_says) {
     const DampingPoint p = point({.aspect_ratio = 9, .poisson_ratio = 0.17, .load = 1e-4, .dashpots = law, .bond_damping = 0.9});
     BOOST_TEST(std::abs(p.damping / p.damping_modes - 1) < 2e-4);
   }
-  const compare::Table table = compare::dashpot_table(10, 0.3);
+  const dem::Table table = compare::dashpot_table(10, 0.3);
   for (std::size_t row = 0; row < table.rows().size(); ++row) {
     if (table.text(row, "motion") == "bending" && table.number(row, "mode") == 1) {
       BOOST_TEST(std::abs(table.number(row, "mode_damping") - 0.0071324) < 1e-6);

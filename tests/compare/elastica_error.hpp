@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/damping/point.hpp"
-#include "compare/damping/release.hpp"
+#include "compare/damping/case.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "reference/damped_elastica.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE figure
-#include "compare/results/figure.hpp"
+#include "compare/figures/figure.hpp"
 
 #include <stdlib.h>
 
@@ -8,10 +8,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/errors.hpp"
-#include "compare/results/figure_metadata.hpp"
-#include "compare/results/gnuplot.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/figures/figure_metadata.hpp"
+#include "compare/figures/gnuplot.hpp"
 
+namespace dem = fiberchain::dem;
 using namespace fiberchain::compare;
 using namespace std::string_view_literals;
 
@@ -26,8 +27,8 @@ Figure example() {
           .annotations = {{"here", 1, 0.2}}};
 }
 
-Provenance provenance() {
-  Provenance p;
+dem::Provenance provenance() {
+  dem::Provenance p;
   p.commit = "abc";
   p.command = "x <é> & y";
   return p;

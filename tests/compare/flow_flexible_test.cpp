@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/regimes.hpp"
 #include "reference/compressed_chain.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/flow/scene_report.hpp"
+#include "compare/scenes/flow_report.hpp"
 #include "compare/flow/setup.hpp"
-#include "compare/flow/turns.hpp"
+#include "compare/flow/turn_detection.hpp"
 #include "reference/jeffery.hpp"
 
 namespace compare = fiberchain::compare;
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-dem::io::FlowStart bent(std::array<double, 3> along, std::array<double, 3> across, double bend,
+dem::FlowStart bent(std::array<double, 3> along, std::array<double, 3> across, double bend,
                         double s_bend) {
   return {along, bend, s_bend, across};
 }
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(phases_run_on_and_either_way) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_without_a_turn_has_no_period_and_orbits_have_their_hydrodynamics) {
-  dem::io::FlowScene scene{};
+  dem::FlowScene scene{};
   scene.fiber = compare::fiber_of_spheres(5, 0.17);
   scene.fluid = {compare::viscosity_of(scene.fiber, 1, 1), {dem::planar_extension(1)}};
   scene.rate = 1;
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_scene_without_a_turn_has_no_period_and_orbits_have_their_
   const compare::FlowHistory history = compare::run_flow(scene);
   BOOST_TEST(history.moments.size() == 21u);
   BOOST_TEST(history.shapes.size() == 5u);
-  const compare::Table row = compare::flow_table(scene, history);
+  const dem::Table row = compare::flow_table(scene, history);
   BOOST_TEST(std::isnan(row.number(0, "period")));
   BOOST_TEST(std::isnan(row.number(0, "orbit_constant")));
   BOOST_CHECK_CLOSE_FRACTION(row.number(0, "elasto_viscous"), 1, 1e-12);

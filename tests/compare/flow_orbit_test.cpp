@@ -5,7 +5,7 @@
 
 #include "compare/flow/inertia.hpp"
 #include "compare/flow/study.hpp"
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 #include "reference/rigid_chain_mobility.hpp"

@@ -3,7 +3,7 @@
 #define BOOST_TEST_MODULE flow_shear_passage
 #include <boost/test/unit_test.hpp>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/flow/shear_passage.hpp"
 #include "reference/compressed_chain.hpp"
 

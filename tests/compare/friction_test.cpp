@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/damping/point.hpp"
-#include "compare/errors.hpp"
+#include "compare/damping/case.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/friction/law.hpp"
 #include "compare/friction/stretch_march.hpp"
 #include "compare/friction/table.hpp"
-#include "compare/static/point.hpp"
-#include "dem/errors.hpp"
+#include "compare/static/case.hpp"
+#include "dem/model/errors.hpp"
 
 using namespace fiberchain;
 using compare::RollingCase;

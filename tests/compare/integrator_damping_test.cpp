@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/damping/peaks.hpp"
-#include "compare/damping/release.hpp"
-#include "compare/linear_twin.hpp"
+#include "compare/measure/peaks.hpp"
+#include "compare/measure/ring_down_release.hpp"
+#include "compare/measure/linear_chain_of.hpp"
 #include "dem/vibration/release.hpp"
 
 namespace compare = fiberchain::compare;
@@ -37,7 +37,7 @@ const dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, 7, d
 
 // leapfrog, dashpots solved: -q/24 in xi_f, +q/24 in w, q = (w dt)^2
 BOOST_AUTO_TEST_CASE(dashpots_solved_within_the_step_are_second_order_in_damping) {
-  const auto mode = reference::first_bending_mode(compare::linear_twin(fiber));
+  const auto mode = reference::first_bending_mode(compare::linear_chain_of(fiber));
   Errors last{};
   for (const double ratio : {0.9, 0.45}) {
     const Errors e = errors_of(fiber, mode, dem::Integrator::leapfrog_damped, 200, ratio);
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(dashpots_solved_within_the_step_are_second_order_in_damping
 
 // dashpots lagged: the force lies half a step behind, an error of xi_f w dt / 2 in both
 BOOST_AUTO_TEST_CASE(lagged_dashpots_are_first_order_in_damping) {
-  const auto mode = reference::first_bending_mode(compare::linear_twin(fiber));
+  const auto mode = reference::first_bending_mode(compare::linear_chain_of(fiber));
   for (const double ratio : {0.3, 0.15}) {
     const Errors e = errors_of(fiber, mode, dem::Integrator::leapfrog, 200, ratio);
     const double expected = mode.damping * e.step_angle / 2, second = e.step_angle * e.step_angle / 24;
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(lagged_dashpots_are_first_order_in_damping) {
 
 // midpoint: lambda -> (2/dt) artanh(lambda dt/2), -q/6 in xi_f, -q/12 in w
 BOOST_AUTO_TEST_CASE(implicit_midpoint_is_second_order_in_damping) {
-  const auto mode = reference::first_bending_mode(compare::linear_twin(fiber));
+  const auto mode = reference::first_bending_mode(compare::linear_chain_of(fiber));
   for (const int samples : {60, 120}) {
     const Errors e = errors_of(fiber, mode, dem::Integrator::implicit, samples, std::nullopt);
     const double q = e.step_angle * e.step_angle;

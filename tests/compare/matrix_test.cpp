@@ -1,11 +1,12 @@
 #define BOOST_TEST_MODULE matrix
-#include "compare/results/matrix.hpp"
+#include "compare/study/validation_report.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 
+namespace dem = fiberchain::dem;
 using namespace fiberchain::compare;
 
 namespace {
@@ -42,10 +43,10 @@ BOOST_AUTO_TEST_CASE(only_published_claims_can_be_disputed_and_only_with_evidenc
   BOOST_TEST((disputed(row(1, 2, 0.1)).verdict == Verdict::disputed));
   MatrixRow exact = row(1, 2, 0.1);
   exact.reference_kind = ReferenceKind::exact;
-  BOOST_CHECK_THROW(disputed(exact), TableError);
+  BOOST_CHECK_THROW(disputed(exact), dem::TableError);
   MatrixRow bare = row(1, 2, 0.1);
   bare.evidence = "";
-  BOOST_CHECK_THROW(disputed(bare), TableError);
+  BOOST_CHECK_THROW(disputed(bare), dem::TableError);
 }
 
 BOOST_AUTO_TEST_CASE(the_matrix_holds_unless_a_row_fails) {
@@ -58,9 +59,9 @@ BOOST_AUTO_TEST_CASE(the_matrix_holds_unless_a_row_fails) {
 
 BOOST_AUTO_TEST_CASE(rows_become_a_table_with_unique_ids) {
   const MatrixRow first = judged(row(1, 1.125, 0.25));
-  const Table table = to_table({first});
+  const dem::Table table = to_table({first});
   BOOST_TEST(table.number(0, "difference") == 0.125);
   BOOST_TEST(table.text(0, "verdict") == "holds");
   BOOST_TEST(table.text(0, "reference_kind") == "published");
-  BOOST_CHECK_THROW(to_table({first, first}), TableError);
+  BOOST_CHECK_THROW(to_table({first, first}), dem::TableError);
 }

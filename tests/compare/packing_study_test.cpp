@@ -4,11 +4,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/packing/study.hpp"
-#include "compare/packing/study_rows.hpp"
-#include "compare/results/published.hpp"
-#include "dem/io/scene.hpp"
+#include "compare/packing/checks.hpp"
+#include "compare/study/published.hpp"
+#include "dem/scene/scene.hpp"
 
 namespace compare = fiberchain::compare;
 namespace dem = fiberchain::dem;
@@ -180,8 +180,8 @@ BOOST_AUTO_TEST_CASE(a_history_without_a_trough_or_a_step_that_matters_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(the_scene_file_holds_the_packing_of_fig_11) {
-  const auto scene = std::get<dem::io::PackingScene>(dem::io::parse_scene(
-      dem::io::read_scene_text(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/packing.yaml")));
+  const auto scene = std::get<dem::PackingScene>(dem::parse_scene(
+      dem::read_scene_text(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/packing.yaml")));
   const auto own = compare::packing_scene(compare::figure_cases({}).front());
   const dem::Fiber &a = scene.kinds.at(0).fiber, &b = own.kinds.at(0).fiber;
   BOOST_TEST(scene.kinds.size() == 1u);
@@ -197,15 +197,15 @@ BOOST_AUTO_TEST_CASE(the_scene_file_holds_the_packing_of_fig_11) {
     BOOST_TEST(std::abs(scene.filling.region.low[c] - own.filling.region.low[c]) < 1e-9);
     BOOST_TEST(std::abs(scene.filling.region.high[c] - own.filling.region.high[c]) < 1e-9);
     BOOST_TEST(scene.filling.velocity[c] == own.filling.velocity[c]);
-    BOOST_TEST(scene.surroundings.gravity[c] == own.surroundings.gravity[c]);
+    BOOST_TEST(scene.domain.gravity[c] == own.domain.gravity[c]);
   }
   BOOST_TEST(std::abs(scene.filling.gap - own.filling.gap) < 1e-12);
   BOOST_TEST(scene.filling.seed == own.filling.seed);
-  BOOST_TEST(scene.surroundings.walls.size() == own.surroundings.walls.size());
-  BOOST_TEST(std::abs(scene.surroundings.wall_youngs_modulus / own.surroundings.wall_youngs_modulus - 1) <
+  BOOST_TEST(scene.domain.walls.size() == own.domain.walls.size());
+  BOOST_TEST(std::abs(scene.domain.wall_youngs_modulus / own.domain.wall_youngs_modulus - 1) <
              1e-12);
-  BOOST_TEST(scene.surroundings.contacts.restitution == own.surroundings.contacts.restitution);
-  BOOST_TEST(scene.surroundings.contacts.friction == own.surroundings.contacts.friction);
+  BOOST_TEST(scene.domain.contacts.restitution == own.domain.contacts.restitution);
+  BOOST_TEST(scene.domain.contacts.friction == own.domain.contacts.friction);
   BOOST_TEST(std::abs(scene.duration - own.duration) < 1e-12);
 }
 
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_small_packing_goes_as_the_paper_says_and_keeps_its_energy
   BOOST_TEST(run.end.orientation.order_along_up < -0.05);
   BOOST_TEST(std::abs(run.start.order_along_up) < 0.2);
   BOOST_TEST(run.pictures.size() == 51u);
-  const dem::io::Frame frame = compare::frame_of(run.pictures.back(), asked);
+  const dem::TrajectoryFrame frame = frame_of(run.pictures.back(), asked);
   BOOST_TEST(frame.position.size() == 60u * 21);
   BOOST_TEST(frame.bonds.size() == 60u * 20);
   double sum = 0;

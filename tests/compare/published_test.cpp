@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE published
-#include "compare/results/published.hpp"
+#include "compare/study/published.hpp"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 
 using namespace fiberchain::compare;
 namespace fs = std::filesystem;

@@ -1,17 +1,17 @@
 #define BOOST_TEST_MODULE ranges
-#include "compare/results/ranges.hpp"
+#include "compare/study/ranges.hpp"
 
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 
 using namespace fiberchain::compare;
 
 namespace {
 
-constexpr Interval kAny{.low = -1e9, .high = 1e9};
+constexpr ValueRange kAny{.low = -1e9, .high = 1e9};
 
 struct Good {
   const char* text;

@@ -3,10 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/errors.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/static/table.hpp"
 #include "compare/static/tip.hpp"
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "reference/errors.hpp"
 
 using namespace fiberchain;
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_case_that_fails_keeps_its_row) {
   BOOST_TEST(points[0].status != "converged");
   BOOST_TEST(std::isnan(points[0].tip.y));
   BOOST_TEST(points[1].status == "converged");
-  const compare::Table table = compare::static_table(points);
+  const dem::Table table = compare::static_table(points);
   BOOST_TEST(table.rows().size() == 2u);
   BOOST_TEST(std::isnan(table.number(0, "departure_y")));
 }

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "dem/equilibrium/solve.hpp"
+#include "dem/equilibrium/newton.hpp"
 
 /// Tip deflection of a cantilever at a small load against P L^3/(3 E I) and the chain's own error of it,
 /// (3E/(16G) - 1/4)/r_f^2. Returns 0 if they agree.

@@ -3,15 +3,15 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/assembly/observables.hpp"
+#include "dem/analysis/observables.hpp"
 #include "dem/bond/incremental.hpp"
-#include "dem/motion/lanes/block.hpp"
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/motion/kernels/chain_batch.hpp"
+#include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/assembly_scenes.hpp"
 #include "tests/dem/marching_chains.hpp"
 
-/// Fibers of an assembly that touch nothing against each alone in a MarchingBlock.
+/// Fibers of an assembly that touch nothing against each alone in a ChainBatch.
 namespace scenes {
 
 /// One row of the table: what the fibers are made of and what is around them.
@@ -41,8 +41,8 @@ inline dem::Chain<3> chain_of(const Case& c, int bonds, double size) {
   return c.curved ? curled(fiber, {0.05, 0.11, -0.17}) : dem::straight_chain<3>(fiber);
 }
 
-inline dem::Surroundings around(const Case& c, const dem::Fiber& fiber) {
-  dem::Surroundings s;
+inline dem::Domain around(const Case& c, const dem::Fiber& fiber) {
+  dem::Domain s;
   s.contacts = {0.5, 0.3, 0.05};
   // so strong that it tells within the few steps
   if (c.gravity)
@@ -58,13 +58,13 @@ struct Alone {
   std::vector<dem::BondHistory<double, 3>> history;
 };
 
-inline Alone alone(const Case& c, const dem::Chain<3>& chain, const dem::Surroundings& s,
+inline Alone alone(const Case& c, const dem::Chain<3>& chain, const dem::Domain& s,
                    const dem::ChainState<3>& start, double dt, int steps) {
   dem::Physics physics{3, c.form, dem::damped(chain.fiber), false,
                        c.form == dem::BondForm::total && !chain.natural.empty()};
   physics.fluid = s.fluid.has_value();
   if (chain.fiber.rolling_friction > 0) physics.rolling = c.rolling, physics.damped = true;
-  dem::MarchingBlock<3> block({chain}, {false, false}, {dt}, {0}, physics, dem::InstructionSet::scalar);
+  dem::ChainBatch<3> block({chain}, {false, false}, {dt}, {0}, physics, dem::InstructionSet::scalar);
   const double m = dem::sphere_mass(chain.fiber);
   if (s.fluid) {
     block.set_fluid(0, *s.fluid);
@@ -75,7 +75,7 @@ inline Alone alone(const Case& c, const dem::Chain<3>& chain, const dem::Surroun
   dem::put_state(block, 0, chain, start);
   block.synchronize();
   // the first kick takes the dashpots at the velocities half a step before, as every other
-  dem::MarchingBlock<3> lagged({chain}, {false, false}, {dt}, {0}, physics, dem::InstructionSet::scalar);
+  dem::ChainBatch<3> lagged({chain}, {false, false}, {dt}, {0}, physics, dem::InstructionSet::scalar);
   dem::ChainState<3> before = start;
   for (std::size_t i = 0; i < start.poses.size(); ++i) {
     before.velocity[i] = block.sphere(0, static_cast<int>(i)).velocity;
@@ -132,7 +132,7 @@ inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
     for (auto& fiber : groups[g].fibers) move(fiber, {0, 0, 2.0 * g});  // beside the first ones
   }
   const dem::Fiber& fiber = groups[0].chain.fiber;
-  const dem::Surroundings s = around(c, fiber);
+  const dem::Domain s = around(c, fiber);
   double dt = 1;
   for (const auto& group : groups) dt = std::min(dt, 0.4 * dem::stable_time_step(group.chain.fiber));
   dem::Assembly assembly(

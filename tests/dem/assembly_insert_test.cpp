@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/small_packing.hpp"
 
@@ -28,8 +28,8 @@ double farthest(const dem::Assembly& a, int group, const dem::Assembly& b, int o
   return off;
 }
 
-dem::Surroundings weightless() {
-  dem::Surroundings around;
+dem::Domain weightless() {
+  dem::Domain around;
   around.contacts = {0.4, 0.5, 0.02};
   return around;
 }
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(what_is_inserted_goes_its_own_way_and_the_others_theirs) {
   const dem::FiberGroup first = scattered(dem::straight_chain<3>(fiber), 9, 0.05, 3);
   const dem::FiberGroup second = scattered(curled(other, {0.1, 0.05, -0.2}), 5, 0.05, 4);
   for (const bool fluid : {false, true}) {
-    dem::Surroundings around = weightless();
+    dem::Domain around = weightless();
     around.gravity = {0, 3, -9.81};
     if (fluid)
       around.fluid =
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(what_is_inserted_goes_its_own_way_and_the_others_theirs) {
     const double step = 0.5 * std::min(dem::stable_time_step(fiber), dem::stable_time_step(other));
     dem::Assembly alone({first}, around, {.step = step}),
         late_alone({moved(late, {0, 0, 40})}, around, {.step = step});
-    dem::Assembly both({first}, around, {.step = step, .book_energy = true});
+    dem::Assembly both({first}, around, {.step = step, .account_energy = true});
     alone.march(423);
     both.march(223);
     const double before = total(both.energy());
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(what_is_inserted_goes_its_own_way_and_the_others_theirs) {
 /// no bit.
 BOOST_AUTO_TEST_CASE(a_packing_goes_on_while_it_is_filled) {
   const SmallPacking packing = packing_in_a_box(16, 9);
-  dem::Assembly assembly({packing.groups[0]}, packing.around, {.step = 6e-6, .book_energy = true});
-  dem::Assembly without({packing.groups[0]}, packing.around, {.step = 6e-6, .book_energy = true});
+  dem::Assembly assembly({packing.groups[0]}, packing.around, {.step = 6e-6, .account_energy = true});
+  dem::Assembly without({packing.groups[0]}, packing.around, {.step = 6e-6, .account_energy = true});
   assembly.march(1500);
   without.march(1500);
   const std::int64_t touching = assembly.touching();
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_packing_goes_on_while_it_is_filled) {
   for (const auto& c : assembly.contacts()) between += c.first < second && c.second >= second;
   BOOST_TEST(between > 0);
   const std::vector<double> pause = assembly.saved();
-  dem::Assembly again({packing.groups[0]}, packing.around, {.step = 6e-6, .book_energy = true});
+  dem::Assembly again({packing.groups[0]}, packing.around, {.step = 6e-6, .account_energy = true});
   BOOST_CHECK_THROW(again.restore(pause), dem::InvalidInput);  // it has no second group yet
   again.insert(moved(packing.groups[1], {0, 0, 0.02}));
   again.restore(pause);
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_inserted_is_refused_and_changes_nothing) {
 
 BOOST_AUTO_TEST_CASE(a_flow_that_varies_across_periodic_sides_is_refused) {
   const dem::FiberGroup group = scattered(dem::straight_chain<3>(odd_fiber(7)), 5, 0.01, 7);
-  dem::Surroundings around;
+  dem::Domain around;
   around.fluid = dem::Fluid{1e-3, {dem::simple_shear(3)}};  // u_x = 3 y
   around.period = {2, 0, 2};
   BOOST_CHECK_NO_THROW(dem::Assembly({group}, around, {}));
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_flow_that_varies_across_periodic_sides_is_refused) {
 
 BOOST_AUTO_TEST_CASE(spheres_beyond_a_wall_and_unstable_steps_are_refused) {
   const dem::FiberGroup group = scattered(dem::straight_chain<3>(odd_fiber(7)), 5, 0.01, 7);
-  dem::Surroundings around;
+  dem::Domain around;
   around.walls = {{dem::Plane{{0, 0, 3}, {0, 0, 1}}}};
   BOOST_CHECK_THROW(dem::Assembly({group}, around, {}), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::Assembly({group}, {}, {.step = 1.5 * dem::stable_time_step(group.chain.fiber)}),

@@ -1,6 +1,6 @@
 // Fibers of an assembly that touch nothing move as each alone in dem's march, whatever they consist of.
 #define BOOST_TEST_MODULE assembly_physics
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "tests/dem/assembly_alone.hpp"
 
 using namespace scenes;
@@ -108,18 +108,18 @@ BOOST_AUTO_TEST_CASE(physics_that_is_not_built_is_refused) {
   }
   const Case fluid{"fluid", BondForm::incremental, false, 0, 0, {}, Case::steady};
   const dem::FiberGroup group = scattered(chain_of(fluid, 3, 1), 2, 0.01, 1);
-  dem::Surroundings s = around(fluid, group.chain.fiber);
+  dem::Domain s = around(fluid, group.chain.fiber);
   s.fluid->hydrodynamics = dem::Hydrodynamics::interactions;
   BOOST_CHECK_THROW(dem::Assembly({group}, s, {}), dem::InvalidInput);
 }
 
 namespace {
 
-std::vector<double> places(const Case& c, const dem::AssemblyOptions& options) {
+std::vector<double> position_radius(const Case& c, const dem::AssemblyOptions& options) {
   const dem::FiberGroup one = scattered(chain_of(c, 7, 1), 11, 0.07, 3);
   dem::FiberGroup two = scattered(chain_of(c, 5, 1.2), 3, 0.07, 3);
   for (auto& fiber : two.fibers) move(fiber, {0.003, 0.004, 0.0279});  // they touch
-  dem::Surroundings s = around(c, one.chain.fiber);
+  dem::Domain s = around(c, one.chain.fiber);
   dem::Assembly assembly({one, two}, s, options);
   BOOST_TEST(assembly.touching() > 0);
   assembly.march(120);
@@ -138,13 +138,13 @@ BOOST_AUTO_TEST_CASE(booking_and_orientations_change_no_bit) {
   for (const Case& c : cases) {
     if (c.dashpots != DashpotLaw::bond_damping || c.model != BondModel::paper) continue;
     dem::AssemblyOptions options{.form = c.form, .rolling = c.rolling};
-    const auto plain = places(c, options);
-    options.book_energy = true;
-    BOOST_TEST((places(c, options) == plain), c.name << ", booked");
+    const auto plain = position_radius(c, options);
+    options.account_energy = true;
+    BOOST_TEST((position_radius(c, options) == plain), c.name << ", booked");
     if (c.form == BondForm::total) continue;  // its bonds need the orientations
     options.orientations = false;
-    BOOST_TEST((places(c, options) == plain), c.name << ", without orientations");
-    options.book_energy = false;
-    BOOST_TEST((places(c, options) == plain), c.name << ", without orientations, not booked");
+    BOOST_TEST((position_radius(c, options) == plain), c.name << ", without orientations");
+    options.account_energy = false;
+    BOOST_TEST((position_radius(c, options) == plain), c.name << ", without orientations, not booked");
   }
 }

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/assembly/place.hpp"
+#include "dem/insertion/placement.hpp"
 #include "dem/math/quaternion.hpp"
 
-/// Fibers and surroundings for tests of assemblies, by no round numbers.
+/// Fibers and domain for tests of assemblies, by no round numbers.
 namespace scenes {
 
 namespace dem = fiberchain::dem;

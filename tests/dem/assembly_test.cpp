@@ -6,9 +6,9 @@
 #include <random>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/assembly/close_list.hpp"
-#include "dem/contact/lanes/tables.hpp"
-#include "dem/errors.hpp"
+#include "dem/contact/neighbor_list.hpp"
+#include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
 
@@ -73,14 +73,14 @@ Momenta momenta(const dem::Assembly& assembly) {
   return sum;
 }
 
-dem::Surroundings open_space() {
-  dem::Surroundings around;
+dem::Domain open_space() {
+  dem::Domain around;
   around.contacts = {0.6, 0.35, 0.1};
   return around;
 }
 
-dem::Surroundings box_with_gravity(double size) {
-  dem::Surroundings around = open_space();
+dem::Domain box_with_gravity(double size) {
+  dem::Domain around = open_space();
   around.gravity = {0.3, -0.2, -9.81};
   around.wall_youngs_modulus = 3.7e5;
   for (int c = 0; c < 3; ++c) {
@@ -109,16 +109,16 @@ std::vector<double> numbers(const dem::Assembly& assembly) {
 
 }  // namespace
 
-using Pairs = std::vector<dem::ClosePair>;
+using Pairs = std::vector<dem::Pair>;
 
 /// All pairs of the listed spheres, compared one by one.
-Pairs brute_pairs(const dem::CloseList& list) {
+Pairs brute_pairs(const dem::NeighborList& list) {
   Pairs pairs;
   const dem::SphereSet& all = list.spheres();
   const auto n = static_cast<std::int32_t>(all.radius.size());
   for (std::int32_t i = 0; i < n; ++i) {
     for (std::int32_t j = i + 1; j < n; ++j) {
-      Vec3 r = list.places()[j] - list.places()[i];
+      Vec3 r = list.position_radius()[j] - list.position_radius()[i];
       for (int c = 0; c < 3; ++c) {
         if (all.period[c] > 0) r[c] -= all.period[c] * std::round(r[c] / all.period[c]);
       }
@@ -129,15 +129,15 @@ Pairs brute_pairs(const dem::CloseList& list) {
   return pairs;
 }
 
-/// Pairs after spheres have been listed anew: those of spheres that have not, and what was found.
-Pairs followed(const Pairs& before, const dem::CloseList& list, int stripes) {
+/// Pairs after spheres have been listed rebuilt: those of spheres that have not, and what was found.
+Pairs followed(const Pairs& before, const dem::NeighborList& list, int parts) {
   Pairs pairs;
-  for (const dem::ClosePair& pair : before) {
-    if (!list.is_anew(pair.first) && !list.is_anew(pair.second)) pairs.push_back(pair);
+  for (const dem::Pair& pair : before) {
+    if (!list.is_rebuilt(pair.first) && !list.is_rebuilt(pair.second)) pairs.push_back(pair);
   }
-  for (int k = 0; k < stripes; ++k) {
-    for (const dem::ClosePair& pair : list.found(k)) {
-      BOOST_TEST(list.stripes().of(pair.first) == k);
+  for (int k = 0; k < parts; ++k) {
+    for (const dem::Pair& pair : list.found(k)) {
+      BOOST_TEST(list.parts().of(pair.first) == k);
       pairs.push_back(pair);
     }
   }
@@ -148,36 +148,36 @@ Pairs followed(const Pairs& before, const dem::CloseList& list, int stripes) {
 BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0, 1);
-  constexpr int n = 1200, stripes = 7;
+  constexpr int n = 1200, parts = 7;
   for (const int trial : {0, 1, 2, 3}) {
     const bool periodic = trial % 2 == 1;
     dem::SphereSet set{{}, {}, periodic ? Vec3{0.9, 0, 0.8} : Vec3{}};
-    std::vector<Vec3> places;
+    std::vector<Vec3> position_radius;
     for (int s = 0; s < n; ++s) {
-      places.push_back({3 * uniform(random) - 1, uniform(random), 1.7 * uniform(random)});
+      position_radius.push_back({3 * uniform(random) - 1, uniform(random), 1.7 * uniform(random)});
       set.radius.push_back(0.03 + 0.03 * uniform(random));
       set.fiber.push_back(s / 12);
     }
-    dem::Team team(2);
+    dem::ThreadPool pool(2);
     const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::CloseList list(set, 0.007, dem::even_stripes(n, stripes), dem::contact_kernel({false, periodic, false, false}, instructions));
-    list.list(places, team);
-    Pairs pairs = followed({}, list, stripes);
+    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts), dem::contact_kernel({false, periodic, false, false}, instructions));
+    list.list(position_radius, pool);
+    Pairs pairs = followed({}, list, parts);
     BOOST_TEST(pairs.size() > 400u);
     BOOST_TEST((pairs == brute_pairs(list)));
-    // spheres go far and near, out of the box that they began in too; the grid is made anew at times
-    dem::SphereRows rows(n, false);
+    // spheres go far and near, out of the box that they began in too; the grid is made rebuilt at times
+    dem::SphereStorage rows(n, false);
     for (int round = 0; round < 150; ++round) {
       for (int i = 0; i < n; ++i) {
         const double step = i % 3 == 0 ? 0.02 : round % 50 == 0 ? 0.7 : 0.0005;
-        for (int c = 0; c < 3; ++c) rows.place_row(i)[c] = places[i][c] += step * (uniform(random) - 0.5);
+        for (int c = 0; c < 3; ++c) rows.position_row(i)[c] = position_radius[i][c] += step * (uniform(random) - 0.5);
       }
       if (round % 5 != 0) continue;
-      const double farthest = list.farthest_moved(rows, team);
-      list.relist(rows, 0.004, team);
+      const double farthest = list.farthest_moved(rows, pool);
+      list.update(rows, 0.004, pool);
       BOOST_TEST(farthest > 0.004);
-      BOOST_TEST(list.farthest_moved(rows, team) <= 0.004);
-      pairs = followed(pairs, list, stripes);
+      BOOST_TEST(list.farthest_moved(rows, pool) <= 0.004);
+      pairs = followed(pairs, list, parts);
       BOOST_REQUIRE((pairs == brute_pairs(list)));
     }
   }
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(momenta_of_colliding_fibers_are_kept) {
 
 BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
   const dem::FiberGroup fibers = colliding_fibers(odd_fiber(6), 33, 5);
-  const dem::Surroundings around = box_with_gravity(1.1);
+  const dem::Domain around = box_with_gravity(1.1);
   dem::Assembly one({fibers}, around, {.threads = 1}), two({fibers}, around, {.threads = 2});
   one.march(1500);
   two.march(700);
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
 /// Instruction sets differ by round-off, which collisions let grow: compared while few have happened.
 BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
   const dem::FiberGroup fibers = colliding_fibers(odd_fiber(6), 33, 5);
-  const dem::Surroundings around = box_with_gravity(1.1);
+  const dem::Domain around = box_with_gravity(1.1);
   std::vector<double> first;
   for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
     dem::Assembly assembly({fibers}, around, {.instruction_set = set});
@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(floor_carries_the_weight) {
   for (int f = 0; f < 3; ++f) {
     for (auto& pose : group.fibers[f].poses) pose.position[1] = 0.1 * f;
   }
-  dem::Surroundings around = open_space();
+  dem::Domain around = open_space();
   around.contacts = {0.05, 0.5, 0};
   around.gravity = {0, 0, -9.81};
   around.walls = {{dem::Plane{{0, 0, 0}, {0, 0, 1}}}};
@@ -278,15 +278,15 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(dem::Assembly({fibers}, open_space(), {.step = 0.0}), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::Assembly({fibers}, open_space(), {.threads = 0}), dem::InvalidInput);
   for (const double restitution : {0.0, 1.2}) {
-    dem::Surroundings around = open_space();
+    dem::Domain around = open_space();
     around.contacts.restitution = restitution;
     BOOST_CHECK_THROW(dem::Assembly({fibers}, around, {}), dem::InvalidInput);
   }
-  dem::Surroundings narrow = open_space();
+  dem::Domain narrow = open_space();
   narrow.period = {0.05, 0, 0};
   BOOST_CHECK_THROW(dem::Assembly({fibers}, narrow, {}), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::Assembly({fibers}, open_space(), {.step = 1.0}), dem::InvalidInput);
-  dem::Surroundings behind = open_space();
+  dem::Domain behind = open_space();
   behind.walls = {{dem::Plane{{0, 0, 3}, {0, 0, 1}}}};
   BOOST_CHECK_THROW(dem::Assembly({fibers}, behind, {}), dem::InvalidInput);
   dem::FiberGroup torn = fibers;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dem/contact/law.hpp"
+#include "dem/contact/hertz_mindlin.hpp"
 #include "dem/contact/restitution.hpp"
 #include "dem/math/quaternion.hpp"
 

@@ -37,7 +37,7 @@ void conserves(const dem::Physics& physics, double damping) {
 
 BOOST_AUTO_TEST_CASE(momentum_and_angular_momentum_are_conserved_to_round_off) {
   for (const dem::Physics& physics : dem::built_physics) {
-    if (physics.drag || physics.fluid) continue;
+    if (physics.settling_damping || physics.fluid) continue;
     BOOST_TEST_CONTEXT(physics.dimension << "D " << dem::name(physics.form) << " damped " << physics.damped) {
       const double damping = physics.damped ? 0.4 : 0.0;
       physics.dimension == 2 ? conserves<2>(physics, damping) : conserves<3>(physics, damping);

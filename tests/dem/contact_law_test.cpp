@@ -8,7 +8,7 @@
 #include <random>
 #include <xsimd/xsimd.hpp>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "reference/friction.hpp"
 #include "reference/two_spheres.hpp"
 #include "tests/dem/colliding_spheres.hpp"
@@ -44,7 +44,7 @@ Sphere sphere_of(const ref::ElasticBody& body, const ref::PlanarMotion& m) {
 /// `steps` a collision; the touch falls somewhere within a step.
 Outcome collide(const ref::ElasticBody& first, const ref::ElasticBody& second, const ref::ContactLaw& law,
                 const ref::PlanarMotion& one, const ref::PlanarMotion& two, double steps,
-                double ahead = 0.5) {
+                double extrapolation = 0.5) {
   const ref::HertzPair pair = ref::hertz_pair(first, second);
   const double closing = one.velocity[0] - two.velocity[0];
   const double dt = ref::hertz_collision(pair, closing).time / steps;
@@ -52,7 +52,7 @@ Outcome collide(const ref::ElasticBody& first, const ref::ElasticBody& second, c
   PairStep p{parameters({pair.modulus, pair.shear_modulus, law.damping_ratio, law.friction}, pair.radius,
                         pair.mass, a.inertia(), dt),
              dt};
-  p.parameters.ahead = ahead;
+  p.parameters.extrapolation = extrapolation;
   Record record;
   const double gap = 0.37 * dt * closing;
   if (std::isinf(second.radius)) {
@@ -96,8 +96,8 @@ BOOST_AUTO_TEST_CASE(head_on_collisions_are_hertz_to_a_thousandth) {
 
 BOOST_AUTO_TEST_CASE(restitution_converges_with_the_step) {
   const double zeta = dem::damping_ratio_for(0.4);
-  const auto off = [&](double steps, double ahead) {
-    const auto hit = collide(ball, wall, {zeta, 0}, {{0.37, 0}, 0}, {}, steps, ahead);
+  const auto off = [&](double steps, double extrapolation) {
+    const auto hit = collide(ball, wall, {zeta, 0}, {{0.37, 0}, 0}, {}, steps, extrapolation);
     return std::abs(hit.first.velocity[0] / 0.37 + 0.4) / 0.4;
   };
   for (const double steps : {50, 200, 800}) {
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_resting_sphere_presses_a_hertzian_overlap) {
   const ref::HertzPair pair = ref::hertz_pair(ball, wall);
   const double g = 300, rest = std::pow(ball.mass * g / ref::hertz_stiffness(pair), 2.0 / 3);
   const V up = tilted(-1, 0, 0);
-  for (const double ahead : {0.0, 0.5}) {
+  for (const double extrapolation : {0.0, 0.5}) {
     for (const double part : {0.05, 0.3}) {
       const double dt = part * std::sqrt(ball.mass / (1.5 * ref::hertz_stiffness(pair) * std::sqrt(rest)));
       Sphere a = sphere_of(ball, {});
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_resting_sphere_presses_a_hertzian_overlap) {
       PairStep p{
           parameters({pair.modulus, pair.shear_modulus, 0.3, 0.4}, pair.radius, pair.mass, a.inertia(), dt),
           dt};
-      p.parameters.ahead = ahead;
+      p.parameters.extrapolation = extrapolation;
       Record record;
       for (int i = 0; i < 4000; ++i) step(p, a, up, (-g) * up, record);
       within((a.radius - dot(a.position, up)) / rest, 1, 1e-9, "overlap");
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
   const double dt = 1e-6;
   const auto p = parameters({2e6, 7e5, 0.3, 0.4, 0.02}, 1e-3, 1e-6, 1e-12, dt);
   const dem::ContactParameters<Pack> pp{p.normal,   p.tangential, p.normal_damping, p.tangential_damping,
-                                        p.friction, p.rolling,    p.rolling_limit,  p.ahead};
+                                        p.friction, p.rolling,    p.rolling_limit,  p.extrapolation};
   for (int trial = 0; trial < 200; ++trial) {
     dem::TouchingPair<double> pair[2];
     dem::ContactHistory<double> history[2];
@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
         packed(pair[0].velocity, pair[1].velocity), packed(pair[0].spin, pair[1].spin),
         packed(pair[0].mean_spin, pair[1].mean_spin)};
     dem::ContactHistory<Pack> together{packed(history[0].spring, history[1].spring),
-                                       Pack{history[0].root, history[1].root}};
+                                       Pack{history[0].sqrt_overlap, history[1].sqrt_overlap}};
     const auto action = contact_action(pp, both, Pack(dt), together);
     for (int k = 0; k < 2; ++k) {
       const auto alone = contact_action(p, pair[k], dt, history[k]);

@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/assembly/contact_parameters.hpp"
-#include "dem/errors.hpp"
+#include "dem/contact/contact_parameters.hpp"
+#include "dem/model/errors.hpp"
 #include "tests/dem/small_packing.hpp"
 
 using namespace scenes;
@@ -14,11 +14,11 @@ namespace {
 /// A fiber of two spheres between two rigid plates that press it in, all but at rest.
 struct Squeezed {
   double overlap;  ///< over R
-  dem::ContactRules rules;
+  dem::ContactProperties rules;
 
   dem::Fiber fiber() const { return {dem::isotropic_material(2.6e6, 0.3, 1000), 2e-3, 1}; }
-  dem::Surroundings around() const {
-    dem::Surroundings s;
+  dem::Domain around() const {
+    dem::Domain s;
     s.contacts = rules;
     const double at = 1e-3 * (1 - overlap);
     s.walls = {side({0, 0, at}, {0, 0, 1}), side({0, 0, -at}, {0, 0, -1})};

@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(spheres_of_different_radius_and_material_press_by_hertz) {
   const dem::ChainState<3> a = dem::placed(one, {tilted(0, 0, 0), tilted(0.3, 1, 0.2), tilted(0.8, 0.1, 0)});
   const dem::ChainState<3> b =
       dem::placed(two, {tilted(1.15 * reach, -3.8e-3, 0.4e-3), tilted(0, 1, 0), tilted(-0.3, 0, 0)});
-  dem::Surroundings around;  // no friction, no dashpots: the force is a function of the overlap
+  dem::Domain around;  // no friction, no dashpots: the force is a function of the overlap
   dem::Assembly assembly({{one, {a}}, {two, {b}}}, around, {.step = 2e-7});
   const auto momentum = [&](int g) {
     V sum{};

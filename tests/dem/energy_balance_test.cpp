@@ -33,7 +33,7 @@ Closing released(const Release& r, double part) {
   const dem::Chain<3> bent = curled(fiber, {0.1, 0.2, -0.15});
   dem::FiberGroup group{chain, {}};
   for (int k = 0; k < 3; ++k) group.fibers.push_back(dem::placed(bent, {V{0, 0.9 * k, 0}, V{1, 0.3, 0.2}}));
-  dem::Surroundings around;
+  dem::Domain around;
   if (r.gravity) around.gravity = 0.002 * fiber.diameter / (t_b * t_b) * V{0.3, -0.5, 0.8};
   if (r.fluid) {
     around.fluid =
@@ -42,7 +42,7 @@ Closing released(const Release& r, double part) {
   }
   dem::AssemblyOptions options = r.options;
   options.step = part * 0.8 * dem::stable_time_step(fiber);
-  options.book_energy = true;
+  options.account_energy = true;
   dem::Assembly assembly({group}, around, options);
   Closing c{assembly.energy(), {}, 0, 0};
   assembly.march(static_cast<int>(500 * t_b / *options.step));
@@ -91,12 +91,12 @@ BOOST_AUTO_TEST_CASE(bonds_and_fluid_take_what_is_gone) {
 
 BOOST_AUTO_TEST_CASE(a_fiber_that_sinks_steadily_gives_its_weight_to_the_fluid) {
   dem::Fiber fiber = odd_fiber(3);
-  dem::Surroundings around;
+  dem::Domain around;
   around.gravity = {0.5, 0.2, -9.81};
   const double time = 0.011, m = dem::sphere_mass(fiber), g2 = dot(around.gravity, around.gravity);
   around.fluid = dem::Fluid{m / time / dem::stokes_drag({1, {}}, fiber).translation, {}};
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-  dem::Assembly assembly({{chain, {dem::placed(chain, {{}, {1, 2, 3}})}}}, around, {.book_energy = true});
+  dem::Assembly assembly({{chain, {dem::placed(chain, {{}, {1, 2, 3}})}}}, around, {.account_energy = true});
   assembly.march(static_cast<int>(20 * time / assembly.step()));
   const dem::EnergyBalance before = assembly.energy();
   const double t = assembly.time();
@@ -118,7 +118,7 @@ struct Packed {
 
 Packed packed(const SmallPacking& packing, double part) {
   const double step = part * packing.assembly({}).step();
-  dem::Assembly assembly = packing.assembly({.step = step, .book_energy = true});
+  dem::Assembly assembly = packing.assembly({.step = step, .account_energy = true});
   const dem::EnergyBalance start = assembly.energy();
   Packed p{};
   for (int n = 0; n < 10; ++n) {
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(the_balance_of_a_packing_closes_to_a_thousandth) {
       SmallPacking packing = periodic ? packing_in_a_periodic_box(24, 15) : packing_in_a_box(24, 15);
       if (damping == 0.1) packing.around.contacts.rolling_friction = 0.2;
       for (auto& group : packing.groups) group.chain.fiber.bond_damping = damping;
-      dem::Assembly assembly = packing.assembly({.book_energy = true});
+      dem::Assembly assembly = packing.assembly({.account_energy = true});
       const dem::EnergyBalance start = assembly.energy();
       for (int n = 0; n < 10; ++n) {
         assembly.march(static_cast<int>(2.4e-3 / assembly.step()));

@@ -24,9 +24,9 @@ std::vector<EnergyDrift> energy_drift(dem::BondForm form, const std::vector<doub
   const std::vector<dem::Chain<Dim>> chains(step_ratios.size(), dem::straight_chain<Dim>(fiber));
   std::vector<double> dt = step_ratios;
   for (double& step : dt) step *= dem::stable_time_step(fiber);
-  dem::MarchingBlock<Dim> block(
+  dem::ChainBatch<Dim> block(
       chains, {false, false}, dt, std::vector<double>(dt.size(), 0.0),
-      {.dimension = Dim, .form = form, .damped = false, .drag = false, .curved = false},
+      {.dimension = Dim, .form = form, .damped = false, .settling_damping = false, .curved = false},
       dem::best_instruction_set());
   for (std::size_t lane = 0; lane < dt.size(); ++lane) {
     // one seed for all: stir() would give each lane its own

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "dem/equilibrium/solve.hpp"
-#include "dem/errors.hpp"
+#include "dem/equilibrium/newton.hpp"
+#include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
 using std::numbers::pi;

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "dem/errors.hpp"
-#include "dem/fiber.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/model/fiber.hpp"
 
 namespace dem = fiberchain::dem;
 using std::numbers::pi;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dem/flow/follow_lanes.hpp"
+#include "dem/flow/leapfrog_in_flow.hpp"
 
 /// Fibers in flows, for tests of the march with inertia.
 namespace flowing {
@@ -59,7 +59,7 @@ struct Path {
 template <int Dim>
 Path<Dim> path(const dem::FlowCase<Dim>& flow, const std::vector<double>& times, const dem::FlowOptions& options = {}) {
   Path<Dim> path;
-  path.record = dem::follow_by_leapfrog<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
+  path.record = dem::leapfrog_in_flow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
     path.times.push_back(time);
     path.states.push_back(state);
   });

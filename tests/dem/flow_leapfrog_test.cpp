@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/errors.hpp"
-#include "dem/motion/lanes/block.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/motion/kernels/chain_batch.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/flow_cases.hpp"
 
@@ -76,7 +76,7 @@ namespace {
 template <int Dim>
 std::vector<flowing::Path<Dim>> many_paths(const std::vector<dem::FlowJob<Dim>>& jobs, const dem::FlowOptions& options) {
   std::vector<flowing::Path<Dim>> paths(jobs.size());
-  const auto records = dem::follow_many_by_leapfrog<Dim>(
+  const auto records = dem::leapfrog_many_in_flow<Dim>(
       jobs, options, [&](std::size_t job, double time, const dem::ChainState<Dim>& state) {
         paths[job].times.push_back(time);
         paths[job].states.push_back(state);
@@ -180,11 +180,11 @@ BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
 BOOST_AUTO_TEST_CASE(lanes_without_fluid_refuse_one) {
   const dem::Fiber fiber = fiber_of(3);
   const dem::Fluid fluid{1e-3, {dem::simple_shear(1)}};
-  dem::MarchingBlock<3> block({dem::straight_chain<3>(fiber)}, {false, false}, {0.5 * dem::bond_time_step(fiber)}, {0.0},
+  dem::ChainBatch<3> block({dem::straight_chain<3>(fiber)}, {false, false}, {0.5 * dem::bond_time_step(fiber)}, {0.0},
                               {3, dem::BondForm::total, false, false, false}, dem::InstructionSet::scalar);
   BOOST_CHECK_THROW(block.set_fluid(0, fluid), dem::InvalidInput);
   BOOST_CHECK_THROW(block.set_loads(0, {}), dem::InvalidInput);
   dem::Physics both{3, dem::BondForm::total, false, true, false};
   both.fluid = true;
-  BOOST_CHECK_THROW(dem::lane_kernel(both, dem::InstructionSet::scalar), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::chain_kernel(both, dem::InstructionSet::scalar), dem::InvalidInput);
 }

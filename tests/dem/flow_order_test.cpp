@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/flow_cases.hpp"
 
@@ -195,8 +195,8 @@ double change_by_fluid(double rate_ratio, dem::BondForm form) {
   const double t_b = dem::bond_time_step(fiber), step = 0.5 * dem::stable_time_step(fiber);
   auto flow = straight_case<Dim>(fiber, {viscosity_of(fiber, rate_ratio / t_b), {dem::planar_extension(0.01 / t_b)}}, 0.7, 0.3);
   flow.start[2].position[1] += 0.01 * dem::bond_length(fiber);
-  dem::MarchingBlock<Dim> block({flow.chain}, {false, false}, {step}, {0.0},
-                                {.dimension = Dim, .form = form, .damped = false, .drag = false, .curved = false},
+  dem::ChainBatch<Dim> block({flow.chain}, {false, false}, {step}, {0.0},
+                                {.dimension = Dim, .form = form, .damped = false, .settling_damping = false, .curved = false},
                                 dem::InstructionSet::scalar);
   dem::ChainState<Dim> start = dem::at_rest<Dim>(flow.start);
   for (std::size_t i = 0; i < start.poses.size(); ++i) {

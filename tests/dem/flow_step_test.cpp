@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "dem/motion/lanes/chain_lane.hpp"
+#include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/relaxation.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/flow_cases.hpp"
@@ -18,8 +18,8 @@ namespace {
 template <int Dim>
 bool grows(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form, double step, int steps) {
   const auto chain = dem::straight_chain<Dim>(fiber);
-  dem::MarchingBlock<Dim> block({chain}, {false, false}, {step}, {0.0},
-                                {.dimension = Dim, .form = form, .damped = dem::damped(fiber), .drag = false,
+  dem::ChainBatch<Dim> block({chain}, {false, false}, {step}, {0.0},
+                                {.dimension = Dim, .form = form, .damped = dem::damped(fiber), .settling_damping = false,
                                  .curved = false, .fluid = true},
                                 dem::InstructionSet::scalar);
   block.set_fluid(0, fluid);
@@ -39,7 +39,7 @@ bool grows(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form,
   return false;
 }
 
-/// The largest step that does not grow, to 1 in 400, looked for around a guess.
+/// The largest step that does not grow, to 1 in 400, snapshot for around a guess.
 template <int Dim>
 double measured_limit(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form, double guess) {
   double low = 0.5 * guess, high = 2 * guess;

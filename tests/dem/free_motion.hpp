@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/kernels/chain_batch.hpp"
 
 /// What a free chain must keep: momentum, angular momentum and, undamped, energy.
 namespace marching {
@@ -18,7 +18,7 @@ struct Account {
 };
 
 template <int Dim>
-Account<Dim> account(const dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber, int lane = 0) {
+Account<Dim> account(const dem::ChainBatch<Dim>& block, const dem::Fiber& fiber, int lane = 0) {
   Account<Dim> sum;
   const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
@@ -44,7 +44,7 @@ double angular_drift(const Account<Dim>& before, const Account<Dim>& after) {
 
 /// Elastic energy of the bonds, from the poses or from the summed strain [J].
 template <int Dim>
-double elastic_energy(const dem::MarchingBlock<Dim>& block, const dem::Chain<Dim>& chain, dem::BondForm form,
+double elastic_energy(const dem::ChainBatch<Dim>& block, const dem::Chain<Dim>& chain, dem::BondForm form,
                       int lane) {
   if (form == dem::BondForm::total) return dem::elastic_energy(chain, block.poses(lane));
   const auto bond = dem::bond_parameters(chain.fiber);
@@ -58,7 +58,7 @@ double elastic_energy(const dem::MarchingBlock<Dim>& block, const dem::Chain<Dim
 
 /// Kinetic energy at the step: velocities half a step before are moved on by the forces at the step [J].
 template <int Dim>
-double kinetic_energy(const dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber, double dt, int lane) {
+double kinetic_energy(const dem::ChainBatch<Dim>& block, const dem::Fiber& fiber, double dt, int lane) {
   const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
   double sum = 0;
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/flow/draining_balance.hpp"
 #include "dem/flow/inertialess.hpp"
 #include "dem/flow/interacting_balance.hpp"

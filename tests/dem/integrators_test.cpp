@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "dem/equilibrium/solve.hpp"
-#include "dem/errors.hpp"
+#include "dem/equilibrium/newton.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/implicit.hpp"
 #include "dem/vibration/choose.hpp"
 #include "dem/vibration/release.hpp"

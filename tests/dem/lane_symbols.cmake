@@ -1,8 +1,8 @@
 # The files compiled for a wider instruction set must not define a function that the linker could use in place of
 # another file's: a machine without those instructions would stop there.
-set(allowed "xsimd::|fiberchain::dem::(kernels|rows|contacts)_|fiberchain::compare::peak_kernels_|__gxx_personality|DW.ref")
+set(allowed "xsimd::|fiberchain::dem::(Chain|Packing|Contact)Kernels<|fiberchain::compare::PeakKernels<|__gxx_personality|DW.ref")
 foreach(object IN LISTS OBJECTS)
-  if(NOT object MATCHES "(kernels|rows|contacts)_avx")
+  if(NOT object MATCHES "kernels_avx")
     continue()
   endif()
   execute_process(COMMAND ${NM} -C --defined-only ${object} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)

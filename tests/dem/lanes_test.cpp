@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "tests/dem/marching_chains.hpp"
 
 namespace dem = fiberchain::dem;
@@ -15,13 +15,13 @@ bool available(dem::InstructionSet set) { return set <= dem::best_instruction_se
 
 std::string text(const dem::Physics& p) {
   return std::to_string(p.dimension) + "D " + std::string(dem::name(p.form)) + (p.damped ? " damped" : "") +
-         (p.drag ? " drag" : "") + (p.curved ? " curved" : "") + (p.solved ? " solved" : "") +
+         (p.settling_damping ? " drag" : "") + (p.curved ? " curved" : "") + (p.solved ? " solved" : "") +
          (p.fluid ? " fluid" : "") +
          (p.rolling == dem::Rolling::none ? "" : " rolling " + std::string(dem::name(p.rolling)));
 }
 
 template <int Dim>
-void pull_tips(dem::MarchingBlock<Dim>& block, const std::vector<dem::Chain<Dim>>& chains) {
+void pull_tips(dem::ChainBatch<Dim>& block, const std::vector<dem::Chain<Dim>>& chains) {
   for (int lane = 0; lane < block.lanes(); ++lane) {
     dem::Load<Dim> tip{13, {}, {}};
     tip.force[1] = dem::load_force(chains[lane].fiber, 1.0 + lane);
@@ -48,7 +48,7 @@ std::vector<dem::Poses<Dim>> scalar_poses(const std::vector<dem::Chain<Dim>>& ch
 
 template <int Dim>
 void lanes_equal_scalar(const dem::Physics& physics, dem::InstructionSet set) {
-  const int width = dem::lane_kernel(physics, set).width;
+  const int width = dem::chain_kernel(physics, set).width;
   std::vector<dem::Chain<Dim>> chains;
   for (int lane = 0; lane < (width > 2 ? width - 1 : width); ++lane) {  // where it can be, one lane unused
     chains.push_back(marching::odd_chain<Dim>(11 + lane, physics.damped ? 0.3 : 0.0, physics.curved));
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(every_combination_in_every_width_equals_the_scalar_loop) {
 BOOST_AUTO_TEST_CASE(a_chain_along_the_lanes_equals_the_scalar_loop) {
   for (const dem::Physics& physics : dem::built_physics) {
     const auto set = dem::best_instruction_set();
-    if (dem::lane_kernel(physics, set).march_along == nullptr) continue;
+    if (dem::chain_kernel(physics, set).march_single_chain == nullptr) continue;
     BOOST_TEST_CONTEXT(text(physics)) {
       physics.dimension == 2 ? along_equals_scalar<2>(physics, set) : along_equals_scalar<3>(physics, set);
     }
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(a_chain_along_the_lanes_equals_the_scalar_loop) {
 BOOST_AUTO_TEST_CASE(a_lane_does_not_depend_on_its_neighbors) {
   const dem::Physics physics{3, dem::BondForm::incremental, true, true, false};
   const auto set = dem::best_instruction_set();
-  const int width = dem::lane_kernel(physics, set).width;
+  const int width = dem::chain_kernel(physics, set).width;
   std::vector<dem::Chain<3>> chains;
   for (int lane = 0; lane < width; ++lane) chains.push_back(marching::odd_chain<3>(31 + lane, 0.3, false));
   auto full = marching::block_of(chains, {true, false}, physics, set);
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_lane_does_not_depend_on_its_neighbors) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
-  BOOST_CHECK_THROW(dem::lane_kernel({3, dem::BondForm::incremental, true, true, true}, dem::InstructionSet::scalar),
+  BOOST_CHECK_THROW(dem::chain_kernel({3, dem::BondForm::incremental, true, true, true}, dem::InstructionSet::scalar),
                     dem::InvalidInput);
   const std::vector<dem::Chain<2>> different{marching::odd_chain<2>(1, 0, false),
                                              dem::straight_chain<2>({marching::odd_fiber(1, 0).material, 0.01, 7})};

@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "dem/motion/lanes/block.hpp"
+#include "dem/motion/kernels/chain_batch.hpp"
 #include "dem/motion/time_step.hpp"
 
 /// Free and clamped chains in wild motion, for tests of the inner loops.
@@ -26,7 +26,7 @@ dem::Chain<Dim> odd_chain(unsigned seed, double damping, bool curved) {
 
 /// Every sphere gets its own velocity and spin, fast enough to bend the chain by tens of degrees.
 template <int Dim>
-void stir(dem::MarchingBlock<Dim>& block, const std::vector<dem::Chain<Dim>>& chains, unsigned seed, double speed) {
+void stir(dem::ChainBatch<Dim>& block, const std::vector<dem::Chain<Dim>>& chains, unsigned seed, double speed) {
   for (std::size_t lane = 0; lane < chains.size(); ++lane) {
     std::mt19937 generator(seed + 97 * static_cast<unsigned>(lane));
     std::normal_distribution<double> normal;
@@ -69,14 +69,14 @@ dem::Boundary<Dim> odd_loads(const dem::Fiber& fiber) {
 }
 
 template <int Dim>
-dem::MarchingBlock<Dim> block_of(const std::vector<dem::Chain<Dim>>& chains, dem::Clamps clamps,
+dem::ChainBatch<Dim> block_of(const std::vector<dem::Chain<Dim>>& chains, dem::Clamps clamps,
                                  const dem::Physics& physics, dem::InstructionSet set) {
   std::vector<double> steps, drag;
   for (const auto& chain : chains) {
     drag.push_back(0.01 / dem::bond_time_step(chain.fiber));
     steps.push_back(0.5 * dem::stable_time_step(chain.fiber, drag.back()));
   }
-  dem::MarchingBlock<Dim> block(chains, clamps, steps, drag, physics, set);
+  dem::ChainBatch<Dim> block(chains, clamps, steps, drag, physics, set);
   for (int lane = 0; physics.fluid && lane < block.lanes(); ++lane) {
     block.set_fluid(lane, odd_fluid<Dim>(chains[lane].fiber));
     block.set_loads(lane, odd_loads<Dim>(chains[lane].fiber));

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "dem/errors.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/flow/mobility.hpp"
 #include "dem/flow/pair_mobility.hpp"
 

@@ -17,14 +17,14 @@ void within(double value, double expected, double tolerance, const std::string& 
   BOOST_TEST(std::abs(value - expected) <= tolerance, what << ": " << value << ", expected " << expected);
 }
 
-double wall_stiffness(const dem::Fiber& fiber, const dem::Surroundings& around) {
+double wall_stiffness(const dem::Fiber& fiber, const dem::Domain& around) {
   return ref::hertz_stiffness(ref::hertz_pair(body_of(fiber), wall_of(around)));
 }
 
 /// How high a sphere rises that fell so far, its weight on it while it touches: m x'' = F - m g with Hertz's
 /// spring and a dashpot, as long as they push, by Runge and Kutta's method in steps of a tenth of a
 /// microsecond.
-double rise_after(double fall, double restitution, const dem::Fiber& fiber, const dem::Surroundings& around) {
+double rise_after(double fall, double restitution, const dem::Fiber& fiber, const dem::Domain& around) {
   const double k = wall_stiffness(fiber, around), m = dem::sphere_mass(fiber),
                zeta = dem::damping_ratio_for(restitution);
   const double c = 2 * zeta * std::sqrt(1.25 * m * k), h = 1e-7;
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_wall_that_opens_lets_fall_and_one_that_appears_catches) {
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const double R = dem::sphere_radius(fiber), m = dem::sphere_mass(fiber), opens = 0.0102, floor = -3.1e-3,
                e = 0.4;
-  dem::Surroundings around;
+  dem::Domain around;
   around.gravity = tilted(-g, 0, 0);
   around.contacts = {e, 0.3};
   const dem::Plane up{{}, tilted(1, 0, 0)};
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
   const double steps[] = {2e-6, 1e-6};
   double jump[2], pressed = 0;
   for (int n = 0; n < 2; ++n) {
-    dem::Surroundings around;
+    dem::Domain around;
     around.contacts = {0.4, 0.3};
     const double high = 4 * R;
     around.walls = {{dem::Plane{{}, tilted(1, 0, 0)}},
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
                     {dem::Plane{tilted(high - speed * stops, 0, 0), tilted(-1, 0, 0)}, {}, stops}};
     dem::FiberGroup group{chain, {}};
     for (const double x : {R, 3 * R}) group.fibers.push_back(dem::placed(chain, {tilted(x, 0, 0), tilted(0, 0.6, 0.8)}));
-    dem::Assembly assembly({group}, around, {.step = steps[n], .book_energy = true});
+    dem::Assembly assembly({group}, around, {.step = steps[n], .account_energy = true});
     assembly.march(static_cast<int>(stops / steps[n]) - 1);
     const dem::EnergyBalance before = assembly.energy();
     BOOST_TEST(assembly.touching() == 18);
@@ -125,13 +125,13 @@ BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
 
 /// The same scene with everything moving along at one velocity is the same scene.
 BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
-  std::vector<V> places[2];
+  std::vector<V> position_radius[2];
   for (const bool moving : {false, true}) {
     const V u = moving ? V{0.31, -0.22, 0.17} : V{};
     dem::Fiber fiber = ball;
     fiber.aspect_ratio = 3;
     const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-    dem::Surroundings around;
+    dem::Domain around;
     around.walls = {{dem::Cylinder{tilted(0, 0, 0.017), tilted(0, 0, 1), 11.3e-3}}};
     around.walls.push_back({dem::Plane{tilted(-5e-3, 0, 0), tilted(1, 0, 0)}});
     around.walls.push_back({dem::Plane{tilted(0, 0, -4e-3), tilted(0, 0, 1)}});
@@ -152,11 +152,11 @@ BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
     BOOST_TEST(most > 3);
     for (int f = 0; f < 5; ++f) {
       for (const auto& pose : assembly.state(0, f).poses)
-        places[moving].push_back(pose.position - assembly.time() * u);
+        position_radius[moving].push_back(pose.position - assembly.time() * u);
     }
   }
-  for (std::size_t i = 0; i < places[0].size(); ++i)
-    BOOST_TEST(norm(places[1][i] - places[0][i]) < 1e-9 * ball.diameter);
+  for (std::size_t i = 0; i < position_radius[0].size(); ++i)
+    BOOST_TEST(norm(position_radius[1][i] - position_radius[0][i]) < 1e-9 * ball.diameter);
 }
 
 /// The same scene turned as a whole is the same scene.

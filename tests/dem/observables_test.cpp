@@ -1,14 +1,14 @@
 // Observables of a packing against closed forms.
 #define BOOST_TEST_MODULE observables
-#include "dem/assembly/observables.hpp"
+#include "dem/analysis/observables.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "dem/assembly/place.hpp"
-#include "dem/errors.hpp"
+#include "dem/insertion/placement.hpp"
+#include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
 using V = dem::Vec<double, 3>;

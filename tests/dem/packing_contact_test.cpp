@@ -13,7 +13,7 @@ namespace {
 
 /// Pairs that touch, by the positions alone: every sphere with every other, and with every wall.
 std::set<std::pair<std::int64_t, std::int64_t>> brute_force(const dem::Assembly& assembly,
-                                                            const dem::Surroundings& around) {
+                                                            const dem::Domain& around) {
   const dem::PlacedSpheres spheres = assembly.placed();
   std::vector<std::int64_t> fiber;
   for (int g = 0, number = 0; g < assembly.groups(); ++g) {
@@ -32,7 +32,7 @@ std::set<std::pair<std::int64_t, std::int64_t>> brute_force(const dem::Assembly&
     }
     for (std::size_t w = 0; w < around.walls.size(); ++w) {
       const dem::Wall& wall = around.walls[w];
-      if (dem::is_there(wall, assembly.time()) &&
+      if (dem::is_active(wall, assembly.time()) &&
           dem::gap_to(wall, spheres.position[i], assembly.time()) < spheres.radius[i]) {
         pairs.insert({i, -1 - static_cast<std::int64_t>(w)});
       }
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(no_contact_is_missed_across_periodic_sides) {
   no_contact_is_missed(packing_in_a_periodic_box(60, 40), 20, 170);
 }
 
-/// Looked at after every step, while fast fibers pass through the cells.
+/// GroupSnapshot at after every step, while fast fibers pass through the cells.
 BOOST_AUTO_TEST_CASE(no_contact_of_fast_fibers_is_missed) {
   SmallPacking packing = packing_in_a_periodic_box(40, 25);
   for (auto& group : packing.groups) {
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
     SmallPacking rubbing = packing;
     for (auto& group : rubbing.groups) group.chain.fiber.rolling_friction = 0.7;
     const auto fresh = [&, how = rolling](int with) {
-      return rubbing.assembly({.rolling = how, .threads = with, .book_energy = true});
+      return rubbing.assembly({.rolling = how, .threads = with, .account_energy = true});
     };
     dem::Assembly one = fresh(1), more = fresh(threads);
     one.march(20);

@@ -29,29 +29,29 @@ std::vector<dem::FiberGroup> colliding(const V& at, const V& image = {}) {
        {dem::placed(two, {at + image + V{1.4 * d, 0.4 * d, -1.1 * d}, {-0.1, 0.3, 1}, {-1.1, 0.3, 0.2}})}}};
 }
 
-dem::Surroundings rough(const V& period) {
-  dem::Surroundings around;
+dem::Domain rough(const V& period) {
+  dem::Domain around;
   around.period = period;
   around.contacts = {0.5, 0.4, 0.03};
   return around;
 }
 
 /// Places about `at` after some steps, spheres of the second group moved back by `image`.
-std::vector<V> after(const V& at, const V& image, const dem::Surroundings& around, int steps,
+std::vector<V> after(const V& at, const V& image, const dem::Domain& around, int steps,
                      std::int64_t* most) {
   dem::Assembly assembly(colliding(at, image), around, {.step = 4e-6});
   for (int n = 0; n < steps; n += 20) {
     assembly.march(20);
     *most = std::max(*most, assembly.touching());
   }
-  std::vector<V> places;
+  std::vector<V> position_radius;
   for (int g = 0; g < 2; ++g) {
     for (int f = 0; f < assembly.fibers(g); ++f) {
       for (const auto& pose : assembly.state(g, f).poses)
-        places.push_back(pose.position - at - (g == 1 ? image : V{}));
+        position_radius.push_back(pose.position - at - (g == 1 ? image : V{}));
     }
   }
-  return places;
+  return position_radius;
 }
 
 }  // namespace
@@ -65,9 +65,9 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
        {0.5 * period, V{}, V{period[0], 0, 0}, V{1e-4, period[1] - 1e-4, -3e-4}, V{0.01, 0.0269, 0.01}}) {
     for (const V& image :
          {V{}, V{period[0], 0, 0}, V{-period[0], 2 * period[1], 0}, V{0, 0, -3 * period[2]}}) {
-      const auto places = after(at, image, rough(period), 1200, &most);
+      const auto position_radius = after(at, image, rough(period), 1200, &most);
       double off = 0;
-      for (std::size_t i = 0; i < places.size(); ++i) off = std::max(off, norm(places[i] - free[i]) / d);
+      for (std::size_t i = 0; i < position_radius.size(); ++i) off = std::max(off, norm(position_radius[i] - free[i]) / d);
       BOOST_TEST(off < 1e-9, "off by " << off << " d");
     }
   }
@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
   for (int axis = 0; axis < 3; ++axis) {
     V one{};
     one[axis] = period[axis];
-    const auto places = after({}, 2.0 * one, rough(one), 1200, &most);
-    for (std::size_t i = 0; i < places.size(); ++i) BOOST_TEST(norm(places[i] - free[i]) < 1e-9 * d);
+    const auto position_radius = after({}, 2.0 * one, rough(one), 1200, &most);
+    for (std::size_t i = 0; i < position_radius.size(); ++i) BOOST_TEST(norm(position_radius[i] - free[i]) < 1e-9 * d);
   }
 }
 
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_flies_through_the_sides_unhindered) {
 /// Longer than the cell and tilted, a fiber meets its own image; momentum stays, the force is Hertz's.
 BOOST_AUTO_TEST_CASE(a_fiber_longer_than_the_cell_touches_its_image) {
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber_of(9));
-  dem::Surroundings around;
+  dem::Domain around;
   around.period = {6.3 * d, 5 * d, 0};
   const V along = (1 / norm(V{1, 0.13, 0.03})) * V{1, 0.13, 0.03};
   dem::Assembly assembly({{chain, {dem::placed(chain, {{}, along})}}}, around, {});
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_flow_presses_fibers_together_by_its_drag) {
   const dem::Fiber fiber = fiber_of(1);
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const double rate = 83, m = dem::sphere_mass(fiber);
-  dem::Surroundings around = rough({});
+  dem::Domain around = rough({});
   const double viscosity = m / 1.9e-3 / dem::stokes_drag({1, {}}, fiber).translation;
   around.fluid = dem::Fluid{viscosity, {dem::planar_extension(-rate)}};
   dem::FiberGroup group{

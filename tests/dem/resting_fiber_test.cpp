@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
         const double R = dem::sphere_radius(fiber), m = dem::sphere_mass(fiber), l = dem::bond_length(fiber),
                      L = bonds * l;
         const double slope = 0.35, weak = 0.1 / bonds;  // weak gravity keeps the sag small
-        dem::Surroundings around;
+        dem::Domain around;
         around.gravity = tilted(-g * weak, 0, 0);
         // normals lean toward the middle; x is up, y along the fiber
         for (const double side : {-1.0, 1.0}) {
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
 BOOST_AUTO_TEST_CASE(a_trough_carries_by_the_lever_of_its_sides) {
   const dem::Fiber fiber = fiber_of(2.6e6, 0.31, 1130, 1.66e-3);
   const double left = 0.4, right = 1.1, W = dem::sphere_mass(fiber) * g, R = dem::sphere_radius(fiber);
-  dem::Surroundings around;
+  dem::Domain around;
   around.gravity = tilted(-g, 0, 0);
   around.contacts = {0.3, 0};
   const V a = tilted(std::cos(left), std::sin(left), 0), b = tilted(std::cos(right), -std::sin(right), 0);
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_settles_through_a_still_fluid_onto_the_floor) {
   dem::Fiber fiber = fiber_of(2.6e6, 0.31, 1130, 1.66e-3);
   fiber.aspect_ratio = 3;
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-  dem::Surroundings around;
+  dem::Domain around;
   around.gravity = tilted(-g, 0, 0);
   around.fluid = still(fiber, 2.3e-3);
   around.contacts = {0.4, 0.5};
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_curled_fiber_touches_itself_where_its_turns_meet_and_nowh
       }
     }
     for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
-      dem::Surroundings around;
+      dem::Domain around;
       around.contacts = {0.5, 0.3};
       dem::Assembly assembly({{chain, {start}}}, around, {.form = form});
       BOOST_TEST(assembly.touching() == close);

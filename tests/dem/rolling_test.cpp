@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/equilibrium/solve.hpp"
+#include "dem/equilibrium/newton.hpp"
 #include "dem/vibration/release.hpp"
 #include "tests/dem/marching_chains.hpp"
 
@@ -30,7 +30,7 @@ std::vector<dem::Spin<double, Dim>> spun_down(const dem::Fiber& fiber, double st
                                               const dem::Spin<double, Dim>& first, const dem::Spin<double, Dim>& second,
                                               int steps, Rolling law) {
   const std::vector<dem::Chain<Dim>> chains{dem::straight_chain<Dim>(fiber)};
-  dem::MarchingBlock<Dim> block(chains, {false, false}, {dt}, {0.0}, rolling_physics(Dim, law),
+  dem::ChainBatch<Dim> block(chains, {false, false}, {dt}, {0.0}, rolling_physics(Dim, law),
                                 dem::InstructionSet::scalar);
   dem::BondHistory<double, Dim> held{};
   if constexpr (Dim == 2) held.stretch = stretch;
@@ -138,7 +138,7 @@ Watch watched(Rolling law, double step_ratio, double friction) {
   const dem::Fiber fiber = fiber_with(13, friction, 0.05);
   const std::vector<dem::Chain<2>> chains{dem::straight_chain<2>(fiber)};
   const double t_b = dem::bond_time_step(fiber), dt = step_ratio * t_b, L = dem::fiber_length(fiber);
-  dem::MarchingBlock<2> block(chains, {true, false}, {dt}, {0.0}, rolling_physics(2, law), dem::InstructionSet::scalar);
+  dem::ChainBatch<2> block(chains, {true, false}, {dt}, {0.0}, rolling_physics(2, law), dem::InstructionSet::scalar);
   const double period = 7.15 * 13.5 * 13.5 * t_b;  // 4 pi / beta_1^2 r_f^2 t_b
   for (int i = 1; i <= 13; ++i) {
     const double x = dem::bond_length(fiber) * i / L;

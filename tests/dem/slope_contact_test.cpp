@@ -18,8 +18,8 @@ void within(double value, double expected, double tolerance, const std::string& 
 }
 
 /// x is up, y down the slope.
-dem::Surroundings slope(double angle, const dem::ContactRules& rules) {
-  dem::Surroundings around;
+dem::Domain slope(double angle, const dem::ContactProperties& rules) {
+  dem::Domain around;
   around.wall_youngs_modulus = 5.1e6;
   around.wall_poisson_ratio = 0.23;
   around.gravity = tilted(-g * std::cos(angle), g * std::sin(angle), 0);
@@ -29,7 +29,7 @@ dem::Surroundings slope(double angle, const dem::ContactRules& rules) {
 }
 
 /// Overlap [m] under the force, and the step that a contact pressed so allows, by a twentieth.
-double resting_overlap(const dem::Fiber& fiber, const dem::Surroundings& around, double force) {
+double resting_overlap(const dem::Fiber& fiber, const dem::Domain& around, double force) {
   return std::pow(force / ref::hertz_stiffness(ref::hertz_pair(body_of(fiber), wall_of(around))), 2.0 / 3);
 }
 
@@ -37,8 +37,8 @@ double resting_overlap(const dem::Fiber& fiber, const dem::Surroundings& around,
 struct Run {
   double acceleration, surface, moved, creep, astray;  ///< creep: speed over the second half
 };
-Run on_slope(double angle, const dem::ContactRules& rules, double time, double speed = 0) {
-  const dem::Surroundings around = slope(angle, rules);
+Run on_slope(double angle, const dem::ContactProperties& rules, double time, double speed = 0) {
+  const dem::Domain around = slope(angle, rules);
   const double R = dem::sphere_radius(ball), m = dem::sphere_mass(ball);
   const double rest = resting_overlap(ball, around, m * g * std::cos(angle));
   const double k =
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_down_a_slope_rests_without_creep_or_slides) {
   const double mu = 0.37, R = dem::sphere_radius(fiber), m = dem::sphere_mass(fiber);
   for (const double part : {0.6, 0.95, 1.3}) {
     const double angle = std::atan(part * mu);
-    const dem::Surroundings around = slope(angle, {0.3, mu});
+    const dem::Domain around = slope(angle, {0.3, mu});
     const double rest = resting_overlap(fiber, around, m * g * std::cos(angle));
     dem::Assembly assembly({{chain, {dem::placed(chain, {tilted(R - rest, 0, 0), tilted(0, 1, 0)})}}}, around,
                            {});
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_down_a_slope_rests_without_creep_or_slides) {
   }
 }
 
-/// What a contact remembers stays when pairs are listed anew, here at nearly every step for a fiber that
+/// What a contact remembers stays when pairs are listed rebuilt, here at nearly every step for a fiber that
 /// flies by.
 BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_listed_anew) {
   dem::Fiber fiber = ball;
@@ -141,12 +141,12 @@ BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_lis
   fiber.bond_damping = 0.4;
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const double R = dem::sphere_radius(fiber);
-  const dem::Surroundings around = slope(0.3, {0.3, 0.5, 0.05});
+  const dem::Domain around = slope(0.3, {0.3, 0.5, 0.05});
   const auto held = dem::placed(chain, {tilted(0.99 * R, 0, 0), tilted(0, 1, 0.4)});
   const auto upon = dem::placed(chain, {tilted(2.9 * R, 0.4 * R, -1e-3), tilted(0.02, 0.1, 1)});
   const auto flies = dem::placed(chain, {tilted(0.1, 0, 0), tilted(0, 1, 0), tilted(3, 40, -30)});
   const auto leaves = dem::placed(chain, {tilted(0.1, 0, 0), tilted(0, 1, 0)});
-  std::vector<V> places[2];
+  std::vector<V> position_radius[2];
   for (const bool fast : {false, true}) {
     dem::Assembly assembly({{chain, {held, upon, fast ? flies : leaves}}}, around, {.step = 4e-6});
     assembly.march(6000);
@@ -155,9 +155,9 @@ BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_lis
     for (const auto& c : assembly.contacts()) tangential += c.second < 0 ? std::abs(untilted(c.force)[1]) : 0;
     BOOST_TEST(tangential > 1e-6);
     for (int f : {0, 1}) {
-      for (const auto& pose : assembly.state(0, f).poses) places[fast].push_back(pose.position);
+      for (const auto& pose : assembly.state(0, f).poses) position_radius[fast].push_back(pose.position);
     }
   }
-  for (std::size_t i = 0; i < places[0].size(); ++i)
-    BOOST_TEST(norm(places[1][i] - places[0][i]) < 1e-11 * R);
+  for (std::size_t i = 0; i < position_radius[0].size(); ++i)
+    BOOST_TEST(norm(position_radius[1][i] - position_radius[0][i]) < 1e-11 * R);
 }

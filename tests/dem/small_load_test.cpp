@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "dem/equilibrium/solve.hpp"
+#include "dem/equilibrium/newton.hpp"
 
 namespace dem = fiberchain::dem;
 

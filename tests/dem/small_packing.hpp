@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/assembly/fill.hpp"
+#include "dem/insertion/random_insertion.hpp"
 #include "tests/dem/assembly_scenes.hpp"
 
 /// Fibers of two kinds, 9 spheres and 14 of another diameter and material, one curved, that fall and meet.
@@ -8,7 +8,7 @@ namespace scenes {
 
 struct SmallPacking {
   std::vector<dem::FiberGroup> groups;
-  dem::Surroundings around;
+  dem::Domain around;
 
   dem::Assembly assembly(dem::AssemblyOptions options) const { return {groups, around, std::move(options)}; }
 
@@ -22,7 +22,7 @@ struct SmallPacking {
   }
 };
 
-inline SmallPacking small_packing(int first, int second, const dem::Box& room, dem::Surroundings around) {
+inline SmallPacking small_packing(int first, int second, const dem::Box& room, dem::Domain around) {
   dem::Fiber one{dem::isotropic_material(2.6e6, 0.3, 1000), 2e-3, 8};
   one.bond_damping = 0.3;
   dem::Fiber two{dem::isotropic_material(4.1e6, 0.17, 1300), 1.37e-3, 13};
@@ -30,7 +30,7 @@ inline SmallPacking small_packing(int first, int second, const dem::Box& room, d
   around.gravity = {0.2, -0.3, -9.81};
   around.contacts = {0.4, 0.6, 0.02};
   around.wall_youngs_modulus = 3e6;
-  dem::FillRules rules{room};
+  dem::InsertionRules rules{room};
   rules.velocity = {0.1, 0.05, -1.5};
   rules.seed = 5;
   return {dem::fill({{dem::straight_chain<3>(one), first}, {curled(two, {0.02, 0.06, 0.09}), second}}, rules,
@@ -43,7 +43,7 @@ inline dem::Wall side(const V& point, const V& normal) { return {dem::Plane{poin
 /// Closed, about as wide as the fibers are long.
 inline SmallPacking packing_in_a_box(int first, int second) {
   const double a = 0.024;
-  dem::Surroundings around;
+  dem::Domain around;
   around.walls = {side({0, 0, 0}, {0, 0, 1}), side({0, 0, 0}, {1, 0, 0}), side({a, 0, 0}, {-1, 0, 0}),
                   side({0, 0, 0}, {0, 1, 0}), side({0, a, 0}, {0, -1, 0})};
   const double height = 4.5e-4 * (first + second);
@@ -54,7 +54,7 @@ inline SmallPacking packing_in_a_box(int first, int second) {
 inline SmallPacking packing_in_a_periodic_box(int first, int second) {
   const dem::Vec<double, 3> period{0.0213, 0.0257, 0};
   const double height = std::max(4.5e-4 * (first + second), 0.02);
-  dem::Surroundings around;
+  dem::Domain around;
   around.period = period;
   around.walls = {side({0, 0, 0}, {0, 0, 1}), side({0, 0, height}, {0, 0, -1})};
   around.walls[1].velocity = {0, 0, -0.6};

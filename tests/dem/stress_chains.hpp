@@ -15,13 +15,13 @@ inline dem::Fiber fiber_of(int aspect_ratio, double nu, double damping,
 }
 
 template <int Dim>
-dem::MarchingBlock<Dim> lone_block(const dem::Chain<Dim>& chain, double dt, dem::BondForm form,
+dem::ChainBatch<Dim> lone_block(const dem::Chain<Dim>& chain, double dt, dem::BondForm form,
                                    bool solved = false) {
-  return dem::MarchingBlock<Dim>({chain}, {false, false}, {dt}, {0.0},
+  return dem::ChainBatch<Dim>({chain}, {false, false}, {dt}, {0.0},
                                  {.dimension = Dim,
                                   .form = form,
                                   .damped = dem::damped(chain.fiber),
-                                  .drag = false,
+                                  .settling_damping = false,
                                   .curved = false,
                                   .solved = solved},
                                  dem::best_instruction_set());
@@ -30,7 +30,7 @@ dem::MarchingBlock<Dim> lone_block(const dem::Chain<Dim>& chain, double dt, dem:
 /// Largest component of velocity and l times spin; infinite if one is no number. By components: the square of
 /// a denormal number is zero.
 template <int Dim>
-double largest_speed(const dem::MarchingBlock<Dim>& block, const dem::Fiber& fiber) {
+double largest_speed(const dem::ChainBatch<Dim>& block, const dem::Fiber& fiber) {
   double largest = 0;
   const auto count = [&](double speed) {
     largest =

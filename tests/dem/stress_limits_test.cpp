@@ -89,7 +89,7 @@ dem::Chain<3> crumpled(const dem::Fiber& fiber, unsigned seed) {
 }
 
 template <int Dim>
-double total_energy(const dem::MarchingBlock<Dim>& block, const dem::Chain<Dim>& chain, double dt) {
+double total_energy(const dem::ChainBatch<Dim>& block, const dem::Chain<Dim>& chain, double dt) {
   return marching::kinetic_energy(block, chain.fiber, dt, 0) +
          marching::elastic_energy(block, chain, BondForm::total, 0);
 }

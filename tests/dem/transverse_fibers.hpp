@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/assembly/contact_parameters.hpp"
-#include "dem/assembly/place.hpp"
+#include "dem/contact/contact_parameters.hpp"
+#include "dem/insertion/placement.hpp"
 #include "reference/two_spheres.hpp"
 
 /// Fibers of two spheres across the plane of motion: both spheres move alike, the bond carries nothing, and
@@ -31,7 +31,7 @@ inline ref::ElasticBody body_of(const dem::Fiber& fiber) {
           dem::poisson_ratio(fiber.material)};
 }
 
-inline ref::ElasticBody wall_of(const dem::Surroundings& around) {
+inline ref::ElasticBody wall_of(const dem::Domain& around) {
   return {infinite, infinite, around.wall_youngs_modulus > 0 ? around.wall_youngs_modulus : infinite,
           around.wall_poisson_ratio};
 }

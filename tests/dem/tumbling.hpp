@@ -53,9 +53,9 @@ Tumbling tumble(dem::BondForm form, double turns, double step_ratio) {
   const dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.3, 431), 0.0262, 6, dem::BondModel::paper, 0.3};
   const double dt = step_ratio * dem::stable_time_step(fiber), rate = 0.05 / dem::bond_time_step(fiber);
   const double l = dem::bond_length(fiber);
-  dem::MarchingBlock<Dim> block(
+  dem::ChainBatch<Dim> block(
       {dem::straight_chain<Dim>(fiber)}, {false, false}, {dt}, {0.0},
-      {.dimension = Dim, .form = form, .damped = true, .drag = false, .curved = false},
+      {.dimension = Dim, .form = form, .damped = true, .settling_damping = false, .curved = false},
       dem::InstructionSet::scalar);
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
     auto sphere = block.sphere(0, i);

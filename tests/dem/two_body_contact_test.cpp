@@ -24,7 +24,7 @@ struct Outcome {
 struct Collision {
   dem::Fiber first;
   const dem::Fiber* second;
-  dem::Surroundings around;
+  dem::Domain around;
   double steps = 1500;
   dem::AssemblyOptions options{};
   double phase = 0.37;  ///< part of a step at which they touch
@@ -71,8 +71,8 @@ void within(double value, double expected, double tolerance, const std::string& 
   BOOST_TEST(std::abs(value - expected) <= tolerance, what << ": " << value << ", expected " << expected);
 }
 
-dem::Surroundings elastic_walls() {
-  dem::Surroundings around;
+dem::Domain elastic_walls() {
+  dem::Domain around;
   around.wall_youngs_modulus = 3.3e7;
   around.wall_poisson_ratio = 0.37;
   return around;
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(head_on_collisions_are_hertz_to_a_thousandth) {
   struct Pair {
     const dem::Fiber* first;
     const dem::Fiber* second;
-    dem::Surroundings around;
+    dem::Domain around;
   };
   double worst = 0;
   for (const Pair& pair : {Pair{&soft, &soft, {}},
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(spheres_that_touch_by_round_off_do_nothing_to_each_other) {
 BOOST_AUTO_TEST_CASE(spheres_that_part_within_a_step_leave_no_contact_behind) {
   const dem::Fiber fiber = fiber_of(1e5, 0.3, 1000, 2e-3);
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-  dem::Surroundings around;
+  dem::Domain around;
   dem::AssemblyOptions options{.step = 2e-6};
   const double away = 0.35 * dem::sphere_radius(fiber) / *options.step;
   dem::Assembly assembly({{chain, {dem::placed(chain, {V{}, V{1, 0, 0}}), dem::placed(chain, {V{0, 1.999e-3, 0}, V{1, 0, 0}, V{0, away, 0}})}}},
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(every_form_and_instruction_set_collides_alike) {
     for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
       for (const bool booked : {false, true}) {
         Collision collision{
-            soft, &hard, {}, 300, {.form = form, .book_energy = booked, .instruction_set = set}};
+            soft, &hard, {}, 300, {.form = form, .account_energy = booked, .instruction_set = set}};
         collision.around.contacts = {0.6, 0.2};
         all.push_back(collision.run(one, two));
       }

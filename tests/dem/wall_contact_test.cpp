@@ -16,14 +16,14 @@ void within(double value, double expected, double tolerance, const std::string& 
   BOOST_TEST(std::abs(value - expected) <= tolerance, what << ": " << value << ", expected " << expected);
 }
 
-double wall_stiffness(const dem::Fiber& fiber, const dem::Surroundings& around) {
+double wall_stiffness(const dem::Fiber& fiber, const dem::Domain& around) {
   return ref::hertz_stiffness(ref::hertz_pair(body_of(fiber), wall_of(around)));
 }
 
 /// A cylinder about the tilted z axis through the origin, of odd radius.
 constexpr double cylinder_radius = 11.3e-3;
-dem::Surroundings in_cylinder() {
-  dem::Surroundings around;
+dem::Domain in_cylinder() {
+  dem::Domain around;
   around.walls = {{dem::Cylinder{tilted(0, 0, 0.017), tilted(0, 0, 1), cylinder_radius}}};
   return around;
 }
@@ -34,7 +34,7 @@ double pressed(double force, double stiffness) { return std::pow(force / stiffne
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_sphere_circles_in_a_cylinder_as_centripetal_force_has_it) {
-  const dem::Surroundings around = in_cylinder();
+  const dem::Domain around = in_cylinder();
   const double k = wall_stiffness(ball, around), m = dem::sphere_mass(ball), R = dem::sphere_radius(ball),
                v = 0.83;
   double overlap = 0;
@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(a_sphere_circles_in_a_cylinder_as_centripetal_force_has_it)
 namespace {
 
 /// Period of small swings at the bottom of the cylinder, x being up.
-double swing_period(const dem::ContactRules& rules) {
-  dem::Surroundings around = in_cylinder();
+double swing_period(const dem::ContactProperties& rules) {
+  dem::Domain around = in_cylinder();
   around.gravity = tilted(-g, 0, 0);
   around.contacts = rules;
   const double k = wall_stiffness(ball, around), m = dem::sphere_mass(ball), R = dem::sphere_radius(ball);
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(a_moving_plate_presses_by_hertz_and_its_work_is_stored) {
     const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
     const double R = dem::sphere_radius(fiber), height = upright ? 8 * R : 2 * R, speed = 2e-3,
                  closure = 6e-5;
-    dem::Surroundings around;
+    dem::Domain around;
     around.wall_youngs_modulus = 5.1e6;
     around.wall_poisson_ratio = 0.23;
     around.contacts = {0.7, 0.3};
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_moving_plate_presses_by_hertz_and_its_work_is_stored) {
                     {dem::Plane{tilted(height, 0, 0), tilted(-1, 0, 0)}, tilted(-speed, 0, 0)}};
     const dem::ChainState<3> state =
         dem::placed(chain, {tilted(R, 0.1e-3, 0), upright ? tilted(1, 0, 0) : tilted(0, 0, 1)});
-    dem::Assembly assembly({{chain, {state}}}, around, {.book_energy = true});
+    dem::Assembly assembly({{chain, {state}}}, around, {.account_energy = true});
     const int steps = static_cast<int>(closure / speed / assembly.step());
     assembly.march(steps);
     const double closed = speed * assembly.time();

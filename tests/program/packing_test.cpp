@@ -3,11 +3,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "dem/io/checkpoint.hpp"
+#include "dem/trajectory/checkpoint.hpp"
 #include "tests/program/packings.hpp"
 
 using namespace fiberchain::test;
-namespace io = fiberchain::dem::io;
+namespace io = fiberchain::dem;
 namespace fs = std::filesystem;
 
 namespace {
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   BOOST_TEST(trajectory.frames() == 11);
   BOOST_TEST(trajectory.steps().back() == row["steps"].get<std::int64_t>());
   BOOST_TEST(files_under(results / "small") == 22);
-  const io::Frame last = trajectory.read(10);
+  const io::TrajectoryFrame last = trajectory.read(10);
   BOOST_TEST(last.position.size() == 4200);
   BOOST_TEST(last.bonds.size() == 4000);
   BOOST_TEST((last.low[2] == 0 && last.high[0] == 0.05));
@@ -145,8 +145,8 @@ BOOST_AUTO_TEST_CASE(one_run_at_a_time_and_none_overwritten) {
   BOOST_TEST((content(fibers.out("s.checkpoint")) == checkpoint));
   BOOST_TEST(fibers.go({"--force", "--resume"}).status == 2);
   fibers.file("s.yaml", short_fibers(500, few));
-  const Outcome anew = fibers.go({"--force"});
-  BOOST_TEST(anew.status == 0, anew.error);
+  const Outcome rebuilt = fibers.go({"--force"});
+  BOOST_TEST(rebuilt.status == 0, rebuilt.error);
   BOOST_TEST(io::read_checkpoint(fibers.out("s.checkpoint")).step == 500);
 }
 
@@ -154,8 +154,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_of_a_run_stays) {
   const FewFibers fibers(500);
   BOOST_REQUIRE_EQUAL(fibers.go().status, 0);
   std::ofstream(fibers.out("s/notes.txt")) << "mine";
-  const Outcome anew = fibers.go({"--force"});
-  BOOST_TEST(anew.status == 0, anew.error);
+  const Outcome rebuilt = fibers.go({"--force"});
+  BOOST_TEST(rebuilt.status == 0, rebuilt.error);
   BOOST_TEST(content(fibers.out("s/notes.txt")) == "mine");
   BOOST_TEST(files_under(fibers.out("s")) == 25);
   fs::remove(fibers.out("s.checkpoint"));

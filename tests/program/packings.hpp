@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "dem/io/h5md.hpp"
+#include "dem/trajectory/h5md.hpp"
 #include "tests/program/process.hpp"
 
 /// Runs of few fibers, for what befalls them.
@@ -79,13 +79,13 @@ inline std::string log_of(const std::filesystem::path& path) {
 
 /// Whether both hold the same frames, to the bit.
 inline bool same_frames(const std::filesystem::path& a, const std::filesystem::path& b) {
-  const dem::io::TrajectoryReader first(a), second(b);
+  const dem::TrajectoryReader first(a), second(b);
   if (first.steps() != second.steps() || first.times() != second.times()) return false;
   const auto differs = [](const auto& u, const auto& v) {
     return u[0] != v[0] || u[1] != v[1] || u[2] != v[2];
   };
   for (std::int64_t n = 0; n < first.frames(); ++n) {
-    const dem::io::Frame f = first.read(n), g = second.read(n);
+    const dem::TrajectoryFrame f = first.read(n), g = second.read(n);
     if (f.position.size() != g.position.size() || f.bonds.size() != g.bonds.size()) return false;
     for (std::size_t i = 0; i < f.position.size(); ++i) {
       if (differs(f.position[i], g.position[i]) || differs(f.velocity[i], g.velocity[i])) return false;

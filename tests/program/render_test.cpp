@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
-#include "dem/io/h5md.hpp"
-#include "tests/dem/io/frames.hpp"
+#include "dem/trajectory/h5md.hpp"
+#include "tests/dem/trajectory/frames.hpp"
 #include "tests/program/process.hpp"
 
 using fiberchain::test::bent_fibers;
@@ -17,7 +17,7 @@ namespace {
 /// Three frames of fibers that sink at about 0.3 m/s.
 struct Trajectory : fiberchain::test::Scratch {
   Trajectory() {
-    fiberchain::dem::io::TrajectoryWriter writer(path / "fall.h5", {"tester", "1", {}});
+    fiberchain::dem::TrajectoryWriter writer(path / "fall.h5", {"tester", "1", {}});
     for (const std::int64_t step : {0, 10, 20}) writer.append(bent_fibers(5, 9, step));
   }
 

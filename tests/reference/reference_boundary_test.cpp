@@ -35,8 +35,8 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(planted_includes_are_found) {
-  for (const char* line : {"#include \"dem/fiber.hpp\"", "  #  include <dem/io/scene.hpp>",
-                           "#include \"../dem/bond.hpp\"", "#include \"compare/results/table.hpp\""}) {
+  for (const char* line : {"#include \"dem/model/fiber.hpp\"", "  #  include <dem/scene/scene.hpp>",
+                           "#include \"../dem/bond.hpp\"", "#include \"dem/record/table.hpp\""}) {
     BOOST_TEST(includes_foreign(line), line);
   }
   for (const char* line : {"#include \"reference/elastica.hpp\"", "// #include is not in dem/",

@@ -1,0 +1,32 @@
+# fiberchain_add_kernels(TARGET SOURCE...): compiles each kernel source once for every instruction set and adds the copies to
+# the target; which one runs is chosen at run time (dem/simd/instruction_set.hpp). tests/dem checks that the wide copies define
+# no symbol that another file could be linked to.
+function(fiberchain_add_kernels target)
+  # The compiler's own vectorizer would pack the components of one sphere and wait on its own stores.
+  set(options -fno-tree-vectorize -fno-tree-slp-vectorize)
+  # Products and sums are fused where the processor can, half the arithmetic of the loop: the wide copies agree with the others
+  # to round-off, not to the bit. GCC 12 warns of its own AVX-512 header.
+  set(options_scalar)
+  set(options_sse2)
+  set(options_avx2 -mavx2 -mfma -ffp-contract=fast)
+  set(options_avx512 -mavx512f -ffp-contract=fast -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
+  foreach(set IN ITEMS scalar sse2 avx2 avx512)
+    set(copy ${target}_kernels_${set})
+    add_library(${copy} OBJECT ${ARGN})
+    target_compile_definitions(${copy} PRIVATE FIBERCHAIN_INSTRUCTION_SET=${set})
+    target_include_directories(${copy} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_include_directories(${copy} SYSTEM PRIVATE ${FIBERCHAIN_XSIMD_INCLUDE})
+    target_compile_features(${copy} PRIVATE cxx_std_20)
+    target_link_libraries(${copy} PRIVATE fiberchain_flags Eigen3::Eigen)
+    target_compile_options(${copy} PRIVATE ${options} ${options_${set}})
+    if(FIBERCHAIN_SANITIZE)
+      # The sanitizers check the scalar copy, which is the same source; the wide ones would take the compiler minutes.
+      if(set STREQUAL scalar)
+        target_compile_definitions(${copy} PRIVATE FIBERCHAIN_SANITIZED)
+      else()
+        target_compile_options(${copy} PRIVATE -fno-sanitize=all)
+      endif()
+    endif()
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${copy}>)
+  endforeach()
+endfunction()

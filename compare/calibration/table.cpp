@@ -1,0 +1,146 @@
+#include "compare/calibration/table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "compare/measure/peaks.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using std::numbers::pi;
+
+double expected_error(const Calibration& found) { return found.amplitude_effect + found.time_step_effect; }
+
+dem::Cell optional(const std::optional<double>& value) { return value ? dem::Cell{*value} : dem::Cell{dem::Missing{}}; }
+
+dem::NamedRow material_row(const CalibrationAnswer& answer) {
+  const dem::Fiber& fiber = answer.found.fiber;
+  return {{"aspect_ratio", std::int64_t{fiber.aspect_ratio}},
+          {"poisson_ratio", dem::poisson_ratio(fiber.material)},
+          {"youngs_modulus", fiber.material.youngs_modulus},
+          {"shear_modulus", fiber.material.shear_modulus},
+          {"density", fiber.material.density},
+          {"diameter", fiber.diameter},
+          {"bond", std::string(dem::name(fiber.bond_model))},
+          {"dashpots", std::string(dem::name(fiber.dashpots))},
+          {"target_damping", optional(answer.target)}};
+}
+
+dem::NamedRow damping_row(const Calibration& found) {
+  const bool retarded = found.fiber.dashpots == dem::DashpotLaw::retardation_time;
+  return {{"bond_damping", retarded ? dem::Cell{} : dem::Cell{found.setting}},
+          {"retardation_time", found.retardation_time},
+          {"retardation_ratio", found.retardation_time / found.bond_time},
+          {"fiber_damping_modes", found.damping_ratio},
+          {"log_decrement", log_decrement(found.damping_ratio)},
+          {"quality_factor", 1 / (2 * found.damping_ratio)},
+          {"loss_factor", 2 * found.damping_ratio},
+          {"natural_frequency", found.natural_frequency},
+          {"natural_frequency_hertz", found.natural_frequency / (2 * pi)},
+          {"bond_time", found.bond_time},
+          {"stable_time_step", found.stable_step},
+          {"stable_step_ratio", found.stable_step / found.bond_time},
+          {"step_ratio", found.step / found.bond_time},
+          {"verification_cost", verification_cost(found)}};
+}
+
+dem::NamedRow error_row(const CalibrationAnswer& answer) {
+  const Calibration& found = answer.found;
+  return {{"amplitude", answer.asked.amplitude},
+          {"amplitude_effect", found.amplitude_effect},
+          {"time_step_effect", found.time_step_effect},
+          {"expected_error", expected_error(found)},
+          {"fiber_damping_expected", found.damping_ratio * (1 + expected_error(found))},
+          {"fiber_damping_beam", found.beam_damping},
+          {"damping_discretization", found.damping_departure.discretization},
+          {"damping_shear", found.damping_departure.shear},
+          {"beam_frequency", found.beam_frequency},
+          {"frequency_discretization", found.frequency_departure.discretization},
+          {"frequency_shear", found.frequency_departure.shear}};
+}
+
+std::string run_note(const CalibrationAnswer& answer) {
+  if (!answer.run) return "";
+  const Verification& run = *answer.run;
+  return fmt::format(
+      "Run: released from the first mode at y/L = 1/300 and marched at {:.4g} t_b, the chain has xi_f = "
+      "{:.8g}, {:+.2e} of the value above ({:.2g} bond-steps).\n",
+      run.time_step / answer.found.bond_time, run.damping_ratio, run.difference, run.bond_steps);
+}
+
+}  // namespace
+
+dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
+  dem::Table table({"aspect_ratio",
+               "poisson_ratio",
+               "youngs_modulus",
+               "shear_modulus",
+               "density",
+               "diameter",
+               "bond",
+               "dashpots",
+               "target_damping",
+               "bond_damping",
+               "retardation_time",
+               "retardation_ratio",
+               "fiber_damping_modes",
+               "log_decrement",
+               "quality_factor",
+               "loss_factor",
+               "natural_frequency",
+               "natural_frequency_hertz",
+               "bond_time",
+               "stable_time_step",
+               "stable_step_ratio",
+               "step_ratio",
+               "verification_cost",
+               "amplitude",
+               "amplitude_effect",
+               "time_step_effect",
+               "expected_error",
+               "fiber_damping_expected",
+               "fiber_damping_beam",
+               "damping_discretization",
+               "damping_shear",
+               "beam_frequency",
+               "frequency_discretization",
+               "frequency_shear",
+               "fiber_damping",
+               "verified_difference"});
+  for (const CalibrationAnswer& answer : answers) {
+    dem::NamedRow row = material_row(answer);
+    for (const dem::NamedRow& part : {damping_row(answer.found), error_row(answer)}) {
+      row.insert(row.end(), part.begin(), part.end());
+    }
+    if (answer.run) {
+      row.emplace_back("fiber_damping", answer.run->damping_ratio);
+      row.emplace_back("verified_difference", answer.run->difference);
+    }
+    table.append(row);
+  }
+  return table;
+}
+
+std::string calibration_notes(const CalibrationAnswer& answer) {
+  const Calibration& f = answer.found;
+  return fmt::format(
+             "- Expected of a run that swings to y/L = {:.3g}: xi_f changed by {:+.2e} of itself, {:+.2e} by "
+             "the amplitude (a "
+             "real fiber does that too) and {:+.2e} by a time step of {:.4g} t_b.\n"
+             "- Made up for by the setting: a uniform beam with this retardation time has xi_f = {:.6g}; the "
+             "chain's is "
+             "{:+.2e} of that by finite bonds and the end sphere and {:+.2e} by shear.\n"
+             "- Not made up for: the chain's natural frequency is off the uniform beam's {:.6g} rad/s by "
+             "{:+.2e} by finite "
+             "bonds and the end sphere and {:+.2e} by shear.\n",
+             answer.asked.amplitude, expected_error(f), f.amplitude_effect, f.time_step_effect,
+             f.step / f.bond_time, f.beam_damping, f.damping_departure.discretization,
+             f.damping_departure.shear, f.beam_frequency, f.frequency_departure.discretization,
+             f.frequency_departure.shear) +
+         (answer.run ? "- " + run_note(answer) : "");
+}
+
+}  // namespace fiberchain::compare

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "dem/record/provenance.hpp"
+
+namespace fiberchain::compare {
+
+/// The SVG with <metadata> of "key: value" lines as the first child of its root.
+/// @throws FigureError if it is no SVG
+std::string with_svg_metadata(std::string svg, const dem::Provenance& provenance);
+
+/// The PNG with a tEXt chunk "fiberchain:KEY" per entry after its header; what is not ASCII becomes '?'.
+/// @throws FigureError if it is no PNG
+std::string with_png_metadata(std::string png, const dem::Provenance& provenance);
+
+}  // namespace fiberchain::compare

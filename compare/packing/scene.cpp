@@ -1,0 +1,76 @@
+#include "compare/packing/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "compare/study/errors.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using Vec3 = dem::Vec<double, 3>;
+
+constexpr double kLowest = 0.02;                       // of the fibers at the start [m]
+constexpr double kColumn = 2000 / (0.1 * 0.1 * 0.36);  // fibers in a volume then [1/m^3]
+constexpr double kSpeed = 1;                           // downward [m/s]
+
+dem::Fiber fiber_of(const PackingCase& asked) {
+  dem::Fiber fiber{dem::isotropic_material(asked.stiffness * 2.6e6, 0.3, 1000), 0.002, 20};
+  fiber.bond_damping = asked.bond_damping;
+  fiber.rolling_friction = asked.rolling_friction;
+  return fiber;
+}
+
+dem::Domain room_of(double side, const PackingCase& asked) {
+  dem::Domain around;
+  around.gravity = {0, 0, -9.81};
+  around.contacts = {.restitution = 0.4, .friction = 0.6};
+  around.wall_youngs_modulus = asked.stiffness * 2.6e6;
+  around.walls.push_back({dem::Plane{{}, {0, 0, 1}}});
+  if (asked.periodic) {
+    around.period = {side, side, 0};
+    return around;
+  }
+  for (const int axis : {0, 1}) {
+    Vec3 normal{}, far{};
+    normal[axis] = 1, far[axis] = side;
+    around.walls.push_back({dem::Plane{{}, normal}});
+    around.walls.push_back({dem::Plane{far, -1.0 * normal}});
+  }
+  return around;
+}
+
+/// Of the limits that bonds and contacts set. Fibers pressed into a corner are stable below 0.8 of the
+/// contacts' only.
+double step_of(const dem::PackingScene& scene) {
+  const dem::FiberGroup group{dem::straight_chain<3>(scene.kinds.front().fiber), {}};
+  const dem::StepChoice choice = dem::assembly_time_step({group}, scene.domain);
+  return std::min(0.8 * std::min(choice.bonds, choice.damped_bonds), 0.45 * choice.contacts);
+}
+
+}  // namespace
+
+dem::PackingScene packing_scene(const PackingCase& asked) {
+  if (asked.fibers < 1) throw InputError(fmt::format("a packing of {} fibers", asked.fibers));
+  const double side = asked.side, highest = kLowest + asked.fibers / (kColumn * side * side);
+  dem::PackingScene scene;
+  scene.kinds = {{.fiber = fiber_of(asked), .count = asked.fibers}};
+  scene.filling = {.region = {{0, 0, kLowest}, {side, side, highest}},
+                   .velocity = {0, 0, -kSpeed},
+                   .gap = 1e-4,
+                   .seed = asked.seed};
+  scene.domain = room_of(side, asked);
+  scene.room = {{0, 0, 0}, {side, side, highest}};
+  scene.duration = asked.duration;
+  scene.account_energy = asked.booked;
+  scene.step = asked.step_ratio * step_of(scene);
+  return scene;
+}
+
+double floor_area(const dem::PackingScene& scene) {
+  return (scene.room.high[0] - scene.room.low[0]) * (scene.room.high[1] - scene.room.low[1]);
+}
+
+}  // namespace fiberchain::compare

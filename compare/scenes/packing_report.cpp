@@ -1,0 +1,83 @@
+#include "compare/scenes/packing_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberchain::compare {
+namespace {
+
+std::vector<double> column(const dem::Table& log, std::string_view name) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < log.rows().size(); ++row) values.push_back(log.number(row, name));
+  return values;
+}
+
+/// A line through what is finite: a run that blew up may end in what is not.
+void add_line(Figure& figure, const char* label, const std::vector<double>& x, const std::vector<double>& y) {
+  Series line{label, {}, {}, Mark::line};
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    if (std::isfinite(y[n])) line.x.push_back(x[n]), line.y.push_back(y[n]);
+  }
+  if (!line.x.empty()) figure.series.push_back(std::move(line));
+}
+
+dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
+
+std::string status_of(const dem::PackingEndState& end) {
+  if (!end.failure.empty()) return end.failure;
+  return end.finished() ? "finished" : "stopped";
+}
+
+}  // namespace
+
+dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndState& end) {
+  dem::Table table({"fibers", "spheres", "seed", "time_step", "step_set_by", "steps", "simulated_time", "contacts",
+               "coordination", "height", "bending_mean", "kinetic_energy", "run_time", "status"});
+  table.append({{"fibers", dem::fibers_in(job.scene)},
+                {"spheres", dem::spheres_in(job.scene)},
+                {"seed", static_cast<std::int64_t>(job.scene.filling.seed)},
+                {"time_step", end.step},
+                {"step_set_by", job.scene.step ? std::string("scene") : std::string(end.choice.set_by)},
+                {"steps", end.last.step},
+                {"simulated_time", end.last.time},
+                {"contacts", end.last.contacts},
+                {"coordination", known(end.coordination)},
+                {"height", end.last.height},
+                {"bending_mean", end.last.bending_mean},
+                {"kinetic_energy", end.last.energy.kinetic},
+                {"run_time", end.run_time},
+                {"status", status_of(end)}});
+  return table;
+}
+
+std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job, const dem::Table& log) {
+  const std::vector<double> time = column(log, "simulated_time");
+  Figure bending{"Mean bending angle per bond", {"time [s]"}, {"angle [rad]"}, {}};
+  add_line(bending, "", time, column(log, "bending_mean"));
+  Figure energy{"Energy", {"time [s]"}, {"energy [J]"}, {}};
+  std::vector<std::pair<const char*, const char*>> parts = {{"kinetic_energy", "kinetic"},
+                                                            {"energy_bonds", "elastic, bonds"},
+                                                            {"energy_contacts", "elastic, contacts"},
+                                                            {"energy_gravity", "of height"}};
+  if (job.scene.account_energy) {
+    parts.insert(parts.end(), {{"taken_bond_damping", "taken by bond damping"},
+                               {"taken_bond_friction", "taken by bond friction"},
+                               {"taken_contact_normal", "taken by contacts, normal"},
+                               {"taken_contact_tangential", "taken by contacts, tangential"},
+                               {"taken_contact_rolling", "taken by contacts, rolling"},
+                               {"taken_fluid", "taken by the fluid"},
+                               {"given_walls", "given by walls"},
+                               {"energy_total", "total"}});
+  }
+  for (const auto& [name, label] : parts) {
+    const std::vector<double> values = column(log, name);
+    const bool nothing = std::ranges::all_of(values, [](double v) { return v == 0; });
+    if (!nothing) add_line(energy, label, time, values);
+  }
+  std::vector<std::pair<std::string, Figure>> figures;
+  if (!bending.series.empty()) figures.emplace_back("-bending", std::move(bending));
+  if (!energy.series.empty()) figures.emplace_back("-energy", std::move(energy));
+  return figures;
+}
+
+}  // namespace fiberchain::compare

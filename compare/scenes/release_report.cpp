@@ -1,0 +1,154 @@
+#include "compare/scenes/release_report.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+#include "compare/measure/peaks.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/measure/linear_chain_of.hpp"
+#include "dem/equilibrium/newton.hpp"
+#include "reference/chain_modes.hpp"
+
+namespace fiberchain::compare {
+namespace {
+
+using dem::ReleaseScene;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+reference::ChainMode first_mode(const ReleaseScene& scene) {
+  const reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(scene.fiber));
+  if (!mode.oscillates) throw InputError("bond.damping: the first mode is overdamped, there is no vibration to watch");
+  return mode;
+}
+
+template <int Dim>
+dem::Release<Dim> release_of(const ReleaseScene& scene, double period) {
+  dem::Release<Dim> release{dem::straight_chain<Dim>(scene.fiber), {}, {}, {}, period, scene.periods};
+  dem::Load<Dim> end{scene.fiber.aspect_ratio, {}, {}};
+  const double force = dem::load_force(scene.fiber, scene.pull.load);
+  for (int i = 0; i < Dim; ++i) end.force[i] = force * scene.pull.direction[i];
+  release.start = dem::solve_equilibrium(release.chain, dem::Boundary<Dim>{{0}, {end}}).poses;
+  return release;
+}
+
+/// Damping of all peaks after the release; the release itself is no free maximum.
+void measure(ReleaseRun& run, const TipHistory& history) {
+  const std::vector<Peak> peaks = positive_peaks(history);
+  if (peaks.size() < 3) return;
+  try {
+    const Damping found = damping_from_peaks(peaks, {1, static_cast<int>(peaks.size()) - 1});
+    run.damping = found.ratio;
+    run.frequency = found.frequency;
+  } catch (const InputError&) {  // peaks that grow
+  }
+}
+
+template <int Dim>
+ReleaseRun run_in(const ReleaseScene& scene) {
+  const reference::ChainMode mode = first_mode(scene);
+  ReleaseRun run{};
+  run.period = 2 * std::numbers::pi / mode.eigenvalue.imag();
+  run.damping_modes = mode.damping;
+  run.damping = run.frequency = nan;
+  const dem::Release<Dim> release = release_of<Dim>(scene, run.period);
+  dem::ReleaseOptions options = scene.motion;
+  const bool leapfrog = options.integrator == dem::Integrator::leapfrog ||
+                        options.integrator == dem::Integrator::leapfrog_damped;
+  options.energy = !leapfrog || scene.fiber.rolling_friction == 0;
+  const auto begin = std::chrono::steady_clock::now();
+  const dem::ReleaseRecord<Dim> record = dem::ring_down<Dim>({release}, options)[0];
+  run.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run.integrator = record.integrator;
+  run.reason = record.reason;
+  run.work = record.work;
+  run.time_step = record.time_step;
+  run.failure = record.failure;
+  const double L = dem::fiber_length(scene.fiber);
+  TipHistory history;
+  const double sign = scene.pull.direction[1] > 0 ? 1 : -1;
+  for (const dem::TipSample<Dim>& sample : record.samples) {
+    run.time.push_back(sample.time);
+    run.y.push_back(sample.position[1] / L);
+    run.z.push_back(Dim == 3 ? sample.position[Dim - 1] / L : 0.0);
+    run.energy.push_back(sample.energy);
+    history.time.push_back(sample.time);
+    history.y.push_back(sign * run.y.back());
+    history.velocity.push_back(sign * sample.velocity[1] / L);
+  }
+  for (const dem::Pose<double, Dim>& pose : record.last.poses) {
+    run.last.push_back({pose.position[0] / L, pose.position[1] / L, Dim == 3 ? pose.position[Dim - 1] / L : 0.0});
+  }
+  measure(run, history);
+  return run;
+}
+
+dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
+
+}  // namespace
+
+ReleaseRun run_release(const ReleaseScene& scene) {
+  return scene.dimension == dem::Dimension::planar ? run_in<2>(scene) : run_in<3>(scene);
+}
+
+dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
+  dem::Table table({"aspect_ratio", "poisson_ratio", "load", "bond", "form", "dimension", "bond_damping", "rolling_friction",
+               "integrator", "time_step", "step_ratio", "steps", "bond_evaluations", "linear_solves", "fiber_damping",
+               "fiber_damping_modes", "frequency", "run_time", "status"});
+  const bool marched = run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
+  const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
+  table.append({{"aspect_ratio", scene.fiber.aspect_ratio},
+                {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+                {"load", scene.pull.load},
+                {"bond", std::string(name(scene.fiber.bond_model))},
+                {"form", std::string(name(form))},
+                {"dimension", std::string(name(scene.dimension))},
+                {"bond_damping", scene.fiber.bond_damping},
+                {"rolling_friction", scene.fiber.rolling_friction},
+                {"integrator", std::string(name(run.integrator))},
+                {"time_step", run.time_step},
+                {"step_ratio", run.time_step / dem::bond_time_step(scene.fiber)},
+                {"steps", static_cast<std::int64_t>(run.work.steps)},
+                {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
+                {"linear_solves", static_cast<std::int64_t>(run.work.linear_solves)},
+                {"fiber_damping", known(run.damping)},
+                {"fiber_damping_modes", run.damping_modes},
+                {"frequency", known(run.frequency)},
+                {"run_time", run.run_time},
+                {"status", run.failure.empty() ? (run.reason.empty() ? std::string("finished") : run.reason)
+                                               : run.failure}});
+  return table;
+}
+
+dem::Table release_history_table(const ReleaseRun& run) {
+  dem::Table table({"time", "tip_y", "tip_z", "energy"});
+  for (std::size_t i = 0; i < run.time.size(); ++i) {
+    table.append({{"time", run.time[i] / run.period}, {"tip_y", run.y[i]}, {"tip_z", run.z[i]},
+                  {"energy", run.energy[i]}});
+  }
+  return table;
+}
+
+dem::Table release_last_table(const ReleaseRun& run) {
+  dem::Table table({"sphere", "position_x", "position_y", "position_z"});
+  for (std::size_t i = 0; i < run.last.size(); ++i) {
+    table.append({{"sphere", static_cast<std::int64_t>(i)}, {"position_x", run.last[i][0]},
+                  {"position_y", run.last[i][1]}, {"position_z", run.last[i][2]}});
+  }
+  return table;
+}
+
+Figure release_figure(const ReleaseScene& scene, const ReleaseRun& run) {
+  Series chain{"free end", {}, run.y, Mark::line};
+  for (const double t : run.time) chain.x.push_back(t / run.period);
+  return {fmt::format("Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, {{/Symbol x}}_b = {:g}, {}",
+                      scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
+          {"time over the first mode's period"},
+          {"{/:Italic y}/{/:Italic L}"},
+          {chain}};
+}
+
+}  // namespace fiberchain::compare

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstdint>
+
+#include "dem/contact/hertz_mindlin.hpp"
+#include "dem/contact/periodic_box.hpp"
+#include "dem/simd/storage_layout.hpp"
+#include "dem/simd/instruction_set.hpp"
+
+// What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves all.
+namespace fiberchain::dem {
+
+/// Room that arrays need behind their end, so that whole vectors can be read or written there.
+inline constexpr int lanes_beyond = 16;
+
+/// What a contact loop has. A template argument: what a scene lacks is not compiled into it.
+struct ContactPhysics {
+  bool uniform;   ///< one radius and one set of parameters for all spheres
+  bool periodic;  ///< some side is periodic
+  bool rolling;   ///< rolling friction
+  bool accounted;    ///< accumulators what each mechanism takes
+};
+
+/// Every combination that is built.
+inline constexpr int contact_combinations = 16;
+constexpr ContactPhysics contact_physics(int n) { return {(n & 1) != 0, (n & 2) != 0, (n & 4) != 0, (n & 8) != 0}; }
+constexpr int contact_index(const ContactPhysics& p) {
+  return (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) + (p.accounted ? 8 : 0);
+}
+
+/// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
+struct ContactView {
+  const double *position_radius, *motions;
+  const std::int32_t* kind;  ///< of each slot
+  double radius;             ///< of all, where it is uniform
+  const std::int32_t* first;
+  const std::int32_t* second;
+  std::int32_t* contact;     ///< of each pair that touched a step before: its number; 0 of others
+  double* histories;            ///< a row a number
+  double* work;              ///< accounted: a row a number, what dissipated in the step before
+  const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
+  std::int32_t kinds;
+  PeriodicBox periods;
+  double step;
+};
+
+/// Pairs that may touch soon, padded to whole vectors.
+struct InnerPairs {
+  std::int32_t *pair, *first, *second, *contact;
+  std::uint8_t* touches;  ///< whether it has a number: 1 or 0
+};
+
+/// What a pair does to a sphere of a later part, which that part adds up itself.
+struct HaloForce {
+  double load[6];
+  std::int64_t slot;
+};
+
+/// A wall as it is now, and the spheres of a part near it.
+struct WallView {
+  bool cylinder;
+  double point[3], direction[3];  ///< normal of a plane, axis of a cylinder
+  double radius;
+  double velocity[3];
+  const std::int32_t* slots;
+  std::int32_t count;       ///< padded to whole vectors
+  std::int32_t* contact;    ///< as of pairs
+  const ContactParameters<double>* parameters;  ///< of each kind
+};
+
+/// One part of slots, its pairs, and what came of them. A part is worked on by one thread; its results do not depend
+/// on which.
+struct ContactTask {
+  InnerPairs near;
+  std::int32_t near_count;  ///< padded to whole vectors
+  std::int32_t slots_begin, slots_end;
+  double* loads;            ///< of these slots
+  std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
+  std::int32_t* free;       ///< numbers for contacts that begin, those that end give them back
+  std::int32_t free_count;
+  HaloForce* halo;  ///< room for all near pairs with a sphere of a later part
+  std::int32_t halo_count;
+  std::int64_t contacts;    ///< counted
+  ContactAccount<double> account;
+  ContactAccount<double> power;  ///< of this moment [W]
+  double wall_work;         ///< by moving walls on spheres [J]
+  double wall_power;        ///< of this moment [W]
+};
+
+/// Spheres in some order, with lanes_beyond behind them.
+struct SortedSpheres {
+  const double* x[3];
+  const double* radius;
+  const std::int32_t* sphere;  ///< number
+  const std::int32_t* fiber;
+};
+
+struct SlotRange {
+  std::int32_t begin, end;
+};
+
+/// A sphere that asks who is near.
+struct NeighborQuery {
+  double x[3];
+  double reach;  ///< its radius and the gap up to which others are near
+  std::int32_t sphere, fiber;
+  PeriodicBox periods;
+};
+
+struct ContactKernel {
+  int width;
+  /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] or touched the step before to the
+  /// first `found`; how many then.
+  std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap, const InnerPairs&, std::int32_t found);
+  void (*pairs)(const ContactView&, ContactTask&);
+  void (*wall)(const ContactView&, const WallView&, ContactTask&);
+  /// Spheres in the runs that are near and not bonded to the asking one: written to `found`, counted.
+  std::int32_t (*search)(const SortedSpheres&, const SlotRange* runs, int count, const NeighborQuery&, std::int32_t* found);
+};
+
+/// Kernels of one instruction set, in the order of contact_index().
+template <InstructionSet set>
+struct ContactKernels {
+  static const ContactKernel* table();
+};
+
+/// The loops for a scene's contacts. Throws InvalidInput when this processor lacks the instruction set.
+const ContactKernel& contact_kernel(const ContactPhysics& physics, InstructionSet set);
+
+}  // namespace fiberchain::dem

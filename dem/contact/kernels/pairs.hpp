@@ -1,0 +1,359 @@
+#pragma once
+
+#include "dem/simd/gather.hpp"
+#include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/simd/flatten.hpp"
+#include "dem/simd/transpose.hpp"
+
+// The contact loop: distances of the near pairs, then the law for those that touch, as many at a time as there are lanes.
+namespace fiberchain::dem {
+
+/// Slots of some spheres, one a lane.
+template <class Real>
+struct Slots {
+  std::int32_t at[lane_count<Real>];
+};
+
+template <class Real>
+Slots<Real> slots_of(const std::int32_t* slots, const std::int32_t* entries) {
+  Slots<Real> chosen;
+  for (int k = 0; k < lane_count<Real>; ++k) chosen.at[k] = slots[entries[k]];
+  return chosen;
+}
+
+/// Rows of N numbers of these slots, or of these contacts.
+template <int N, class Real, class Number>
+RowStarts<Real, Number> rows_at(Number* rows, const std::int32_t* entries) {
+  RowStarts<Real, Number> starts;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(entries[k]) * N;
+  return starts;
+}
+
+/// Centers and radii.
+template <class Real>
+struct Balls {
+  Vec<Real, 3> center;
+  Real radius;
+};
+
+template <class Real>
+Balls<Real> balls_at(const ContactView& view, const std::int32_t* slots) {
+  Real n[position_radius_size];
+  load_rows<position_radius_size>(rows_at<position_radius_size, Real>(view.position_radius, slots), 0, n);
+  return {{n[0], n[1], n[2]}, n[radius_offset]};
+}
+
+template <class Real>
+struct Motions {
+  Vec<Real, 3> velocity, spin;
+};
+
+template <class Real>
+Motions<Real> motions_at(const ContactView& view, const std::int32_t* slots) {
+  Real n[velocity_spin_size];
+  load_rows<velocity_spin_size>(rows_at<velocity_spin_size, Real>(view.motions, slots), 0, n);
+  return {{n[0], n[1], n[2]}, {n[spin_offset], n[spin_offset + 1], n[spin_offset + 2]}};
+}
+
+/// From one to the other, the nearest image of it where the room repeats itself.
+template <ContactPhysics P, class Real>
+Vec<Real, 3> separation(const ContactView& view, const Balls<Real>& a, const Balls<Real>& b) {
+  const Vec<Real, 3> r = b.center - a.center;
+  if constexpr (P.periodic) return nearest_image(view.periods, r);
+  return r;
+}
+
+/// Fetches a line extrapolation of its use: which rows pairs need is known long before, but not to the processor.
+inline __attribute__((always_inline)) void fetch_line(const double* line) { __builtin_prefetch(line, 0, 3); }
+
+/// Numbers of pairs extrapolation that rows are fetched.
+inline constexpr int pairs_ahead = 48, touching_ahead = 24;
+
+/// Lanes in which spheres have a gap below `gap`.
+template <ContactPhysics P, class Real>
+unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first, const std::int32_t* second) {
+  const Balls<Real> a = balls_at<Real>(view, first), b = balls_at<Real>(view, second);
+  const Vec<Real, 3> r = separation<P>(view, a, b);
+  const Real reach = P.uniform ? Real(2.0 * view.radius) + gap : a.radius + b.radius + gap;
+  return less_mask(dot(r, r), reach * reach);
+}
+
+template <class Real>
+void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32_t n, std::int32_t end) {
+  if (n + pairs_ahead + lane_count<Real> > end) return;
+  for (int k = 0; k < lane_count<Real>; ++k) fetch_line(view.position_radius + static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * position_radius_size);
+}
+
+/// Of some pairs, those that touched the step before.
+template <class Real>
+unsigned touched_mask(const std::int32_t* contact) {
+  unsigned mask = 0;
+  for (int k = 0; k < lane_count<Real>; ++k) mask |= (contact[k] != 0 ? 1u : 0u) << k;
+  return mask;
+}
+
+template <ContactPhysics P, class Real>
+FIBERCHAIN_FLATTEN std::int32_t prune_pairs(const ContactView& view, std::int32_t begin, std::int32_t end, double gap, const InnerPairs& near,
+                                           std::int32_t found) {
+  constexpr int lanes = lane_count<Real>;
+  for (std::int32_t p = begin; p < end; p += lanes) {
+    fetch_places<Real>(view, view.second, p, end);
+    const unsigned near_now = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p);
+    for (unsigned chosen = near_now | touched_mask<Real>(view.contact + p); chosen != 0; chosen &= chosen - 1) {
+      const std::int32_t pair = p + __builtin_ctz(chosen);
+      near.pair[found] = pair;
+      near.first[found] = view.first[pair];
+      near.second[found] = view.second[pair];
+      near.contact[found] = view.contact[pair];
+      near.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
+    }
+  }
+  return found;
+}
+
+template <ContactPhysics P>
+void clear(const ContactView& view, std::ptrdiff_t contact) {
+  for (int n = 0; n < contact_history_size; ++n) view.histories[contact * contact_history_size + n] = 0;
+  if constexpr (P.accounted) {
+    for (int n = 0; n < contact_account_size; ++n) view.work[contact * contact_account_size + n] = 0;
+  }
+}
+
+/// A number for a contact that begins: nothing is remembered of it.
+template <ContactPhysics P>
+std::int32_t begin_contact(const ContactView& view, ContactTask& task) {
+  const std::int32_t contact = task.free[--task.free_count];
+  clear<P>(view, contact);
+  return contact;
+}
+
+inline std::int32_t end_contact(std::int32_t contact, ContactTask& task) {
+  task.free[task.free_count++] = contact;
+  return 0;
+}
+
+/// Near pairs that touch go into the task's list; those that begin or end are marked.
+template <ContactPhysics P, class Real>
+int find_touching(const ContactView& view, ContactTask& task) {
+  constexpr int lanes = lane_count<Real>;
+  const InnerPairs& near = task.near;
+  int count = 0;
+  for (std::int32_t n = 0; n < task.near_count; n += lanes) {
+    fetch_places<Real>(view, near.second, n, task.near_count);
+    const unsigned touching = closer_than<P, Real>(view, Real(0.0), near.first + n, near.second + n);
+    for (unsigned changed = flag_mask<Real>(near.touches + n) ^ touching; changed != 0; changed &= changed - 1) {
+      const int k = n + __builtin_ctz(changed);
+      near.touches[k] ^= 1;
+      near.contact[k] = near.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(near.contact[k], task);
+      view.contact[near.pair[k]] = near.contact[k];
+    }
+    append_lanes<Real>(touching, n, task.touching + count);
+    count += __builtin_popcount(touching);
+  }
+  return count;
+}
+
+template <class Real>
+ContactParameters<Real> broadcast(const ContactParameters<double>& p) {
+  ContactParameters<Real> result;
+  const double* in = reinterpret_cast<const double*>(&p);
+  Real* out = reinterpret_cast<Real*>(&result);
+  for (std::size_t n = 0; n < sizeof(p) / sizeof(double); ++n) out[n] = Real(in[n]);
+  return result;
+}
+
+/// Parameters of the pairs' kinds.
+template <class Real>
+ContactParameters<Real> gather_parameters(const ContactParameters<double>* table, const std::int32_t* entry) {
+  constexpr int numbers = sizeof(ContactParameters<double>) / sizeof(double);
+  std::int32_t index[lane_count<Real>];
+  for (int k = 0; k < lane_count<Real>; ++k) index[k] = entry[k] * numbers;
+  ContactParameters<Real> result;
+  Real* out = reinterpret_cast<Real*>(&result);
+  const double* in = reinterpret_cast<const double*>(table);
+  for (int n = 0; n < numbers; ++n) out[n] = gather_lanes<Real>(in + n, index);
+  return result;
+}
+
+/// What one pair gives to its two spheres.
+template <class Real>
+struct PairLoads {
+  Vec<Real, 3> force, first_moment, second_moment;  ///< force on the first
+};
+
+template <class Real>
+double summed(const Real& value, int count) {
+  double numbers[lane_count<Real>], sum = 0;
+  store_lanes(value, numbers);
+  for (int k = 0; k < count; ++k) sum += numbers[k];
+  return sum;
+}
+
+/// Tangential springs of a contact [J].
+template <class Real>
+Real spring_energy(const ContactParameters<Real>& p, const ContactHistory<Real>& h) {
+  using std::max;
+  const Real stiffness = max(p.tangential * h.sqrt_overlap, Real(1e-300));
+  return select(h.sqrt_overlap > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
+}
+
+/// Energies of the step. A kick with a force takes force times the mean of the velocities before and after it: the one
+/// before is at hand, the one after comes with the next step, which corrects this one by what its row keeps.
+template <class Real>
+void account(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, const ContactHistory<Real>& before,
+          const ContactHistory<Real>& after, const ContactAction<Real>& action, const Real& dt, int count,
+          const RowStarts<Real>& work, ContactTask& task) {
+  using std::sqrt;
+  const Real normal_velocity = dot(pair.velocity, pair.normal);
+  const Real normal_force = Real(0.0) - dot(action.force, pair.normal);
+  const Real dashpot = p.normal * pair.overlap * sqrt(pair.overlap) - normal_force;
+  const Vec<Real, 3> slip = pair.velocity - normal_velocity * pair.normal, tangential_force = action.force + normal_force * pair.normal;
+  Real saved[contact_account_size];
+  load_rows<contact_account_size>(work, 0, saved);
+  const auto held = before.sqrt_overlap > Real(0.0);
+  const auto of_step_before = [&](const Real& power_now) { return select(held, Real(0.5) * dt * power_now, Real(0.0)); };
+  const Vec<Real, 3> last_tangential_force{saved[1], saved[2], saved[3]}, last_moment{saved[4], saved[5], saved[6]};
+  const Real normal = dashpot * normal_velocity, sliding = dot(tangential_force, slip), rolling = dot(action.moment, pair.spin);
+  task.account.normal_dashpot += summed<Real>(dt * normal + of_step_before(saved[0] * (normal_velocity - before.normal_velocity)), count);
+  task.account.sliding += summed<Real>(dt * sliding + of_step_before(dot(last_tangential_force, slip) - saved[7]) -
+                                        (spring_energy(p, after) - spring_energy(p, before)), count);
+  task.account.rolling += summed<Real>(dt * rolling + of_step_before(dot(last_moment, pair.spin) - before.rolling_power), count);
+  task.power.normal_dashpot += summed<Real>(normal, count);
+  task.power.sliding += summed<Real>(sliding, count);
+  task.power.rolling += summed<Real>(rolling, count);
+  const Real keep[contact_account_size] = {dashpot, tangential_force[0], tangential_force[1], tangential_force[2], action.moment[0], action.moment[1], action.moment[2], sliding};
+  store_rows<contact_account_size>(keep, work, 0);
+}
+
+template <class Real>
+ContactHistory<Real> remembered(const RowStarts<Real>& history_rows) {
+  Real n[contact_history_size];
+  load_rows<contact_history_size>(history_rows, 0, n);
+  return {{n[0], n[1], n[2]}, n[3], n[4], n[5]};
+}
+
+template <class Real>
+void keep(const ContactHistory<Real>& history, const RowStarts<Real>& history_rows) {
+  const Real n[contact_history_size] = {history.spring[0], history.spring[1], history.spring[2], history.sqrt_overlap, history.normal_velocity,
+                                  history.rolling_power, Real(0.0), Real(0.0)};
+  store_rows<contact_history_size>(n, history_rows, 0);
+}
+
+/// The law for pairs of the spheres i and j, of which `count` count.
+template <ContactPhysics P, class Real>
+PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i, const Slots<Real>& j,
+                           int count, ContactTask& task) {
+  using std::max;
+  constexpr int lanes = lane_count<Real>;
+  const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
+  const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
+  const Vec<Real, 3> r = separation<P>(view, a, b);
+  const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared), distance = squared * inverse_distance;
+  ContactParameters<Real> p;
+  Real reach, share = Real(0.5);
+  if constexpr (P.uniform) {
+    p = broadcast<Real>(view.parameters[0]);
+    reach = Real(2.0 * view.radius);
+  } else {
+    reach = a.radius + b.radius;
+    share = a.radius / reach;
+    std::int32_t entry[lanes];
+    for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.at[k]] * view.kinds + view.kind[j.at[k]];
+    p = gather_parameters<Real>(view.parameters, entry);
+  }
+  const Real arm_i = share * distance, arm_j = distance - arm_i;
+  TouchingPair<Real> pair;
+  pair.normal = inverse_distance * r;
+  pair.overlap = max(reach - distance, Real(1e-300));  // squares that differ may have one sqrt_overlap
+  pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal, arm_i * motion_i.spin + arm_j * motion_j.spin);
+  pair.spin = motion_j.spin - motion_i.spin;
+  pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
+  const RowStarts<Real> history_rows = rows_at<contact_history_size, Real>(view.histories, contacts.at);
+  ContactHistory<Real> history = remembered<Real>(history_rows);
+  [[maybe_unused]] const ContactHistory<Real> before = history;
+  const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
+  if constexpr (P.accounted) {
+    const RowStarts<Real> work = rows_at<contact_account_size, Real>(view.work, contacts.at);
+    account(p, pair, before, history, action, Real(view.step), count, work, task);
+  }
+  keep<Real>(history, history_rows);
+  const Vec<Real, 3> turn = cross(pair.normal, action.force);
+  return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};
+}
+
+/// Loads as rows.
+template <class Real>
+struct LoadRows {
+  alignas(64) double at[lane_count<Real>][load_size];
+};
+
+template <class Real>
+void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Real>& rows) {
+  RowStarts<Real> starts;
+  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows.at[k];
+  const Real none(0.0), n[load_size] = {force[0], force[1], force[2], moment[0], moment[1], moment[2], none, none};
+  store_rows<load_size>(n, starts, 0);
+}
+
+/// Adds loads to those of a sphere of the part; on AVX-512 in one go.
+template <class Real>
+inline __attribute__((always_inline)) void add_row(const double* loads, std::int32_t slot, const ContactTask& task) {
+  double* row = task.loads + static_cast<std::ptrdiff_t>(slot - task.slots_begin) * load_size;
+#ifdef __AVX512F__
+  if constexpr (lane_count<Real> == 8) {
+    _mm512_store_pd(row, _mm512_add_pd(_mm512_load_pd(row), _mm512_load_pd(loads)));
+    return;
+  }
+#endif
+  for (int c = 0; c < moment_offset + 3; ++c) row[c] += loads[c];
+}
+
+/// Adds pairs' loads to their spheres in the order of the pairs.
+template <class Real>
+void add_loads(const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j, int count, ContactTask& task) {
+  LoadRows<Real> first, second;
+  to_rows(loads.force, loads.first_moment, first);
+  to_rows(-loads.force, loads.second_moment, second);
+  for (int k = 0; k < count; ++k) {
+    add_row<Real>(first.at[k], i.at[k], task);
+    if (j.at[k] < task.slots_end) {
+      add_row<Real>(second.at[k], j.at[k], task);
+    } else {
+      HaloForce& later = task.halo[task.halo_count++];
+      for (int c = 0; c < 6; ++c) later.load[c] = second.at[k][c];
+      later.slot = j.at[k];
+    }
+  }
+}
+
+/// What the touching pairs n ... n + lanes - 1 need.
+template <class Real>
+void fetch_touching(const ContactView& view, const ContactTask& task, int n, int touching) {
+  for (int k = n; k < n + lane_count<Real> && k < touching; ++k) {
+    const std::int32_t n_k = task.touching[k], i = task.near.first[n_k], j = task.near.second[n_k];
+    fetch_line(view.histories + static_cast<std::ptrdiff_t>(task.near.contact[n_k]) * contact_history_size);
+    for (const std::int32_t sphere : {i, j}) {
+      const double* motion = view.motions + static_cast<std::ptrdiff_t>(sphere) * velocity_spin_size;
+      fetch_line(motion), fetch_line(motion + velocity_spin_size - 1);
+    }
+  }
+}
+
+template <ContactPhysics P, class Real>
+FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task) {
+  constexpr int lanes = lane_count<Real>;
+  const int touching = find_touching<P, Real>(view, task);
+  task.contacts += touching;
+  for (int n = 0; n < touching_ahead; n += lanes) fetch_touching<Real>(view, task, n, touching);
+  for (int n = 0; n < touching; n += lanes) {
+    fetch_touching<Real>(view, task, n + touching_ahead, touching);
+    const int count = touching - n < lanes ? touching - n : lanes;
+    for (int k = count; k < lanes; ++k) task.touching[n + k] = task.touching[n];
+    const std::int32_t* chosen = task.touching + n;
+    const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
+    const Slots<Real> i = slots_of<Real>(task.near.first, chosen), j = slots_of<Real>(task.near.second, chosen);
+    add_loads(pair_loads<P, Real>(view, contacts, i, j, count, task), i, j, count, task);
+  }
+}
+
+}  // namespace fiberchain::dem

@@ -1,8 +1,0 @@
-#include "dem/contact/lanes/instantiate.hpp"
-#include "dem/contact/lanes/tables.hpp"
-
-namespace fiberchain::dem {
-
-const ContactKernel* contacts_sse2() { return contacts_of<xsimd::batch<double, xsimd::sse2>>.kernels; }
-
-}  // namespace fiberchain::dem

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dem/chain/sphere_storage.hpp"
+#include "dem/parallel/partition.hpp"
+#include "dem/parallel/thread_pool.hpp"
+#include "dem/contact/sorted_cells.hpp"
+
+// Which spheres are close. Every sphere is listed at a place; who is close follows from these position_radius alone. A sphere that has
+// moved far from its place is listed at a new one, and only its neighbors are searched rebuilt.
+namespace fiberchain::dem {
+
+struct Pair {
+  std::int32_t first, second;  ///< sphere numbers, first < second
+  auto operator<=>(const Pair&) const = default;
+};
+
+/// Spheres by number.
+struct SphereSet {
+  std::vector<double> radius;       ///< [m]
+  std::vector<std::int32_t> fiber;  ///< neighbors along a fiber have consecutive numbers and do not contact
+  Vec<double, 3> period;            ///< [m]; 0: not periodic
+};
+
+class NeighborList {
+ public:
+  NeighborList() = default;
+  /// Pairs with a gap below `skin` [m] are close. `kernel` is that of the scene's contacts (periodic or not).
+  NeighborList(SphereSet spheres, double skin, Partition parts, const ContactKernel& kernel);
+
+  double skin() const { return skin_; }
+  const SphereSet& spheres() const { return spheres_; }
+  const Partition& parts() const { return parts_; }
+  const std::vector<Vec<double, 3>>& position_radius() const { return places_; }
+
+  /// Lists all spheres at these position_radius. Throws InvalidInput for position_radius that are not finite, and where a periodic side is
+  /// shorter than twice 2 R + skin.
+  void list(std::vector<Vec<double, 3>> position_radius, ThreadPool& pool);
+  /// How far any sphere is from its place [m].
+  double farthest_moved(const SphereStorage& rows, ThreadPool& pool) const;
+  /// Lists those that are farther than `distance` [m] from their position_radius where they are now; throws as list().
+  void update(const SphereStorage& rows, double distance, ThreadPool& pool);
+
+  /// Spheres of a part that the last call has listed rebuilt, by rising number.
+  const std::vector<std::int32_t>& rebuilt(int part) const { return searches_[part].rebuilt; }
+  bool is_rebuilt(std::int32_t sphere) const { return rebuilt_[sphere] != 0; }
+  /// Close pairs with one of these or two, whose first sphere is of the part, in order.
+  std::vector<Pair> found(int part) const;
+
+ private:
+  /// What has come of a part's spheres.
+  struct Search {
+    std::vector<std::int32_t> rebuilt;
+    std::vector<std::vector<Pair>> found;  ///< by the part of the first
+  };
+  void sort();
+  void check_finite() const;
+  void search(ThreadPool& pool);
+  void search(int part);
+
+  SphereSet spheres_;
+  double skin_ = 0;
+  std::vector<Vec<double, 3>> places_;
+  std::vector<std::uint8_t> rebuilt_;
+  Partition parts_;
+  std::vector<Search> searches_;
+  const ContactKernel* kernel_ = nullptr;
+  std::optional<SortedCells> sorted_;
+  double slack_ = 0;  ///< what spheres may move from where they were sorted [m]
+};
+
+}  // namespace fiberchain::dem

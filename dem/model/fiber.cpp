@@ -1,0 +1,124 @@
+#include "dem/model/fiber.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "dem/model/errors.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+using std::numbers::pi;
+
+void require(bool allowed, std::string_view name, double value, std::string_view allowed_text) {
+  if (!allowed) throw InvalidInput(fmt::format("{} = {} is not allowed: {}", name, value, allowed_text));
+}
+
+void require_positive(std::string_view name, double value) {
+  require(std::isfinite(value) && value > 0, name, value, "it must be finite and greater than 0");
+}
+
+void require_poisson_ratio(double nu) {
+  require(nu > -1 && nu <= 0.5, "poisson_ratio", nu, "it must be greater than -1 and at most 0.5");
+}
+
+}  // namespace
+
+Material isotropic_material(double youngs_modulus, double nu, double density) {
+  require_poisson_ratio(nu);
+  return {youngs_modulus, youngs_modulus / (2 * (1 + nu)), density};
+}
+
+double poisson_ratio(const Material& material) {
+  return (material.youngs_modulus - 2 * material.shear_modulus) / (2 * material.shear_modulus);
+}
+
+std::string_view name(BondModel model) { return model == BondModel::paper ? "paper" : "corrected"; }
+
+std::string_view name(DashpotLaw law) {
+  switch (law) {
+    case DashpotLaw::retardation_time: return "retardation_time";
+    case DashpotLaw::bending_only: return "bending_only";
+    default: return "bond_damping";
+  }
+}
+
+void check(const Fiber& fiber) {
+  require_positive("youngs_modulus", fiber.material.youngs_modulus);
+  require_positive("shear_modulus", fiber.material.shear_modulus);
+  require_positive("density", fiber.material.density);
+  require_positive("diameter", fiber.diameter);
+  // nu recovered from E and G carries their rounding
+  const double nu = poisson_ratio(fiber.material);
+  require_poisson_ratio(nu > 0.5 && nu < 0.5 + 1e-12 ? 0.5 : nu);
+  require(fiber.aspect_ratio >= 1, "aspect_ratio", fiber.aspect_ratio, "it must be a whole number, 1 or more");
+  require(std::isfinite(fiber.bond_damping) && fiber.bond_damping >= 0, "bond_damping", fiber.bond_damping,
+          "it must be finite and 0 or more");
+  require(std::isfinite(fiber.retardation_time) && fiber.retardation_time >= 0, "retardation_time",
+          fiber.retardation_time, "it must be finite and 0 or more");
+  require(std::isfinite(fiber.rolling_friction) && fiber.rolling_friction >= 0, "rolling_friction",
+          fiber.rolling_friction, "it must be finite and 0 or more");
+  if (fiber.dashpots == DashpotLaw::retardation_time) {
+    require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping, "dashpots set by a retardation time take no xi_b");
+  } else {
+    require(fiber.retardation_time == 0, "retardation_time", fiber.retardation_time,
+            "dashpots set by xi_b take no retardation time");
+  }
+}
+
+bool damped(const Fiber& fiber) { return fiber.bond_damping > 0 || fiber.retardation_time > 0; }
+
+double sphere_radius(const Fiber& fiber) { return fiber.diameter / 2; }
+double bond_length(const Fiber& fiber) { return fiber.diameter; }
+double fiber_length(const Fiber& fiber) { return fiber.aspect_ratio * bond_length(fiber); }
+
+double sphere_mass(const Fiber& fiber) {
+  return 4.0 / 3.0 * pi * std::pow(sphere_radius(fiber), 3) * fiber.material.density;
+}
+
+double sphere_inertia(const Fiber& fiber) {
+  return 0.4 * sphere_mass(fiber) * std::pow(sphere_radius(fiber), 2);
+}
+
+double bending_stiffness(const Fiber& fiber) {
+  return fiber.material.youngs_modulus * pi * std::pow(sphere_radius(fiber), 4) / 4;
+}
+
+double axial_stiffness(const Fiber& fiber) { return bond_stiffness(fiber).stretch * bond_length(fiber); }
+double shear_stiffness(const Fiber& fiber) { return bond_stiffness(fiber).shear * bond_length(fiber); }
+
+BondStiffness bond_stiffness(const Fiber& fiber) {
+  const double R = sphere_radius(fiber);
+  const double E = fiber.material.youngs_modulus;
+  const double G = fiber.material.shear_modulus;
+  const double stretch = pi * R * E / 2;
+  const double shear = fiber.bond_model == BondModel::corrected ? 0.75 * stretch : pi * R * G / 2;
+  return {stretch, shear, pi * R * R * R * G / 4, pi * R * R * R * E / 8};
+}
+
+BondDashpot bond_dashpot(const Fiber& fiber) {
+  const BondStiffness K = bond_stiffness(fiber);
+  const double tau = fiber.retardation_time, xi_b = fiber.bond_damping;
+  if (fiber.dashpots == DashpotLaw::retardation_time) {
+    return {tau * K.stretch, tau * K.shear, tau * K.twist, tau * K.bend};
+  }
+  const double m = sphere_mass(fiber);
+  const double J = sphere_inertia(fiber);
+  const double bend = xi_b * std::sqrt(2 * J * K.bend);
+  if (fiber.dashpots == DashpotLaw::bending_only) return {0, 0, 0, bend};
+  return {xi_b * std::sqrt(2 * m * K.stretch), xi_b * std::sqrt(2 * m * K.shear),
+          xi_b * std::sqrt(2 * J * K.twist), bend};
+}
+
+double bond_time_step(const Fiber& fiber) {
+  return std::sqrt(sphere_mass(fiber) / bond_stiffness(fiber).stretch);
+}
+
+double load_force(const Fiber& fiber, double load) {
+  const double L = fiber_length(fiber);
+  return load * bending_stiffness(fiber) / (L * L);
+}
+
+}  // namespace fiberchain::dem

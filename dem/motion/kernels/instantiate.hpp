@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <xsimd/xsimd.hpp>
+
+#include "dem/motion/kernels/single_chain_kernel.hpp"
+#include "dem/simd/flatten.hpp"
+#include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/simd/lane_count.hpp"
+#include "dem/motion/leapfrog.hpp"
+
+// Included by one source file an instruction set. Everything compiled there is a template on that set's number type:
+// its symbols are its own, and no function of another file can be replaced by one with foreign instructions.
+namespace fiberchain::dem {
+
+template <Physics P, class Real>
+ChainBlock<P, Real> typed(const ChainBatchView& block) {
+  constexpr int Dim = P.dimension;
+  return {block.bonds,
+          block.clamps,
+          reinterpret_cast<MovingSphere<Real, Dim>*>(block.spheres),
+          reinterpret_cast<BondHistory<Real, Dim>*>(block.history),
+          reinterpret_cast<const NaturalEnds<Real, Dim>*>(block.natural),
+          *reinterpret_cast<const MarchParameters<Real, Dim>*>(block.parameters),
+          reinterpret_cast<Real*>(block.workspace),
+          reinterpret_cast<const EndLoad<Real, Dim>*>(block.dead)};
+}
+
+template <Physics P, class Real>
+void start_block(const ChainBatchView& block) {
+  start_march<P, Real>(typed<P, Real>(block));
+}
+
+template <Physics P, class Real>
+FIBERCHAIN_FLATTEN void march_block(const ChainBatchView& block, double steps_before, int steps) {
+  const ChainBlock<P, Real> chain = typed<P, Real>(block);
+  for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n, flow_of_step<P, Real>(block, n));
+}
+
+template <class Real>
+struct KernelTable {
+  ChainKernel kernels[built_physics.size()];
+};
+
+template <Physics P, class Real>
+constexpr ChainKernel lane_kernel_of() {
+  if constexpr (built_for_single_chain(P) && lane_count<Real> > 1) {
+    return {lane_count<Real>, workspace_reals<P, Real>, start_block<P, Real>, march_block<P, Real>,
+            start_single_chain<P, Real>, march_single_chain<P, Real>};
+  } else {
+    return {lane_count<Real>, workspace_reals<P, Real>, start_block<P, Real>, march_block<P, Real>, nullptr, nullptr};
+  }
+}
+
+template <class Real, std::size_t... I>
+constexpr KernelTable<Real> kernel_table(std::index_sequence<I...>) {
+  return {{lane_kernel_of<built_physics[I], Real>()...}};
+}
+
+/// Kernels in the order of built_physics.
+template <class Real>
+inline constexpr KernelTable<Real> kernels_of = kernel_table<Real>(std::make_index_sequence<built_physics.size()>{});
+
+}  // namespace fiberchain::dem

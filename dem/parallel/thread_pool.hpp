@@ -1,0 +1,60 @@
+#pragma once
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace fiberchain::dem {
+
+/// Threads that share loops. They look for work for some microseconds and then sleep: a thread that spins while another
+/// program has its processor would hold everybody up.
+class ThreadPool {
+ public:
+  /// `threads` with the caller.
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  int threads() const { return static_cast<int>(workers_.size()) + 1; }
+
+  /// work(i, thread) for all i below `count`, each thread consecutive ones of its own, then what others have left; back
+  /// when all are done. `work` must not throw.
+  template <class Work>
+  void each(int count, Work&& work) {
+    if (workers_.empty()) {
+      for (int i = 0; i < count; ++i) work(i, 0);
+      return;
+    }
+    call_ = [](void* what, int i, int thread) { (*static_cast<std::remove_reference_t<Work>*>(what))(i, thread); };
+    what_ = &work;
+    count_ = count;
+    start_and_finish();
+  }
+
+  /// work(thread), once by each thread that is free; back when all are done. `work` must not throw.
+  template <class Work>
+  void for_each_thread(Work&& work) {
+    each(threads(), [&](int, int thread) { work(thread); });
+  }
+
+ private:
+  void start_and_finish();
+  void do_all(int thread);
+  void serve(int thread);
+
+  void (*call_)(void*, int, int) = nullptr;
+  void* what_ = nullptr;
+  int count_ = 0;
+  /// Of each thread: its next i and its last.
+  struct alignas(64) Share {
+    std::atomic<int> next{0};
+    int end = 0;
+  };
+  std::vector<Share> shares_;
+  std::atomic<unsigned> round_{0}, done_{0};
+  std::atomic<bool> over_{false};
+  std::vector<std::thread> workers_;
+};
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "dem/parallel/partition.hpp"
+#include "dem/parallel/thread_pool.hpp"
+
+namespace fiberchain::dem {
+
+/// Two pieces of work a part: the first may read what the second changes of its own and of later parts, up to the last
+/// one that it reaches, and leaves something for them. So second(k) waits for first(j) of all j <= k that reach k, and for
+/// nothing else: a part's numbers are still in the inner cache when its second piece comes.
+class WavefrontSchedule {
+ public:
+  explicit WavefrontSchedule(int parts) : first_(parts), second_(parts) {}
+
+  /// first(part, thread) and second(part, thread) of all parts. Neither may throw.
+  template <class First, class Second>
+  void run(ThreadPool& pool, const PartDependencies& reach, const First& first, const Second& second) {
+    const int count = static_cast<int>(first_.size()), n = pool.threads();
+    for (int k = 0; k < count; ++k) {
+      first_[k].store(open, std::memory_order_relaxed);
+      second_[k].store(open, std::memory_order_relaxed);
+    }
+    const auto try_first = [&](int k, int thread) {
+      if (!take(first_[k])) return;
+      first(k, thread);
+      first_[k].store(done, std::memory_order_release);
+    };
+    const auto both = [&](int k, int thread) {
+      if (!take(second_[k])) return;
+      for (int j = k; j >= reach.first_dependency(k); --j) {
+        if (reach.last(j) >= k) try_first(j, thread);
+      }
+      for (int j = k; j >= reach.first_dependency(k); --j) {
+        if (reach.last(j) >= k) wait_until_done(first_[j]);
+      }
+      second(k, thread);
+    };
+    pool.for_each_thread([&](int thread) {
+      for (int k = count * thread / n; k < count * (thread + 1) / n; ++k) both(k, thread);
+      // what others have left, from their ends on
+      for (int other = 1; other < n; ++other) {
+        const int whose = (thread + other) % n;
+        for (int k = count * (whose + 1) / n - 1; k >= count * whose / n; --k) both(k, thread);
+      }
+    });
+  }
+
+ private:
+  enum Progress : int { open, taken, done };
+  static bool take(std::atomic<int>& piece) {
+    int expected = open;
+    return piece.load(std::memory_order_relaxed) == open && piece.compare_exchange_strong(expected, taken, std::memory_order_relaxed);
+  }
+  static void wait_until_done(const std::atomic<int>& piece);
+
+  std::vector<std::atomic<int>> first_, second_;
+};
+
+}  // namespace fiberchain::dem

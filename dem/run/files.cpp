@@ -1,0 +1,113 @@
+#include "dem/run/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "dem/record/errors.hpp"
+#include "dem/files/journaled_file.hpp"
+#include "dem/files/atomic_file.hpp"
+#include "dem/trajectory/vtk.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All that a run may leave.
+std::vector<fs::path> all_files(const RunFiles& files) {
+  const fs::path trajectory = files.trajectory(), checkpoint = files.checkpoint();
+  return {checkpoint,
+          previous_checkpoint(checkpoint),
+          files.at(".checkpoint.bad"),
+          trajectory,
+          journal_of(trajectory),
+          files.at(".xmf"),
+          files.log(),
+          files.at(".pvd"),
+          files.at("-lines.pvd"),
+          files.at(".csv"),
+          files.at(".md"),
+          files.at("-bending.svg"),
+          files.at("-bending.png"),
+          files.at("-energy.svg"),
+          files.at("-energy.png")};
+}
+
+Checkpoint checkpoint_of(const fs::path& path, const std::string& scene_sha256) {
+  return read_checkpoint(path, scene_sha256);
+}
+
+/// One that this program can go on from.
+Checkpoint ours(Checkpoint checkpoint, const fs::path& path, const std::string& program) {
+  if (checkpoint.program == program) return checkpoint;
+  throw InputError(
+      fmt::format("{}: was written by another program ({}; this is {}), which need not end in the same bits",
+                  path.string(), checkpoint.program, program));
+}
+
+}  // namespace
+
+std::vector<fs::path> files_there(const RunFiles& files) {
+  std::vector<fs::path> there;
+  for (const fs::path& path : all_files(files)) {
+    if (fs::exists(path)) there.push_back(path);
+  }
+  const std::vector<fs::path> parts = vtk_parts(files.at(""));
+  there.insert(there.end(), parts.begin(), parts.end());
+  return there;
+}
+
+void remove_files(const RunFiles& files) {
+  for (const fs::path& path : files_there(files)) {
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) throw OutputError(path, error.message());
+  }
+  std::error_code others_in_it;  // keep the folder
+  fs::remove(files.at(""), others_in_it);
+}
+
+void remove_leftovers(const RunFiles& files) {
+  remove_staged(files.directory, files.name);
+  remove_staged(files.at(""), "");
+}
+
+std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
+                                                   const std::string& program, const Say& say) {
+  const fs::path last = files.checkpoint(), previous = previous_checkpoint(last);
+  if (!fs::exists(last) && !fs::exists(previous)) return std::nullopt;
+  std::string reason;
+  try {
+    return ours(checkpoint_of(last, scene_sha256), last, program);
+  } catch (const ReadError& error) {
+    reason = error.what();
+  }
+  try {
+    Checkpoint before = ours(checkpoint_of(previous, scene_sha256), previous, program);
+    say(fmt::format("{}; going on from the one before, of step {}", reason, before.step));
+    std::error_code ignored;  // absent: nothing to put aside
+    fs::rename(last, files.at(".checkpoint.bad"), ignored);
+    return before;
+  } catch (const ReadError& error) {
+    throw InputError(fmt::format("no checkpoint to go on from: {}; {}", reason, error.what()));
+  }
+}
+
+DirectoryLock::DirectoryLock(const fs::path& directory)
+    : directory_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (directory_ >= 0 && ::flock(directory_, LOCK_EX | LOCK_NB) == 0) return;
+  const int reason = errno;
+  if (directory_ >= 0) ::close(directory_);
+  throw OutputError(
+      directory, reason == EWOULDBLOCK ? "another run is at work in this directory" : std::strerror(reason));
+}
+
+DirectoryLock::~DirectoryLock() { ::close(directory_); }
+
+}  // namespace fiberchain::dem

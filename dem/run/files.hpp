@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem/trajectory/checkpoint.hpp"
+
+// The files of a run of many fibers, by name, and whom they belong to.
+namespace fiberchain::dem {
+
+/// Takes a message for people.
+using Say = std::function<void(const std::string&)>;
+
+struct RunFiles {
+  std::filesystem::path directory;
+  std::string name;  ///< of the scene: NAME.yaml
+
+  std::filesystem::path at(const std::string& end) const { return directory / (name + end); }
+  std::filesystem::path trajectory() const { return at(".h5"); }
+  std::filesystem::path log() const { return at("-log.csv"); }
+  std::filesystem::path checkpoint() const { return at(".checkpoint"); }
+};
+
+/// Those of a run that are there: what a new run would overwrite.
+std::vector<std::filesystem::path> files_there(const RunFiles& files);
+
+/// Removes them.
+/// @throws OutputError
+void remove_files(const RunFiles& files);
+
+/// Removes what a killed run has left half written.
+void remove_leftovers(const RunFiles& files);
+
+/// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside
+/// as NAME.checkpoint.bad; nothing if there is none at all.
+/// @throws InputError if no checkpoint can be used, or it belongs to another scene or program
+std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
+                                                   const std::string& program, const Say& say);
+
+/// A directory that one run at a time has. The system frees it when the program ends, however that happens.
+class DirectoryLock {
+ public:
+  /// @throws OutputError if another run has it, or it cannot be had
+  explicit DirectoryLock(const std::filesystem::path& directory);
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+  ~DirectoryLock();
+
+ private:
+  int directory_ = -1;
+};
+
+}  // namespace fiberchain::dem

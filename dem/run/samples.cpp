@@ -1,0 +1,153 @@
+#include "dem/run/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/analysis/observables.hpp"
+#include "dem/scene/build_packing.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+using V = Vec<double, 3>;
+
+/// Height of the lowest corner of the room.
+double floor_of(const PackingScene& scene, const V& up) {
+  double lowest = 0;
+  for (int a = 0; a < 3; ++a) lowest += std::min(up[a] * scene.room.low[a], up[a] * scene.room.high[a]);
+  return lowest;
+}
+
+double bending_mean(const Assembly& assembly) {
+  Mean mean;
+  for (int g = 0; g < assembly.groups(); ++g) {
+    for (const auto& bonds : assembly.bonds(g)) {
+      for (const BondState& bond : bonds) mean.sum += bond.bending_angle, ++mean.count;
+    }
+  }
+  return mean.value();
+}
+
+Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
+
+const std::vector<std::string> kColumns = {"step",         "simulated_time",  "contacts",
+                                           "height",       "bending_mean"};
+const std::vector<std::string> kStored = {"kinetic_energy", "energy_bonds", "energy_contacts", "energy_gravity"};
+const std::vector<std::string> kBooked = {
+    "taken_bond_damping",    "taken_bond_friction", "taken_contact_normal", "taken_contact_tangential",
+    "taken_contact_rolling", "taken_fluid",         "given_walls",          "given_inserted",
+    "energy_total"};
+
+/// A fiber with all its spheres at one place, at rest: it comes later.
+void add_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
+  const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
+  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    if (i > 0) frame.bonds.push_back({static_cast<std::int64_t>(frame.position.size()) - 1, {}, 0});
+    frame.position.push_back(place);
+    frame.velocity.push_back({});
+    frame.radius.push_back(sphere_radius(fiber));
+    frame.fiber.push_back(number);
+  }
+  frame.absent += fiber.aspect_ratio + 1;
+}
+
+void add_fiber(TrajectoryFrame& frame, const ChainState<3>& state, const std::vector<BondState>& bonds,
+               double radius) {
+  const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
+  auto sphere = static_cast<std::int64_t>(frame.position.size());
+  for (const BondState& bond : bonds) {
+    frame.bonds.push_back({sphere++, bond.force, bond.bending_angle});
+  }
+  for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    frame.position.push_back(state.poses[i].position);
+    frame.velocity.push_back(state.velocity[i]);
+    frame.radius.push_back(radius);
+    frame.fiber.push_back(number);
+  }
+}
+
+}  // namespace
+
+V upward(const PackingScene& scene) {
+  const V& gravity = scene.domain.gravity;
+  const double size = norm(gravity);
+  return size > 0 ? (-1 / size) * gravity : V{0, 0, 1};
+}
+
+RunMoment measure(const Assembly& assembly, const PackingScene& scene) {
+  const V up = upward(scene);
+  return {assembly.steps(),       assembly.time(),
+          assembly.touching(),    heights(assembly.placed(), up).quantile - floor_of(scene, up),
+          bending_mean(assembly), assembly.energy()};
+}
+
+std::vector<std::string> energy_columns(bool booked) {
+  std::vector<std::string> columns = kStored;
+  if (booked) columns.insert(columns.end(), kBooked.begin(), kBooked.end());
+  return columns;
+}
+
+NamedRow energy_cells(const EnergyBalance& e, bool booked) {
+  NamedRow row = {{"kinetic_energy", e.kinetic},
+                  {"energy_bonds", e.bonds},
+                  {"energy_contacts", e.contacts},
+                  {"energy_gravity", e.gravity}};
+  if (!booked) return row;
+  row.insert(row.end(), {{"taken_bond_damping", e.bond_damping},
+                         {"taken_bond_friction", e.bond_friction},
+                         {"taken_contact_normal", e.contact_normal},
+                         {"taken_contact_tangential", e.contact_tangential},
+                         {"taken_contact_rolling", e.contact_rolling},
+                         {"taken_fluid", e.fluid},
+                         {"given_walls", e.wall_work},
+                         {"given_inserted", e.inserted},
+                         {"energy_total", total(e)}});
+  return row;
+}
+
+Table run_log_table(const PackingScene& scene) {
+  std::vector<std::string> columns = kColumns;
+  const std::vector<std::string> energies = energy_columns(scene.account_energy);
+  columns.insert(columns.end(), energies.begin(), energies.end());
+  columns.insert(columns.end(), {"step_rate", "time_left"});
+  return Table(columns);
+}
+
+Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left) {
+  NamedRow row = {{"step", moment.step},           {"simulated_time", moment.time},  {"contacts", moment.contacts},
+                  {"height", moment.height},       {"bending_mean", moment.bending_mean},
+                  {"step_rate", known(step_rate)}, {"time_left", known(time_left)}};
+  const NamedRow energies = energy_cells(moment.energy, scene.account_energy);
+  row.insert(row.end(), energies.begin(), energies.end());
+  Table table = run_log_table(scene);
+  table.append(row);
+  return table;
+}
+
+TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene) {
+  TrajectoryFrame frame{};
+  frame.time = assembly.time();
+  frame.step = assembly.steps();
+  frame.low = scene.room.low;
+  frame.high = scene.room.high;
+  for (int a = 0; a < 3; ++a) frame.periodic[a] = scene.domain.period[a] > 0;
+  const auto spheres = static_cast<std::size_t>(assembly.spheres());
+  frame.position.reserve(spheres), frame.velocity.reserve(spheres), frame.radius.reserve(spheres);
+  frame.fiber.reserve(spheres), frame.bonds.reserve(spheres);
+  for (int g = 0; g < assembly.groups(); ++g) {
+    const double radius = sphere_radius(assembly.chain(g).fiber);
+    assembly.visit(g, [&](const ChainState<3>& state, const std::vector<BondState>& bonds) {
+      add_fiber(frame, state, bonds, radius);
+    });
+  }
+  int group = groups_at_start(scene);
+  for (int n = 1; n < scene.batches.number; ++n) {
+    for (const auto& [chain, count] : batch_counts(scene, n)) {
+      if (group++ < assembly.groups()) continue;
+      for (std::int64_t f = 0; f < count; ++f) add_absent(frame, chain.fiber, scene.room.low);
+    }
+  }
+  return frame;
+}
+
+}  // namespace fiberchain::dem

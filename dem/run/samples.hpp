@@ -1,0 +1,39 @@
+#pragma once
+
+#include "dem/record/table.hpp"
+#include "dem/assembly/assembly.hpp"
+#include "dem/trajectory/frame.hpp"
+#include "dem/scene/packing_scene.hpp"
+
+// A packing at one moment, as a run writes it.
+namespace fiberchain::dem {
+
+struct RunMoment {
+  std::int64_t step;
+  double time;  ///< [s]
+  std::int64_t contacts;
+  double height;        ///< below which 95 % of the sphere centers lie, over the room's floor [m]
+  double bending_mean;  ///< over all bonds [rad]
+  EnergyBalance energy;
+};
+
+/// Against gravity; along z without.
+Vec<double, 3> upward(const PackingScene& scene);
+
+RunMoment measure(const Assembly& assembly, const PackingScene& scene);
+
+/// Columns of stored energies and, where `booked`, of what each mechanism took.
+std::vector<std::string> energy_columns(bool booked);
+NamedRow energy_cells(const EnergyBalance& energy, bool booked);
+
+/// An empty log.
+Table run_log_table(const PackingScene& scene);
+
+/// A line of it.
+Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate,
+                  double time_left);
+
+/// All spheres, with room for those that come later.
+TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,198 @@
+#include "dem/run/session.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "dem/record/errors.hpp"
+#include "dem/run/insertion_queue.hpp"
+#include "dem/run/schedule.hpp"
+#include "dem/record/run_log.hpp"
+#include "dem/record/run_status.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/trajectory/h5md.hpp"
+#include "dem/trajectory/vtk.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+
+/// Steps between two looks at who wants the run to stop.
+constexpr std::int64_t kStride = 64;
+
+/// What set the step.
+std::string step_words(const StepChoice& choice, const PackingScene& scene) {
+  const std::string limits = fmt::format(": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
+                                         choice.bonds, choice.damped_bonds, choice.contacts);
+  if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
+  return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by, limits);
+}
+
+/// The files of a run as they grow.
+class RunWriter {
+ public:
+  /// Goes on behind what was written up to `done` steps, or begins.
+  RunWriter(const PackingJob& job, std::int64_t done, bool resumed)
+      : job_(job),
+        log_(resumed ? RunLog::resume(job.files.log(), run_log_table(job.scene), job.provenance, done)
+                     : RunLog(job.files.log(), run_log_table(job.scene), job.provenance)),
+        trajectory_(resumed ? TrajectoryWriter::resume(job.files.trajectory(), header(job), done)
+                            : TrajectoryWriter(job.files.trajectory(), header(job))) {
+    if (!job.scene.output.vtk) return;
+    vtk_ = resumed ? VtkSeries::resume(job.files.directory, job.files.name, entries(job.provenance), done)
+                   : VtkSeries(job.files.directory, job.files.name, entries(job.provenance));
+  }
+
+  void write_line(const RunMoment& moment, const Pace& pace) {
+    log_.append(run_log_row(moment, job_.scene, pace.step_rate(moment.step), pace.time_left(moment.step)));
+  }
+
+  void write_frame(const Assembly& assembly) {
+    const TrajectoryFrame frame = frame_of(assembly, job_.scene);
+    const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
+    trajectory_.append(frame, scalars);
+    if (vtk_) vtk_->append(frame);
+  }
+
+  void write_checkpoint(const Assembly& assembly) const {
+    log_.flush();
+    dem::write_checkpoint(job_.files.checkpoint(),
+                              {.program = program_of(job_.provenance),
+                               .threads = job_.threads,
+                               .scene_sha256 = scene_fingerprint(job_.text, job_.scene),
+                               .scene = job_.text.text,
+                               .step = assembly.steps(),
+                               .time = assembly.time(),
+                               .state = assembly.saved()});
+  }
+
+ private:
+  static TrajectoryHeader header(const PackingJob& job) {
+    return {"fiberchain", job.provenance.version, entries(job.provenance), job.scene.batches.number > 1};
+  }
+
+  const PackingJob& job_;
+  RunLog log_;
+  TrajectoryWriter trajectory_;
+  std::optional<VtkSeries> vtk_;
+};
+
+/// Marches and writes until the end, or until asked to stop.
+class Session {
+ public:
+  Session(const PackingJob& job, const PackingWatchers& watchers, RunBegin begin)
+      : job_(job),
+        watchers_(watchers),
+        assembly_(std::move(begin.assembly)),
+        steps_(begin.steps),
+        schedule_(job.scene.output, begin.steps),
+        batches_(job.scene, assembly_),
+        pace_(assembly_.steps(), begin.steps),
+        writer_(job, assembly_.steps(), begin.resumed),
+        last_(measure(assembly_, job.scene)),
+        checkpointed_(assembly_.steps()) {
+    if (!begin.resumed) write_due();
+  }
+
+  void run() {
+    StatusDisplay display(watchers_.terminal, watchers_.watched);
+    while (assembly_.steps() < steps_) {
+      const std::int64_t now = assembly_.steps();
+      if (watchers_.asked_to_stop()) {
+        if (checkpointed_ != now) write_checkpoint();
+        return;
+      }
+      const std::int64_t next = std::min({schedule_.after(now), batches_.next_step(), now + kStride});
+      assembly_.march(next - now);
+      batches_.insert_due(assembly_);
+      write_due();
+      display.show({next, assembly_.time(), last_.contacts, last_.energy.kinetic, last_.height,
+                    pace_.step_rate(next), pace_.time_left(next)},
+                   steps_);
+    }
+  }
+
+  const Assembly& assembly() const { return assembly_; }
+  const RunMoment& last() const { return last_; }
+  std::int64_t checkpointed() const { return checkpointed_; }
+
+ private:
+  /// The checkpoint last: whatever it stands for is written by then.
+  void write_due() {
+    const std::int64_t step = assembly_.steps();
+    if (schedule_.samples.holds(step)) {
+      last_ = measure(assembly_, job_.scene);
+      writer_.write_line(last_, pace_);
+    }
+    if (schedule_.frames.holds(step)) writer_.write_frame(assembly_);
+    if (schedule_.checkpoints.holds(step)) write_checkpoint();
+  }
+
+  void write_checkpoint() {
+    writer_.write_checkpoint(assembly_);
+    checkpointed_ = assembly_.steps();
+  }
+
+  const PackingJob& job_;
+  const PackingWatchers& watchers_;
+  Assembly assembly_;
+  std::int64_t steps_;
+  RunSchedule schedule_;
+  InsertionQueue batches_;
+  Pace pace_;
+  RunWriter writer_;
+  RunMoment last_;
+  std::int64_t checkpointed_;  ///< step of the last checkpoint
+};
+
+double coordination(const Assembly& assembly) {
+  std::int64_t between = 0;
+  for (const ContactState& contact : assembly.contacts()) between += contact.second >= 0;
+  return 2.0 * static_cast<double>(between) / static_cast<double>(assembly.spheres());
+}
+
+void run_to_end(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers,
+                PackingEndState& end) {
+  Session session(job, watchers, std::move(begin));
+  try {
+    session.run();
+    end.last = measure(session.assembly(), job.scene);
+    end.coordination = coordination(session.assembly());
+  } catch (const Diverged& error) {
+    end.failure = error.what();
+    end.last = session.last();
+  } catch (const OutputError&) {
+    watchers.say(fmt::format("the last checkpoint is of step {}: with --resume the run goes on from there",
+                             session.checkpointed()));
+    throw;
+  }
+}
+
+}  // namespace
+
+std::string program_of(const Provenance& provenance) {
+  return fmt::format("fiberchain {}, commit {}, {}, {}, {}", provenance.version, provenance.commit,
+                     provenance.compiler, provenance.flags, name(best_instruction_set()));
+}
+
+PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
+  const auto clock = std::chrono::steady_clock::now();
+  const double step = begin.assembly.step();
+  watchers.say(fmt::format("{} fibers, {} spheres; {} steps of {:.4g} s ({})", fibers_in(job.scene),
+                           spheres_in(job.scene), begin.steps, step,
+                           step_words(begin.choice, job.scene)));
+  PackingEndState end{
+      .choice = begin.choice, .step = step, .steps = begin.steps, .begun_at = begin.assembly.steps()};
+  if (end.begun_at >= end.steps) {  // finished before: its files stay as they are
+    end.last = measure(begin.assembly, job.scene);
+    end.coordination = coordination(begin.assembly);
+  } else {
+    run_to_end(job, std::move(begin), watchers, end);
+  }
+  end.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
+  return end;
+}
+
+}  // namespace fiberchain::dem

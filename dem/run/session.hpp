@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <string>
+
+#include "dem/run/files.hpp"
+#include "dem/run/samples.hpp"
+#include "dem/record/provenance.hpp"
+#include "dem/scene/build_packing.hpp"
+
+// A run of many fibers to its end, with its files.
+namespace fiberchain::dem {
+
+/// What is run, and where.
+struct PackingJob {
+  SceneText text;
+  PackingScene scene;
+  RunFiles files;
+  int threads = 1;
+  bool resume = false;  ///< go on from the last checkpoint, if there is one
+  Provenance provenance;
+};
+
+/// Who is told what, and who may stop the run.
+struct PackingWatchers {
+  std::function<bool()> asked_to_stop;  ///< the run then writes a checkpoint and ends
+  Say say;                              ///< messages
+  std::ostream& terminal;               ///< shows where the run stands...
+  bool watched;                         ///< ... if somebody watches
+};
+
+struct PackingEndState {
+  StepChoice choice;
+  double step;                ///< [s]
+  std::int64_t steps;         ///< of the whole run
+  std::int64_t begun_at = 0;  ///< steps that were there before
+  RunMoment last{};
+  double coordination = std::numeric_limits<double>::quiet_NaN();  ///< contacts of a sphere with spheres that
+                                                                   ///< it is not bonded to; NaN if it blew up
+  double run_time = 0;       ///< of this session [s]
+  std::string failure = {};  ///< why it blew up; "" if it did not
+
+  bool finished() const { return failure.empty() && last.step == steps; }
+};
+
+/// Where a run begins: at the start of its scene, or at a checkpoint.
+struct RunBegin {
+  Assembly assembly;
+  StepChoice choice;
+  std::int64_t steps;    ///< of the whole run
+  bool resumed = false;  ///< from a checkpoint
+};
+
+/// @throws InputError for checkpoints that cannot be used, dem::InvalidInput, dem::NoRoom
+RunBegin begin_run(const PackingJob& job, const Say& say);
+
+/// Which binary runs, to the bit: what a checkpoint is written and refused by.
+std::string program_of(const Provenance& provenance);
+
+/// Writes the trajectory, the log and checkpoints as the scene asks. A run that blows up ends with its
+/// reason; its files are those of before.
+/// @throws dem::NoRoom for a batch of fibers that does not go in, OutputError; the checkpoint before then
+/// still stands
+PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,176 @@
+#include "dem/scene/build_packing.hpp"
+
+#include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dem/chain/arc_chain.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/files/sha256.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+/// Fibers of a kind that come before batch `n`.
+std::int64_t before_batch(const FiberKind& kind, const Batches& batches, int n) {
+  return kind.count * n / batches.number;
+}
+
+std::vector<FiberGroup> groups_of_files(const PackingScene& scene) {
+  std::vector<FiberGroup> groups;
+  for (const FiberKind& kind : scene.kinds) {
+    if (kind.starts.empty()) continue;
+    FiberGroup group{chain_of(kind), {}};
+    for (const FiberStart& start : kind.starts) group.fibers.push_back(placed(group.chain, start));
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// As if all kinds were there from the start: the step stays when batches come.
+StepChoice step_choice(const PackingScene& scene) {
+  std::vector<FiberGroup> kinds;
+  for (const FiberKind& kind : scene.kinds) kinds.push_back({chain_of(kind), {}});
+  return assembly_time_step(kinds, scene.domain);
+}
+
+}  // namespace
+
+Chain<3> chain_of(const FiberKind& kind) { return arc_chain(kind.fiber, kind.bend); }
+
+namespace {
+
+/// Threads that are worth waiting for each other every step.
+int useful_threads(const PackingScene& scene, int threads) {
+  constexpr std::int64_t spheres_a_thread = 5000;
+  return static_cast<int>(std::clamp<std::int64_t>(spheres_in(scene) / spheres_a_thread, 1, threads));
+}
+
+/// Fibers of files may touch, but not lie in each other: contacts would burst.
+void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
+  constexpr double deepest = 0.5;  // overlap over the smaller radius
+  if (all.radius.empty()) return;
+  const auto [least, largest] = std::ranges::minmax(all.radius);
+  InsertionGrid placed(box_around(all.position), scene.domain.period, largest, -deepest * least, std::ssize(all.radius));
+  std::size_t sphere = 0;
+  for (const FiberKind& kind : scene.kinds) {
+    for (std::size_t f = 0; f < kind.starts.size(); ++f) {
+      for (int i = 0; i <= kind.fiber.aspect_ratio; ++i, ++sphere) {
+        if (!placed.free(all.position[sphere], all.radius[sphere])) {
+          throw InvalidInput(fmt::format("{}: sphere {} of fiber {} is not allowed there: it lies in another one by more than half a radius",
+                                         kind.file ? kind.file->name : "fibers", i, f));
+        }
+        placed.add(all.position[sphere], all.radius[sphere]);
+      }
+    }
+  }
+}
+
+std::int64_t steps_in(double duration, double step) {
+  const double steps = std::ceil(duration / step * (1 - 1e-12));
+  if (!(steps >= 1 && steps < 1e12)) {
+    throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s", duration, steps, step));
+  }
+  return static_cast<std::int64_t>(steps);
+}
+
+/// A batch after the end, or within a step of another, would never come.
+void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
+  for (int n = 1; n < scene.batches.number; ++n) {
+    const std::int64_t at = batch_step(scene, n, step);
+    if (at > batch_step(scene, n - 1, step) && at < steps) continue;
+    throw InvalidInput(fmt::format("batches.interval = {:g} s is not allowed: batch {} would come at step {} of {} of {:.4g} s each; "
+                                   "each must come at a later one than that before, and before the end",
+                                   scene.batches.interval, n + 1, at, steps, step));
+  }
+}
+
+}  // namespace
+
+PackingStart packing_start(const PackingScene& scene, int threads) {
+  PackingStart start{groups_of_files(scene), scene.domain, {}, step_choice(scene), scene.steps};
+  const PlacedSpheres of_files = spheres_of(start.groups);
+  check_apart(scene, of_files);
+  for (FiberGroup& group : packing_batch(scene, 0, 0, of_files)) {
+    start.groups.push_back(std::move(group));
+  }
+  const double step = scene.step.value_or(start.choice.step);
+  start.options = {.step = step,
+                   .form = scene.form,
+                   .rolling = scene.rolling,
+                   .threads = useful_threads(scene, threads),
+                   .account_energy = scene.account_energy,
+                   .orientations = scene.orientations};
+  if (start.steps == 0) start.steps = steps_in(scene.duration, step);
+  check_batches(scene, step, start.steps);
+  return start;
+}
+
+Assembly make_assembly(PackingStart start) {
+  Assembly assembly(std::move(start.groups), std::move(start.domain), std::move(start.options));
+#ifdef __GLIBC__
+  malloc_trim(0);  // the states that fibers started from took as much as a third of what the run needs
+#endif
+  return assembly;
+}
+
+std::int64_t batch_step(const PackingScene& scene, int n, double step) {
+  return std::llround(n * scene.batches.interval / step);
+}
+
+std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n) {
+  std::vector<InsertionCount> counts;
+  for (const FiberKind& kind : scene.kinds) {
+    const std::int64_t count =
+        before_batch(kind, scene.batches, n + 1) - before_batch(kind, scene.batches, n);
+    if (count > 0) counts.push_back({chain_of(kind), count});
+  }
+  return counts;
+}
+
+int groups_at_start(const PackingScene& scene) {
+  const auto of_files =
+      std::ranges::count_if(scene.kinds, [](const FiberKind& k) { return !k.starts.empty(); });
+  return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
+}
+
+std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time, const PlacedSpheres& present) {
+  const std::vector<InsertionCount> counts = batch_counts(scene, n);
+  if (counts.empty()) return {};
+  InsertionRules rules = scene.filling;
+  rules.time = time;
+  rules.first_number = 0;
+  for (const FiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
+  return fill(counts, rules, scene.domain, present);
+}
+
+std::int64_t fibers_in(const PackingScene& scene) {
+  std::int64_t sum = 0;
+  for (const FiberKind& kind : scene.kinds) {
+    sum += kind.count + static_cast<std::int64_t>(kind.starts.size());
+  }
+  return sum;
+}
+
+std::int64_t spheres_in(const PackingScene& scene) {
+  std::int64_t sum = 0;
+  for (const FiberKind& kind : scene.kinds) {
+    sum += (kind.count + static_cast<std::int64_t>(kind.starts.size())) * (kind.fiber.aspect_ratio + 1);
+  }
+  return sum;
+}
+
+std::string scene_fingerprint(const SceneText& text, const PackingScene& scene) {
+  std::string all = sha256(text.text);
+  for (const FiberKind& kind : scene.kinds) {
+    if (kind.file) all += sha256(kind.file->text);
+  }
+  return sha256(all);
+}
+
+}  // namespace fiberchain::dem

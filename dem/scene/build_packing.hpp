@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dem/scene/packing_scene.hpp"
+
+// From a scene of many fibers to what dem::Assembly takes.
+namespace fiberchain::dem {
+
+/// The kind's rest shape.
+Chain<3> chain_of(const FiberKind& kind);
+
+/// What an assembly starts from.
+struct PackingStart {
+  std::vector<FiberGroup> groups;  ///< those of files, then the first batch of those at random
+  Domain domain;
+  AssemblyOptions options;  ///< with the step
+  StepChoice choice;        ///< the step that is taken where the scene gives none, and what sets it
+  std::int64_t steps;       ///< of the whole run
+};
+
+/// Small scenes take fewer threads than given: waiting for each other would cost them more.
+/// @throws InvalidInput for what makes no sense together, NoRoom when fibers do not go into the region
+PackingStart packing_start(const PackingScene& scene, int threads);
+
+/// The assembly itself.
+/// @throws InvalidInput also for spheres beyond a wall
+Assembly make_assembly(PackingStart start);
+
+/// Steps after which batch `n` comes, 0 for the first.
+std::int64_t batch_step(const PackingScene& scene, int n, double step);
+
+/// How many fibers of which kind batch `n` has, in the order of their groups.
+std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n);
+
+/// Groups of fibers at the start: those of files and of the first batch.
+int groups_at_start(const PackingScene& scene);
+
+/// The fibers of batch `n`, beside those that are there, among the walls of that time [s]. Kinds without a fiber in it are
+/// left out.
+/// @throws NoRoom
+std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time, const PlacedSpheres& present);
+
+/// Fibers of all batches and files.
+std::int64_t fibers_in(const PackingScene& scene);
+std::int64_t spheres_in(const PackingScene& scene);
+
+/// SHA-256 of everything the scene is made of: its text and the files it names.
+std::string scene_fingerprint(const SceneText& text, const PackingScene& scene);
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dem/assembly/assembly.hpp"
+#include "dem/insertion/random_insertion.hpp"
+#include "dem/insertion/placement.hpp"
+#include "dem/scene/scene_text.hpp"
+
+namespace fiberchain::dem {
+
+/// Fibers of one kind, put in at random or where a file says.
+struct FiberKind {
+  Fiber fiber;
+  double bend = 0;                      ///< angle of a bond at rest [rad]; 0: straight
+  std::int64_t count = 0;               ///< at random, in all batches together
+  std::vector<FiberStart> starts = {};  ///< of the file
+  std::optional<SceneText> file = {};   ///< which holds the starts
+};
+
+/// Fibers at random come in so many parts, one every interval, the first at the start.
+struct Batches {
+  int number = 1;
+  double interval = 0;  ///< [s]
+};
+
+/// What a run writes, in equal intervals of its steps.
+struct PackingOutput {
+  int samples = 200;     ///< intervals of the log
+  int frames = 50;       ///< intervals of the trajectory
+  int checkpoints = 20;  ///< intervals of the checkpoints
+  bool vtk = false;      ///< frames as VTK files too
+};
+
+/// Many fibers that meet each other and walls.
+struct PackingScene {
+  std::vector<FiberKind> kinds;
+  InsertionRules filling = {};  ///< region, orientation, velocity, gap, seed and attempts of the fibers at random
+  Batches batches = {};
+  Domain domain = {};
+  Box room = {};  ///< that pictures and files show, and the cross section that densities are counted on [m]
+  BondForm form = BondForm::incremental;
+  Rolling rolling = Rolling::set_valued;
+  std::optional<double> step = {};  ///< [s]; left out: chosen
+  double duration = 0;              ///< [s]; 0 where steps are given
+  std::int64_t steps = 0;           ///< 0 where the duration is given
+  bool account_energy = false;         ///< sum what each mechanism takes
+  bool orientations = false;        ///< follow orientations of spheres that nothing needs
+  PackingOutput output = {};
+};
+
+}  // namespace fiberchain::dem

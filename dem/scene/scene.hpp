@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "dem/equilibrium/dynamic_relaxation.hpp"
+#include "dem/model/fiber.hpp"
+#include "dem/flow/integrate_in_flow.hpp"
+#include "dem/scene/packing_scene.hpp"
+#include "dem/scene/scene_error.hpp"
+#include "dem/scene/scene_text.hpp"
+#include "dem/vibration/release.hpp"
+
+/// Scenes as values, and their reader: YAML, quantities with units, nothing guessed.
+namespace fiberchain::dem {
+
+enum class Dimension { planar, spatial };
+enum class Method { solve, march };
+
+constexpr std::string_view name(Dimension dimension) {
+  return dimension == Dimension::planar ? "planar" : "spatial";
+}
+constexpr std::string_view name(Method method) { return method == Method::solve ? "solve" : "march"; }
+
+/// A straight fiber, clamped at its first sphere, with a dead load at its last.
+struct CantileverScene {
+  Dimension dimension = Dimension::planar;
+  Fiber fiber;
+  double load;                                  ///< P L^2 / (E I) [-]
+  std::array<double, 3> direction = {0, 1, 0};  ///< of the load, unit vector; the fiber lies along x
+  Method method = Method::solve;
+  RelaxOptions march = {};  ///< with the form of the bond law; solving has the total form only
+};
+
+/// What pulls at the free end.
+struct EndPull {
+  double load;                                  ///< P L^2 / (E I) [-]
+  std::array<double, 3> direction = {0, 1, 0};  ///< unit vector; the fiber lies along x
+};
+
+/// The cantilever held under its load, then let go.
+struct ReleaseScene {
+  Dimension dimension = Dimension::planar;
+  Fiber fiber;
+  EndPull pull;
+  double periods = 10;         ///< of the first mode, how long it is watched
+  ReleaseOptions motion = {};  ///< integrator, form, steps, samples
+};
+
+/// Where a free fiber starts: its center of mass at the origin, where the flow is at rest. It is straight at rest, so
+/// that a bend strains it.
+struct FlowStart {
+  std::array<double, 3> direction = {0, 1, 0};       ///< of the fiber, unit vector
+  double bend = 0;                                   ///< height of a parabola over the fiber's ends, over its length
+  double s_bend = 0;                                 ///< height of a cubic's ends over the fiber's line, over its length
+  std::array<double, 3> bend_direction = {-1, 0, 0};  ///< across `direction`, unit vector
+};
+
+/// A free fiber carried, turned and bent by a flow.
+struct FlowScene {
+  Dimension dimension = Dimension::planar;
+  Fiber fiber;
+  Fluid fluid;
+  double rate;  ///< what strain is counted by [1/s]: size of the named flow's rate, or the gradient's Frobenius norm
+  bool shear;   ///< the flow is a simple shear, steady: Jeffery's orbits are its reference
+  FlowStart start;
+  double duration;     ///< [s]
+  int samples = 500;   ///< intervals of the history
+  int shapes = 8;      ///< intervals of the recorded shapes
+  FlowOptions motion = {};
+};
+
+using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, PackingScene>;
+
+/// The scene in a text. Files that it names are snapshot for from the directory of its own.
+/// @throws SceneError naming file, line, key, value and what is allowed
+Scene parse_scene(const SceneText& scene);
+
+}  // namespace fiberchain::dem

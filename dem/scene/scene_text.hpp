@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace fiberchain::dem {
+
+/// A file as read: what the messages call it, and its text.
+struct SceneText {
+  std::string name;
+  std::string text;
+};
+
+/// Largest scene file [bytes]. Long data belong in files the scene names.
+inline constexpr std::size_t kLargestScene = 256 * 1024;
+
+/// Reads the file.
+/// @throws SceneError if there is none, it is a directory, it cannot be read, or it is too large
+SceneText read_scene_text(const std::filesystem::path& path, std::size_t largest = kLargestScene);
+
+}  // namespace fiberchain::dem

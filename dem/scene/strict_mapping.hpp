@@ -1,0 +1,85 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dem/scene/value_range.hpp"
+#include "dem/scene/units.hpp"
+
+namespace fiberchain::dem {
+
+/// One mapping of a scene file, read strictly: every key it holds must be known, every key asked for must
+/// be there and right. All functions throw SceneError.
+class StrictMapping {
+ public:
+  /// The top of the YAML text; `name` is what messages call the file. No key is checked yet.
+  StrictMapping(const std::string& text, std::string name);
+
+  /// Refuses a key that is not among these, or that comes twice; names the nearest known one.
+  void allow(const std::vector<std::string>& keys) const;
+
+  bool has(const std::string& key) const { return static_cast<bool>(node_[key]); }
+
+  /// The mapping under this key, only `keys` allowed in it.
+  StrictMapping section(const std::string& key, const std::vector<std::string>& keys) const;
+
+  /// The mappings of the sequence under this key, at least one, only `keys` allowed in each.
+  std::vector<StrictMapping> sections(const std::string& key, const std::vector<std::string>& keys) const;
+
+  /// A number, alone or with a unit, in the SI unit `unit`.
+  double quantity(const std::string& key, std::string_view unit, const ValueRange& allowed) const;
+
+  /// A number without dimension.
+  double number(const std::string& key, const ValueRange& allowed) const { return quantity(key, "1", allowed); }
+
+  /// So many finite numbers, each alone or with a unit.
+  std::vector<double> quantities(const std::string& key, std::string_view unit, std::size_t count) const;
+
+  int integer(const std::string& key, const ValueRange& allowed) const;
+
+  /// One of the words; its place among them.
+  std::size_t choice(const std::string& key, const std::vector<std::string>& words) const;
+
+  /// A text that is not empty.
+  std::string word(const std::string& key) const { return text(key); }
+
+  /// true or false.
+  bool flag(const std::string& key) const { return choice(key, {"false", "true"}) == 1; }
+
+  /// Three finite numbers.
+  std::array<double, 3> vector(const std::string& key) const;
+
+  /// Three rows of three finite numbers.
+  std::array<std::array<double, 3>, 3> matrix(const std::string& key) const;
+
+  /// Exactly one of these keys must be there; its name.
+  std::string one_of(const std::vector<std::string>& keys) const;
+
+  /// What messages call the file.
+  const std::string& file() const { return name_; }
+
+  /// A SceneError about a key of this section ("" for the section itself).
+  [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+
+ private:
+  StrictMapping(const StrictMapping& parent, const std::string& key);
+  StrictMapping(const StrictMapping& parent, const YAML::Node& node, const std::string& path);
+  double to_si(const std::string& key, const std::string& typed, std::string_view unit) const;
+  std::string text(const std::string& key) const;
+  YAML::Node value(const std::string& key) const;
+  YAML::Mark mark_of(const std::string& key) const;  ///< of the key; of the section if it has none such
+  [[noreturn]] void fail_at(const YAML::Mark& mark, const std::string& message) const;
+
+  YAML::Node node_;
+  YAML::Mark mark_;   ///< where the section begins: its key
+  std::string path_;  ///< keys that lead here, each with a dot behind it
+  std::string name_;
+  std::shared_ptr<const Units> units_;
+};
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,64 @@
+#include "dem/scene/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <cmath>
+#include <string>
+
+#include "dem/files/numbers.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+using Unit = std::unique_ptr<ut_unit, void (*)(ut_unit*)>;
+using Converter = std::unique_ptr<cv_converter, void (*)(cv_converter*)>;
+
+Unit parse_unit(const ut_system* system, std::string_view text) {
+  return {::ut_parse(system, std::string(text).c_str(), UT_UTF8), &::ut_free};
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t";
+  const auto begin = text.find_first_not_of(kSpace);
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
+
+}  // namespace
+
+Units::Units() : system_(nullptr, &::ut_free_system) {
+  ::ut_set_error_message_handler(&::ut_ignore);  // its messages would go to standard error
+  system_.reset(::ut_read_xml(nullptr));
+  if (!system_) throw UnitError("the database of UDUNITS-2 is missing (Debian package libudunits2-data)");
+}
+
+double Units::to_si(std::string_view text, std::string_view si) const {
+  const std::string_view whole = trimmed(text);
+  const std::string_view number = whole.substr(0, whole.find_first_of(" \t"));
+  const auto value = parse_number(number);
+  if (!value) {
+    throw UnitError(si == "1" ? "is no number"
+                              : fmt::format("is no number with a unit; write a number in {0} or one with a "
+                                            "space and a unit such as '1 {0}'",
+                                            si));
+  }
+  const std::string_view unit = trimmed(whole.substr(number.size()));
+  return unit.empty() ? *value : *value * factor(unit, si);
+}
+
+double Units::factor(std::string_view unit, std::string_view si) const {
+  const Unit from = parse_unit(system_.get(), unit);
+  if (!from) throw UnitError(fmt::format("has an unknown unit; allowed: {} and its like", si));
+  const Unit to = parse_unit(system_.get(), si);
+  const Converter converter(::ut_get_converter(from.get(), to.get()), &::cv_free);
+  // UDUNITS converts reciprocals, logarithms and offset scales too: only a factor will do here.
+  const double one = converter ? ::cv_convert_double(converter.get(), 1.0) : std::nan("");
+  const bool is_factor = std::isfinite(one) && ::cv_convert_double(converter.get(), 0.0) == 0.0 &&
+                         std::abs(::cv_convert_double(converter.get(), 2.0) - 2 * one) <= 1e-12 * one;
+  if (!is_factor)
+    throw UnitError(fmt::format("has a unit of another dimension; allowed: {} and its like", si));
+  return one;
+}
+
+}  // namespace fiberchain::dem

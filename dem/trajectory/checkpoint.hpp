@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fiberchain::dem {
+
+/// All that a run needs to go on to the bit.
+struct Checkpoint {
+  std::string program;       ///< which binary wrote it: version, commit, compiler, flags
+  int threads = 1;           ///< it ran with
+  std::string scene_sha256;  ///< of everything the scene is made of
+  std::string scene;         ///< text of the scene file
+  std::int64_t step = 0;
+  double time = 0;            ///< [s]
+  std::vector<double> state;  ///< of the engine, kept to the bit
+
+  bool operator==(const Checkpoint&) const = default;
+};
+
+/// Writes a checkpoint: 512 bytes of text (format, SHA-256 and size of the rest), then HDF5, which h5dump and
+/// h5py open as it stands. The one that stood there before becomes PATH.previous. At any moment there is a
+/// whole checkpoint at the place.
+/// @throws WriteError; what stood there before then still does
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
+
+/// Reads a checkpoint. Not a byte of it is believed before its checksum is right.
+/// @throws ReadError naming the file and the reason: absent, no checkpoint, of another format, cut off,
+/// corrupt
+Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+/// The same, of that very scene.
+/// @throws ReadError also if it belongs to another scene
+Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& scene_sha256);
+
+/// Where the checkpoint before the last is kept.
+std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
+
+/// Why a run resumed by this program with so many threads might not end in the same bits; "" if it will.
+std::string resumed_differently(const Checkpoint& checkpoint, const std::string& program, int threads);
+
+}  // namespace fiberchain::dem

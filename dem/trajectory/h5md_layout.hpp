@@ -1,0 +1,55 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "dem/trajectory/h5md.hpp"
+#include "dem/trajectory/hdf5.hpp"
+#include "dem/trajectory/hdf5_vfd.hpp"
+
+// Where things stand in a trajectory, for its writer and its reader.
+namespace fiberchain::dem::h5md {
+
+inline constexpr const char* kPosition = "particles/fibers/position";
+inline constexpr const char* kVelocity = "particles/fibers/velocity";
+inline constexpr const char* kEdges = "particles/fibers/box/edges";
+inline constexpr const char* kOrigin = "particles/fibers/box/origin";
+inline constexpr const char* kBondForce = "observables/fibers/bond_force";
+inline constexpr const char* kBendingAngle = "observables/fibers/bending_angle";
+inline constexpr const char* kId = "particles/fibers/id";
+inline constexpr const char* kBonds = "connectivity/bonds";
+inline constexpr std::array kElements = {kPosition, kVelocity, kEdges, kOrigin, kBondForce, kBendingAngle};
+
+inline std::string value_of(const std::string& element) { return element + "/value"; }
+
+static_assert(std::is_trivially_copyable_v<Vec<double, 3>> && sizeof(Vec<double, 3>) == 3 * sizeof(double),
+              "vectors are written as rows of three");
+
+/// Names of the scalars in the file.
+inline std::vector<std::string> scalar_names(hid_t file) {
+  std::vector<std::string> names = hdf5::names_in(hdf5::open_group(file, "observables"));
+  std::erase(names, "fibers");
+  return names;
+}
+
+/// Whether the numbers of the spheres are in time.
+inline bool has_growing_id(hid_t file) { return hdf5::has(file, value_of(kId)); }
+
+enum class Access { create, change, read };
+
+/// The file within an journaled. Closing it leaves all that was written in the journaled.
+inline hdf5::Handle open_in(JournaledFile& journaled, Access access) {
+  const hdf5::Handle by(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose, "make a property list");
+  if (!use_journaled_file(by, journaled)) throw hdf5::Failure("HDF5 cannot use our files");
+  const char* name = journaled.path().c_str();
+  if (access == Access::create)
+    return {H5Fcreate(name, H5F_ACC_TRUNC, H5P_DEFAULT, by), &H5Fclose, "make this file"};
+  return {H5Fopen(name, access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, by), &H5Fclose,
+          "open this file"};
+}
+
+}  // namespace fiberchain::dem::h5md

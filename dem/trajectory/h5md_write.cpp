@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <ranges>
+
+#include "dem/model/errors.hpp"
+#include "dem/files/file_error.hpp"
+#include "dem/trajectory/h5md_layout.hpp"
+#include "dem/files/atomic_file.hpp"
+#include "dem/trajectory/xdmf.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+using namespace h5md;
+using hdf5::Handle;
+
+const hdf5::Stored kDouble{H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
+const hdf5::Stored kInteger{H5T_NATIVE_INT64, H5T_STD_I64LE};
+
+/// Runs what uses HDF5, and names the file in what goes wrong.
+template <class Action>
+auto with_file(const std::filesystem::path& path, const Action& action) {
+  const hdf5::Quiet quiet;
+  try {
+    return action();
+  } catch (const hdf5::Failure& failure) {
+    throw ReadError(path, failure.what());
+  }
+}
+
+/// A group with a value that grows, its step and time those of the positions.
+void make_element(hid_t file, const std::string& name, hid_t type, const std::vector<hsize_t>& size,
+                  const std::string& unit, bool compressed) {
+  const Handle group = hdf5::make_group(file, name.c_str());
+  const Handle value = hdf5::make_series(group, "value", type, size, compressed);
+  if (!unit.empty()) hdf5::set_attribute(value, "unit", unit);
+  if (name == kPosition) {
+    hdf5::make_series(group, "step", H5T_STD_I64LE, {}, false);
+    const Handle time = hdf5::make_series(group, "time", H5T_IEEE_F64LE, {}, false);
+    hdf5::set_attribute(time, "unit", "s");
+    return;
+  }
+  for (const char* shared : {"step", "time"}) {
+    hdf5::check(H5Lcreate_hard(file, (std::string(kPosition) + "/" + shared).c_str(), group, shared,
+                               H5P_DEFAULT, H5P_DEFAULT),
+                "link a dataset");
+  }
+}
+
+void write_head(hid_t file, const TrajectoryHeader& header) {
+  const Handle head = hdf5::make_group(file, "h5md");
+  hdf5::set_attribute(head, "version", std::vector<std::int32_t>{1, 1});
+  hdf5::set_attribute(hdf5::make_group(head, "author"), "name", header.author);
+  const Handle creator = hdf5::make_group(head, "creator");
+  hdf5::set_attribute(creator, "name", "fiberchain");
+  hdf5::set_attribute(creator, "version", header.creator_version);
+  const Handle modules = hdf5::make_group(head, "modules");
+  hdf5::set_attribute(hdf5::make_group(modules, "units"), "version", std::vector<std::int32_t>{1, 0});
+}
+
+void write_run(hid_t file, const TrajectoryHeader& header) {
+  const Handle runs = hdf5::has(file, "parameters")
+                          ? hdf5::open_group(file, "parameters/runs")
+                          : hdf5::make_group(hdf5::make_group(file, "parameters"), "runs");
+  const Handle run = hdf5::make_group(runs, std::to_string(hdf5::names_in(runs).size()).c_str());
+  for (const auto& [key, value] : header.provenance) hdf5::set_attribute(run, key.c_str(), value);
+}
+
+void write_box(hid_t group, const TrajectoryFrame& frame) {
+  const Handle box = hdf5::make_group(group, "box");
+  hdf5::set_attribute(box, "dimension", std::vector<std::int32_t>{3});
+  std::vector<std::string> boundary;
+  for (const bool periodic : frame.periodic) boundary.emplace_back(periodic ? "periodic" : "none");
+  hdf5::set_attribute(box, "boundary", boundary);
+}
+
+/// Numbers of the spheres; -1 for those that are not there.
+std::vector<std::int32_t> ids(const TrajectoryFrame& frame) {
+  std::vector<std::int32_t> id(frame.position.size());
+  std::iota(id.begin(), id.end(), 0);
+  std::fill(id.end() - frame.absent, id.end(), -1);
+  return id;
+}
+
+/// What does not change: radius, number of the fiber, number of the sphere, bonds.
+void write_fixed(hid_t file, hid_t group, const TrajectoryFrame& frame, bool growing) {
+  const hsize_t spheres = frame.position.size();
+  const hdf5::Stored integer{H5T_NATIVE_INT32, H5T_STD_I32LE};
+  hdf5::write_array(group, "radius", kDouble, {spheres}, frame.radius.data(), true);
+  hdf5::write_array(group, "fiber", integer, {spheres}, frame.fiber.data(), true);
+  if (!growing) hdf5::write_array(group, "id", integer, {spheres}, ids(frame).data(), true);
+  std::vector<std::int64_t> pairs;
+  for (const FrameBond& bond : frame.bonds) {
+    pairs.push_back(bond.first);
+    pairs.push_back(bond.first + 1);
+  }
+  const Handle connectivity = hdf5::make_group(file, "connectivity");
+  const Handle bonds =
+      hdf5::write_array(connectivity, "bonds", kInteger, {frame.bonds.size(), 2}, pairs.data(), true);
+  hobj_ref_t reference;
+  hdf5::check(H5Rcreate(&reference, file, "particles/fibers", H5R_OBJECT, -1), "refer to a group");
+  const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");
+  const Handle attribute(
+      H5Acreate2(bonds, "particles_group", H5T_STD_REF_OBJ, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose,
+      "make an attribute");
+  hdf5::check(H5Awrite(attribute, H5T_STD_REF_OBJ, &reference), "write an attribute");
+}
+
+void write_layout(hid_t file, const TrajectoryHeader& header, const TrajectoryFrame& frame, const Scalars& scalars) {
+  const hsize_t spheres = frame.position.size(), bonds = frame.bonds.size();
+  write_head(file, header);
+  write_run(file, header);
+  hdf5::make_group(file, "particles");
+  const Handle fibers = hdf5::make_group(file, "particles/fibers");
+  write_box(fibers, frame);
+  hdf5::make_group(file, "observables");
+  hdf5::make_group(file, "observables/fibers");
+  make_element(file, kPosition, H5T_IEEE_F64LE, {spheres, 3}, "", true);
+  make_element(file, kVelocity, H5T_IEEE_F32LE, {spheres, 3}, "m s-1", true);
+  make_element(file, kEdges, H5T_IEEE_F64LE, {3}, "", false);
+  make_element(file, kOrigin, H5T_IEEE_F64LE, {3}, "", false);
+  make_element(file, kBondForce, H5T_IEEE_F32LE, {bonds, 3}, "N", true);
+  make_element(file, kBendingAngle, H5T_IEEE_F32LE, {bonds}, "rad", true);
+  if (header.growing) make_element(file, kId, H5T_STD_I32LE, {spheres}, "", true);
+  for (const auto& [name, value] : scalars)
+    make_element(file, "observables/" + name, H5T_IEEE_F64LE, {}, "", false);
+  write_fixed(file, fibers, frame, header.growing);
+}
+
+/// Every series of the file, once.
+std::vector<std::string> all_series(hid_t file) {
+  std::vector<std::string> all = {std::string(kPosition) + "/step", std::string(kPosition) + "/time"};
+  for (const char* element : kElements) all.push_back(value_of(element));
+  if (has_growing_id(file)) all.push_back(value_of(kId));
+  for (const std::string& name : scalar_names(file)) all.push_back(value_of("observables/" + name));
+  return all;
+}
+
+void set_frames(hid_t file, hsize_t count) {
+  for (const std::string& series : all_series(file))
+    hdf5::resize_series(hdf5::open_array(file, series.c_str()), count);
+}
+
+void check_same(hid_t file, const TrajectoryFrame& frame, const Scalars& scalars) {
+  const auto rows = [&](const char* element) {
+    const auto size = hdf5::size_of(hdf5::open_array(file, value_of(element).c_str()));
+    return size.size() > 1 ? size[1] : 0;
+  };
+  if (rows(kPosition) != frame.position.size() || rows(kBendingAngle) != frame.bonds.size()) {
+    throw InvalidInput(
+        fmt::format("a frame of {} spheres and {} bonds does not go with earlier ones of {} and {}",
+                    frame.position.size(), frame.bonds.size(), rows(kPosition), rows(kBendingAngle)));
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, value] : scalars) names.push_back(name);
+  std::ranges::sort(names);
+  if (names != scalar_names(file)) throw InvalidInput("the scalars of a frame are not those of earlier ones");
+}
+
+/// The number to 37 bits, an error of 2^-37 of it at most: the two bytes that become zero cost nothing.
+double rounded(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return std::isfinite(value) ? std::bit_cast<double>((bits + 0x8000) & ~std::uint64_t{0xffff}) : value;
+}
+
+std::vector<Vec<double, 3>> rounded(std::vector<Vec<double, 3>> all) {
+  for (Vec<double, 3>& vector : all) vector = {rounded(vector[0]), rounded(vector[1]), rounded(vector[2])};
+  return all;
+}
+
+void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scalars& scalars) {
+  const auto put = [&](const std::string& name, hid_t type, const void* values) {
+    hdf5::write_entry(hdf5::open_array(file, name.c_str()), n, type, values);
+  };
+  std::vector<Vec<double, 3>> force;
+  std::vector<double> angle;
+  for (const FrameBond& bond : frame.bonds) {
+    force.push_back(bond.force);
+    angle.push_back(bond.bending_angle);
+  }
+  const Vec<double, 3> edges = frame.high - frame.low;
+  put(std::string(kPosition) + "/step", H5T_NATIVE_INT64, &frame.step);
+  put(std::string(kPosition) + "/time", H5T_NATIVE_DOUBLE, &frame.time);
+  put(value_of(kPosition), H5T_NATIVE_DOUBLE, rounded(frame.position).data());
+  put(value_of(kVelocity), H5T_NATIVE_DOUBLE, frame.velocity.data());
+  put(value_of(kEdges), H5T_NATIVE_DOUBLE, &edges);
+  put(value_of(kOrigin), H5T_NATIVE_DOUBLE, &frame.low);
+  if (!frame.bonds.empty()) {
+    put(value_of(kBondForce), H5T_NATIVE_DOUBLE, force.data());
+    put(value_of(kBendingAngle), H5T_NATIVE_DOUBLE, angle.data());
+  }
+  if (has_growing_id(file)) put(value_of(kId), H5T_NATIVE_INT32, ids(frame).data());
+  for (const auto& [name, value] : scalars) put(value_of("observables/" + name), H5T_NATIVE_DOUBLE, &value);
+}
+
+void check_frame(const TrajectoryFrame& frame) {
+  const std::size_t spheres = frame.position.size();
+  const auto outside = [&](const FrameBond& bond) {
+    return bond.first < 0 || bond.first + 1 >= static_cast<std::int64_t>(spheres);
+  };
+  if (spheres == 0) throw InvalidInput("a frame without spheres");
+  if (frame.velocity.size() != spheres || frame.radius.size() != spheres || frame.fiber.size() != spheres)
+    throw InvalidInput("a frame's positions, velocities, radii and fibers differ in number");
+  if (frame.absent < 0 || frame.absent > static_cast<std::int64_t>(spheres))
+    throw InvalidInput("a frame lacks more spheres than it has");
+  if (std::ranges::any_of(frame.bonds, outside)) throw InvalidInput("a frame's bond has no such spheres");
+}
+
+}  // namespace
+
+TrajectoryWriter::TrajectoryWriter(std::filesystem::path path, TrajectoryHeader header)
+    : path_(std::move(path)), header_(std::move(header)) {}
+
+TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, TrajectoryHeader header,
+                                          std::int64_t last_step) {
+  TrajectoryWriter writer(std::move(path), std::move(header));
+  if (!std::filesystem::exists(writer.path_)) return writer;
+  const TrajectoryReader before(writer.path_);
+  const auto kept = std::ranges::upper_bound(before.steps(), last_step) - before.steps().begin();
+  if (kept == 0) return writer;
+  JournaledFile journaled(writer.path_, JournaledFile::Mode::change);
+  with_file(writer.path_, [&] {
+    const Handle file = open_in(journaled, Access::change);
+    set_frames(file, static_cast<hsize_t>(kept));
+    write_run(file, writer.header_);
+    hdf5::flush(file);
+  });
+  journaled.commit();
+  writer.times_.assign(before.times().begin(), before.times().begin() + kept);
+  writer.last_step_ = before.steps()[static_cast<std::size_t>(kept) - 1];
+  return writer;
+}
+
+void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scalars) {
+  check_frame(frame);
+  if (frame.absent > 0 && !header_.growing) throw InvalidInput("a frame lacks spheres in a file that does not grow");
+  if (!times_.empty() && frame.step <= last_step_)
+    throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, last_step_));
+  const bool first = times_.empty();
+  JournaledFile journaled(path_, first ? JournaledFile::Mode::create : JournaledFile::Mode::change);
+  with_file(path_, [&] {
+    const Handle file = open_in(journaled, first ? Access::create : Access::change);
+    first ? write_layout(file, header_, frame, scalars) : check_same(file, frame, scalars);
+    set_frames(file, times_.size() + 1);
+    write_frame(file, times_.size(), frame, scalars);
+    hdf5::flush(file);
+  });
+  journaled.commit();
+  times_.push_back(frame.time);
+  last_step_ = frame.step;
+  write_series_file(frame);
+}
+
+void TrajectoryWriter::write_series_file(const TrajectoryFrame& frame) const {
+  const std::filesystem::path beside = std::filesystem::path(path_).replace_extension(".xmf");
+  replace_file(beside, xdmf(path_.filename().string(), times_, frame.position.size()));
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dem/trajectory/frame.hpp"
+#include "dem/trajectory/h5md.hpp"
+
+// Frames as VTK PolyData (.vtp, inline base64) that ParaView and OVITO open, and their series (.pvd).
+//
+// OVITO reads PolyData as particles only if it holds nothing but a vertex for every point, with the arrays
+// "id", "radius" and "v"; so spheres and polylines are two files a frame:
+//   NAME.pvd         the spheres in time: NAME/spheres-STEP.vtp
+//   NAME-lines.pvd   the fibers in time:  NAME/lines-STEP.vtp, a polyline a fiber
+// Both have at their points id, fiber, radius [m], v [m/s] (velocity), bond_force [N] and bending_angle
+// [rad]. The last two are those of the bond to the next sphere, the force that on the point's own sphere; at
+// the last sphere of a fiber 0.
+namespace fiberchain::dem {
+
+/// The spheres of a frame as a .vtp file.
+std::string vtp_spheres(const TrajectoryFrame& frame, const Entries& provenance);
+
+/// The fibers of a frame as polylines in a .vtp file.
+std::string vtp_lines(const TrajectoryFrame& frame, const Entries& provenance);
+
+/// The files of a series' frames that lie in its folder `place`, in order.
+std::vector<std::filesystem::path> vtk_parts(const std::filesystem::path& place);
+
+/// Writes frames one by one; every file appears whole, and the series name none that is not there.
+class VtkSeries {
+ public:
+  /// A new series. Nothing is written before the first frame.
+  VtkSeries(std::filesystem::path directory, std::string name, Entries provenance);
+
+  /// Goes on with the series in a directory, without its frames later than `last_step`; begins it if there is
+  /// none.
+  /// @throws ReadError if the .pvd there is none of ours, WriteError
+  static VtkSeries resume(std::filesystem::path directory, std::string name, Entries provenance,
+                          std::int64_t last_step);
+
+  /// @throws InvalidInput if the step is not later than the last, WriteError
+  void append(const TrajectoryFrame& frame);
+
+  std::int64_t frames() const { return static_cast<std::int64_t>(entries_.size()); }
+
+ private:
+  struct Entry {
+    std::int64_t step;
+    double time;
+  };
+  void write_series() const;
+  void read_series(std::int64_t last_step);
+
+  std::filesystem::path directory_;
+  std::string name_;
+  Entries provenance_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace fiberchain::dem

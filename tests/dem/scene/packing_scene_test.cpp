@@ -1,0 +1,333 @@
+#define BOOST_TEST_MODULE packing_scene
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <numbers>
+
+#include "dem/model/errors.hpp"
+#include "dem/scene/build_packing.hpp"
+#include "dem/scene/scene.hpp"
+#include "tests/dem/trajectory/files.hpp"
+
+namespace dem = fiberchain::dem;
+
+
+namespace {
+
+const std::string kScene = R"(scene: packing
+fibers:
+  - {diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 2.6 MPa, poisson_ratio: 0.17, density: 1.2 g/cm^3, count: 11}
+  - {diameter: 1.5 mm, aspect_ratio: 12, youngs_modulus: 9 MPa, shear_modulus: 4 MPa, density: 900, bond: {model: corrected, damping: 0.7}, curvature: {radius: 3 cm}, count: 5}
+filling: {region: {x: [1 cm, 6 cm], z: [2 cm, 15 cm]}, orientation: near_axis, direction: [0, 3, 4], angle: 0.3, velocity: [0, 0.1 m/s, -20 cm/s], gap: 0.2 mm, seed: 77, attempts: 5000, batches: {number: 3, interval: 40 ms}}
+walls: {youngs_modulus: 1 GPa, poisson_ratio: 0.4, box: {x: 7 cm, z: 16 cm}, planes: [{point: [0, 0, 17 cm], normal: [0, 0, -2], velocity: [0, 0, -5 mm/s], from: 0.1 s, until: 0.2 s}], cylinders: [{point: [35 mm, 0, 0], axis: [0, 1, 0], radius: 90 mm}]}
+periodic: {y: 5 cm}
+gravity: [0, 0, -9.81 m/s^2]
+fluid: {viscosity: 30 mPa s, flow: shear, rate: 2 1/s}
+contacts: {restitution: 0.6, friction: 0.25, rolling_friction: 0.01}
+motion: {step: 3 us, form: total, orientations: true}
+duration: 0.3 s
+output: {samples: 17, frames: 6, checkpoints: 4, vtk: true, energy: true}
+)";
+
+dem::PackingScene parse(const std::string& text, const std::string& name = "test.yaml") {
+  return std::get<dem::PackingScene>(dem::parse_scene({name, text}));
+}
+
+/// The scene with the line that begins so replaced.
+std::string with(const std::string& begin, const std::string& line) {
+  std::string text = kScene;
+  const auto at = text.find("\n" + begin);
+  BOOST_REQUIRE(at != std::string::npos);
+  const auto end = text.find('\n', at + 1);
+  return text.replace(at + 1, end - at - 1, line);
+}
+
+/// The scene with a text in it replaced.
+std::string less(const std::string& what, const std::string& by = "", std::string text = kScene) {
+  const auto at = text.find(what);
+  BOOST_REQUIRE(at != std::string::npos);
+  return text.replace(at, what.size(), by);
+}
+
+std::string filling(const std::string& keys) { return with("filling:", "filling: {" + keys + "}"); }
+std::string walls(const std::string& keys) { return with("walls:", "walls: {" + keys + "}"); }
+
+struct Fault {
+  std::string scene;
+  const char* says;
+};
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.says; }
+
+const Fault kFaults[] = {
+    {kScene + "colour: red\n", "test.yaml:14: unknown key 'colour'; allowed: scene, fibers, filling"},
+    {with("fibers:", "fibres:"), "test.yaml:2: unknown key 'fibres'; did you mean 'fibers'?"},
+    {less("count: 11"), "test.yaml:3: fibers[0]: must have exactly one of count, starts"},
+    {less("count: 11", "count: 0"),
+     "test.yaml:3: fibers[0].count: '0' is not allowed; allowed: a whole number at "
+     "least 1"},
+    {less("count: 11", "count: 1.5"), "test.yaml:3: fibers[0].count: '1.5' is not allowed"},
+    {less("count: 11", "starts: none.csv"), "test.yaml:3: fibers[0].starts: none.csv: cannot read"},
+    {less("count: 11", "amount: 3"), "test.yaml:3: unknown key 'fibers[0].amount'; "},
+    {less("2 mm", "2 kg"), "test.yaml:3: fibers[0].diameter: '2 kg' has a unit of another dimension"},
+    {less("diameter: 2 mm, "), "test.yaml:3: fibers[0]: key 'diameter' is missing"},
+    {less("radius: 3 cm", "radius: 1 mm"), "test.yaml:4: fibers[1].curvature.radius: '1 mm' is out of range"},
+    {less("radius: 3 cm", "angle: 1"),
+     "test.yaml:4: fibers[1].curvature: an arc of 1 rad a bond is not allowed: at "
+     "most 0.483322"},
+    {less("radius: 3 cm", "radius: 3 cm, angle: 0.1"),
+     "test.yaml:4: fibers[1].curvature: must have exactly one of"},
+    {less("damping: 0.7", "damping: -1"), "test.yaml:4: fibers[1].bond.damping: '-1' is out of range"},
+    {less("damping: 0.7", "rolling_friction: 1"),
+     "test.yaml:11: motion: rolling friction of the bonds is built for"},
+    {less("damping: 0.7", "form: total"), "test.yaml:4: unknown key 'fibers[1].bond.form'"},
+    {with("fibers:", "fibers: []\nx:"), "test.yaml:3: unknown key 'x'"},
+    {less("box: {x: 7 cm, z: 16 cm}, ", "", filling("seed: 1")),
+     "test.yaml:5: filling: key 'region.x' is missing"},
+    {less("box: {x: 7 cm, z: 16 cm}, ", "", filling("region: {x: [0, 1]}")),
+     "test.yaml:5: filling.region: key 'z' is missing: neither box nor periodic has this side"},
+    {filling("region: {z: [3 cm, 2 cm]}"), "test.yaml:5: filling.region.z: must rise"},
+    {filling("region: {z: [3 cm]}"),
+     "test.yaml:5: filling.region.z: must be a list of 2 finite numbers in m"},
+    {filling("region: {z: [3 cm, 2 s]}"),
+     "test.yaml:5: filling.region.z: '2 s' has a unit of another dimension"},
+    {filling("region: {w: [1, 2]}"), "test.yaml:5: unknown key 'filling.region.w'"},
+    {filling("orientation: along"),
+     "test.yaml:5: filling.orientation: 'along' is not allowed; allowed: isotropic, "
+     "near_axis, near_plane"},
+    {filling("orientation: near_plane, angle: 0.1"), "test.yaml:5: filling: key 'direction' is missing"},
+    {filling("orientation: near_plane, direction: [1, 0, 0], angle: 2"),
+     "test.yaml:5: filling.angle: '2' is out of"},
+    {filling("angle: 0.1"), "test.yaml:5: filling.angle: is of use only with orientation"},
+    {filling("velocity: 3"), "test.yaml:5: filling.velocity: must be a list of 3 finite numbers in m/s"},
+    {filling("velocity: [0, 0, .nan]"),
+     "test.yaml:5: filling.velocity: must be a list of 3 finite numbers in m/s"},
+    {filling("gap: -1 mm"), "test.yaml:5: filling.gap: '-1 mm' is out of range"},
+    {filling("seed: -1"), "test.yaml:5: filling.seed: '-1' is not allowed"},
+    {filling("attempts: 0"), "test.yaml:5: filling.attempts: '0' is not allowed"},
+    {filling("batches: {number: 2}"), "test.yaml:5: filling.batches: key 'interval' is missing"},
+    {filling("seed: 3000000000"), "test.yaml:5: filling.seed: '3000000000' is not allowed; allowed: a whole number at least 0 and at most 2147483647"},
+    {filling("batches: {number: 12, interval: 1 ms}"),
+     "test.yaml:5: filling.batches.number: leaves no fiber for the first batch; allowed: at most 11"},
+    {filling("batches: {number: 9, interval: 40 ms}"),
+     "test.yaml:12: duration: ends before the last batch of fibers "
+     "comes"},
+    {walls("box: {x: 7 cm, y: 5 cm, z: 16 cm}"),
+     "test.yaml:6: walls.box.y: has no walls: this side is periodic"},
+    {walls("box: {x: 7 cm}"), "test.yaml:6: walls.box: key 'z' is missing"},
+    {walls("box: {x: 7 cm, z: 1, lid: ajar}"),
+     "test.yaml:6: walls.box.lid: 'ajar' is not allowed; allowed: closed, "
+     "open"},
+    {walls("poisson_ratio: 0.3"), "test.yaml:6: walls.poisson_ratio: is of use only with youngs_modulus"},
+    {walls("youngs_modulus: 0"), "test.yaml:6: walls.youngs_modulus: '0' is out of range"},
+    {walls("planes: {point: [0, 0, 0], normal: [0, 0, 1]}"),
+     "test.yaml:6: walls.planes: must be a list of mappings"},
+    {walls("planes: [{point: [0, 0, 0]}]"), "test.yaml:6: walls.planes[0]: key 'normal' is missing"},
+    {walls("planes: [{point: [0, 0, 0], normal: [0, 0, 0]}]"),
+     "test.yaml:6: walls.planes[0].normal: must not be zero"},
+    {walls("planes: [{point: [0, 0, 0], normal: [0, 0, 1], from: 2 s, until: 1 s}]"),
+     "test.yaml:6: walls.planes[0].until: must be later than from"},
+    {walls("planes: [{point: [0, 0, 0], normal: [0, 0.1, 1]}]"),
+     "test.yaml:6: walls.planes[0].normal: must leave the wall the same all along y, which is periodic"},
+    {walls("cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: 1 m}]"),
+     "test.yaml:6: walls.cylinders[0].axis: must leave the wall the same all along y, which is periodic"},
+    {walls("cylinders: [3]"), "test.yaml:6: walls.cylinders[0]: must be a list of mappings"},
+    {walls("cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: -1 m}]"),
+     "test.yaml:6: walls.cylinders[0].radius: '-1 m' is out of range"},
+    {with("periodic:", "periodic: {y: 0 m}"), "test.yaml:7: periodic.y: '0 m' is out of range"},
+    {with("gravity:", "gravity: [0, 0, 9.81 m]"),
+     "test.yaml:8: gravity: '9.81 m' has a unit of another dimension"},
+    {with("gravity:", "gravity: 9.81"), "test.yaml:8: gravity: must be a list of 3 finite numbers in m/s^2"},
+    {less("rate: 2 1/s", "rate: 0"), "test.yaml:9: fluid.rate: must not be zero"},
+    {less("flow: shear, rate", "rate"), "test.yaml:9: fluid.rate: is of use only with flow or gradient"},
+    {less("rate: 2 1/s", "rate: 2 1/s, hydrodynamics: interactions"),
+     "test.yaml:9: fluid.hydrodynamics: interactions and stresslets are not built for packings"},
+    {with("contacts:", "contacts: {restitution: 0}"),
+     "test.yaml:10: contacts.restitution: '0' is out of range"},
+    {with("contacts:", "contacts: {restitution: 1.1}"),
+     "test.yaml:10: contacts.restitution: '1.1' is out of range"},
+    {with("contacts:", "contacts: {friction: -0.1}"),
+     "test.yaml:10: contacts.friction: '-0.1' is out of range"},
+    {with("contacts:", "contacts: {stiction: 1}"), "test.yaml:10: unknown key 'contacts.stiction'"},
+    {with("motion:", "motion: {step: 0 s}"), "test.yaml:11: motion.step: '0 s' is out of range"},
+    {with("motion:", "motion: {orientations: maybe}"),
+     "test.yaml:11: motion.orientations: 'maybe' is not allowed; "
+     "allowed: false, true"},
+    {with("motion:", "motion: {rolling: off}"), "test.yaml:11: motion.rolling: 'off' is not allowed"},
+    {with("duration:", "duration: 0.3 s\nsteps: 3"), "must have exactly one of duration, steps"},
+    {with("duration:", "steps: 0"), "test.yaml:12: steps: '0' is not allowed"},
+    {with("output:", "output: {frames: 0}"), "test.yaml:13: output.frames: '0' is not allowed"},
+    {with("output:", "output: {vtk: 3}"), "test.yaml:13: output.vtk: '3' is not allowed"},
+    {with("output:", "output: {film: true}"), "test.yaml:13: unknown key 'output.film'"},
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(everything_is_read) {
+  const dem::PackingScene scene = parse(kScene);
+  BOOST_REQUIRE_EQUAL(scene.kinds.size(), 2u);
+  const dem::FiberKind &straight = scene.kinds[0], &curved = scene.kinds[1];
+  BOOST_TEST(straight.count == 11);
+  BOOST_TEST(straight.bend == 0);
+  BOOST_TEST(straight.fiber.material.density == 1200, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(straight.fiber.bond_damping == 0);
+  BOOST_TEST((curved.fiber.bond_model == dem::BondModel::corrected));
+  BOOST_TEST(curved.fiber.bond_damping == 0.7);
+  BOOST_TEST(curved.fiber.material.shear_modulus == 4e6);
+  BOOST_TEST(2 * 0.03 * std::sin(curved.bend / 2) == 1.5e-3, boost::test_tools::tolerance(1e-12));
+  const dem::InsertionRules& rules = scene.filling;
+  BOOST_TEST((rules.region.low[0] == 0.01 && rules.region.high[0] == 0.06));
+  BOOST_TEST((rules.region.low[1] == 0 && rules.region.high[1] == 0.05));  // the period
+  BOOST_TEST((rules.region.low[2] == 0.02 && rules.region.high[2] == 0.15));
+  BOOST_TEST((rules.orientation.alignment == dem::Alignment::near_axis));
+  BOOST_TEST(rules.orientation.direction[2] == 0.8, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(rules.orientation.angle == 0.3);
+  BOOST_TEST((rules.velocity[1] == 0.1 && rules.velocity[2] == -0.2));
+  BOOST_TEST(rules.gap == 2e-4, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST((rules.seed == 77 && rules.attempts == 5000));
+  BOOST_TEST((scene.batches.number == 3 && scene.batches.interval == 0.04));
+  const dem::Domain& around = scene.domain;
+  BOOST_TEST((around.wall_youngs_modulus == 1e9 && around.wall_poisson_ratio == 0.4));
+  BOOST_REQUIRE_EQUAL(around.walls.size(), 6u);  // x, z, at both ends; plane; cylinder
+  const auto& lid = std::get<dem::Plane>(around.walls[3].shape);
+  BOOST_TEST((lid.point[2] == 0.16 && lid.normal[2] == -1));
+  const auto& press = std::get<dem::Plane>(around.walls[4].shape);
+  BOOST_TEST((press.point[2] == 0.17 && press.normal[2] == -1));
+  BOOST_TEST(
+      (around.walls[4].velocity[2] == -5e-3 && around.walls[4].from == 0.1 && around.walls[4].until == 0.2));
+  BOOST_TEST(std::get<dem::Cylinder>(around.walls[5].shape).radius == 0.09);
+  BOOST_TEST((around.period[0] == 0 && around.period[1] == 0.05 && around.period[2] == 0));
+  BOOST_TEST(around.gravity[2] == -9.81);
+  BOOST_REQUIRE(around.fluid.has_value());
+  BOOST_TEST((around.fluid->viscosity == 0.03 && around.fluid->flow.gradient[0][1] == 2));
+  BOOST_TEST((around.contacts.restitution == 0.6 && around.contacts.friction == 0.25));
+  BOOST_TEST(around.contacts.rolling_friction == 0.01);
+  BOOST_TEST((scene.form == dem::BondForm::total && scene.orientations && scene.account_energy));
+  BOOST_TEST(scene.step.value() == 3e-6);
+  BOOST_TEST((scene.duration == 0.3 && scene.steps == 0));
+  BOOST_TEST((scene.output.samples == 17 && scene.output.frames == 6 && scene.output.checkpoints == 4));
+  BOOST_TEST(scene.output.vtk);
+  BOOST_TEST((scene.room.low[1] == 0 && scene.room.high[1] == 0.05 && scene.room.high[2] == 0.16));
+}
+
+BOOST_DATA_TEST_CASE(bad_input_is_refused_with_its_place, kFaults, fault) {
+  BOOST_CHECK_EXCEPTION(parse(fault.scene), dem::SceneError, [&](const dem::SceneError& error) {
+    const std::string message = error.what();
+    BOOST_TEST(message.find(fault.says) != std::string::npos,
+               "\"" << message << "\" lacks \"" << fault.says << "\"");
+    return message.find('\n') == std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(what_is_left_out_is_as_documented) {
+  const dem::PackingScene scene = parse(
+      "scene: packing\n"
+      "fibers: [{diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, poisson_ratio: 0, density: 1000, "
+      "count: 3}]\n"
+      "filling: {region: {x: [-1 cm, 3 cm], y: [0, 2 cm], z: [1 cm, 9 cm]}}\n"
+      "fluid: {viscosity: 2}\n"
+      "steps: 12\n");
+  BOOST_TEST((scene.form == dem::BondForm::incremental && scene.rolling == dem::Rolling::set_valued));
+  BOOST_TEST((!scene.orientations && !scene.account_energy && !scene.step && scene.domain.walls.empty()));
+  BOOST_TEST((scene.filling.seed == 1 && scene.filling.gap == 0 && scene.batches.number == 1));
+  BOOST_TEST((scene.filling.orientation.alignment == dem::Alignment::isotropic));
+  BOOST_TEST((scene.domain.contacts.restitution == 1 && scene.domain.contacts.friction == 0));
+  BOOST_TEST((scene.room.low[0] == -0.01 && scene.room.low[2] == 0.01 && scene.room.high[2] == 0.09));
+  BOOST_TEST(dem::largest_rate(scene.domain.fluid->flow.gradient) == 0);  // at rest
+}
+
+BOOST_AUTO_TEST_CASE(an_open_box_reaches_from_its_floor_to_the_top_of_the_filling) {
+  const dem::PackingScene scene = parse(walls("box: {x: 7 cm, lid: open}"));
+  BOOST_TEST(scene.domain.walls.size() == 3u);
+  BOOST_TEST((scene.room.low[2] == 0 && scene.room.high[2] == 0.15));
+}
+
+BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
+  const dem::PackingScene scene = parse(kScene);
+  const dem::PackingStart start = dem::packing_start(scene, 2);
+  BOOST_REQUIRE_EQUAL(start.groups.size(), 2u);
+  BOOST_TEST(dem::groups_at_start(scene) == 2);
+  BOOST_TEST((start.groups[0].fibers.size() == 3u && start.groups[1].fibers.size() == 1u));  // 11/3, 5/3
+  BOOST_TEST((start.options.account_energy && start.options.orientations));
+  BOOST_TEST(start.options.threads == 1);  // more than one would wait for each other longer than they work
+  BOOST_TEST(*start.options.step == 3e-6);
+  BOOST_TEST(start.steps == 100000);
+  BOOST_TEST(dem::batch_step(scene, 2, 3e-6) == 26667);
+  const dem::PlacedSpheres present = dem::spheres_of(start.groups);
+  const auto second = dem::packing_batch(scene, 1, 0.04, present), third = dem::packing_batch(scene, 2, 0.08, present);
+  BOOST_TEST((second[0].fibers.size() == 4u && second[1].fibers.size() == 2u));
+  BOOST_TEST((third[0].fibers.size() == 4u && third[1].fibers.size() == 2u));
+  BOOST_TEST(second[0].fibers[0].poses[0].position[0] != third[0].fibers[0].poses[0].position[0]);
+  BOOST_TEST(dem::fibers_in(scene) == 16);
+  BOOST_TEST(dem::spheres_in(scene) == 11 * 8 + 5 * 13);
+}
+
+BOOST_AUTO_TEST_CASE(batches_that_would_never_come_are_refused) {
+  for (const auto& [interval, steps] : {std::pair("40 ms", "20000"), {"1 us", "100000"}}) {
+    const std::string text = less("duration: 0.3 s", std::string("steps: ") + steps, less("interval: 40 ms", std::string("interval: ") + interval));
+    BOOST_CHECK_EXCEPTION(dem::packing_start(parse(text), 1), dem::InvalidInput, [](const dem::InvalidInput& error) {
+      return std::string(error.what()).starts_with("batches.interval = ");
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(arcs_are_stress_free_and_of_their_radius) {
+  const dem::FiberKind kind = parse(kScene).kinds[1];
+  const dem::Chain<3> chain = dem::chain_of(kind);
+  BOOST_TEST(dem::elastic_energy(chain, chain.poses) < 1e-25);
+  const auto a = chain.poses[0].position, b = chain.poses[12].position;
+  BOOST_TEST(norm(b - a) == 2 * 0.03 * std::sin(6 * kind.bend), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(dem::elastic_energy(dem::straight_chain<3>(kind.fiber), chain.poses) > 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_step_is_chosen_for_all_kinds) {
+  dem::PackingScene scene = parse(less("step: 3 us, "));
+  const dem::PackingStart start = dem::packing_start(scene, 1);
+  BOOST_TEST(*start.options.step == start.choice.step);
+  BOOST_TEST(static_cast<double>(start.steps) * start.choice.step >= 0.3 * (1 - 1e-9));
+  BOOST_TEST(static_cast<double>(start.steps - 1) * start.choice.step < 0.3);
+  scene.kinds[0].fiber.material.youngs_modulus *= 1e6;
+  scene.kinds[0].fiber.material.shear_modulus *= 1e6;
+  const dem::PackingStart stiffer = dem::packing_start(scene, 1);
+  BOOST_TEST(stiffer.choice.step < 0.5 * start.choice.step);
+  scene.duration = 1e12;
+  BOOST_CHECK_THROW(dem::packing_start(scene, 1), dem::InvalidInput);
+}
+
+BOOST_AUTO_TEST_CASE(starts_come_from_a_file_beside_the_scene) {
+  const fiberchain::test::Scratch scratch;
+  std::ofstream(scratch.path / "two.csv")
+      << "x,y,z,ux,uy,uz\n0.03,0.01,0.05,0,0.6,0.8\n0.02,0.04,0.09,0,0,-1\n";
+  const std::string text = less("count: 11", "starts: two.csv"), name = (scratch.path / "s.yaml").string();
+  const dem::PackingScene scene = parse(text, name);
+  BOOST_REQUIRE_EQUAL(scene.kinds[0].starts.size(), 2u);
+  BOOST_TEST(dem::fibers_in(scene) == 7);
+  const dem::PackingStart start = dem::packing_start(scene, 1);
+  BOOST_REQUIRE_EQUAL(start.groups.size(), 2u);
+  const auto& last = start.groups[0].fibers[0].poses[7].position;
+  BOOST_TEST(last[2] == 0.05 + 0.8 * 7 * 2e-3, boost::test_tools::tolerance(1e-12));
+  const std::string print = dem::scene_fingerprint({name, text}, scene);
+  std::ofstream(scratch.path / "two.csv", std::ios::app) << "# moved nothing\n";
+  BOOST_TEST(dem::scene_fingerprint({name, text}, parse(text, name)) != print);
+  std::ofstream(scratch.path / "two.csv", std::ios::app) << "0.03,0.01,0.05,0,0.6,oops\n";
+  BOOST_CHECK_EXCEPTION(parse(text, name), dem::SceneError, [](const dem::SceneError& error) {
+    const std::string message = error.what();
+    return message.find("s.yaml:3: fibers[0].starts: ") != std::string::npos &&
+           message.find("two.csv:5: column 'uz'") != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
+  const std::filesystem::path scenes = std::filesystem::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes";
+  const dem::PackingScene layers =
+      std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(scenes / "crossed-layers.yaml")));
+  const dem::PackingStart start = dem::packing_start(layers, 2);
+  BOOST_TEST(start.options.threads == 2);
+  BOOST_TEST(start.groups[0].fibers.size() == 2000u);
+  BOOST_TEST(start.steps == 20000);
+  BOOST_TEST(*start.options.step == 4e-6);
+  for (const char* name : {"packing.yaml", "packing-small.yaml", "compression.yaml"}) {
+    const dem::PackingScene scene =
+        std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(scenes / name)));
+    BOOST_CHECK_NO_THROW(dem::packing_start(scene, 1));
+  }
+}

@@ -1,0 +1,145 @@
+#define BOOST_TEST_MODULE checkpoint
+#include "dem/trajectory/checkpoint.hpp"
+
+#include <bit>
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "dem/files/file_error.hpp"
+#include "tests/dem/trajectory/files.hpp"
+
+using namespace fiberchain::dem;
+using namespace fiberchain::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+Checkpoint example(std::int64_t step, std::size_t numbers) {
+  Checkpoint checkpoint{.program = "fiberchain 0.1.0 abc GNU 12 -O3",
+                        .threads = 2,
+                        .scene_sha256 = "e3b0c44298fc1c149afbf4c8996fb924",
+                        .scene = "scene: packing\nfibers: 3\n",
+                        .step = step,
+                        .time = 0.1 * static_cast<double>(step),
+                        .state = {}};
+  for (std::size_t i = 0; i < numbers; ++i) checkpoint.state.push_back(1 / (3.0 + static_cast<double>(i)));
+  return checkpoint;
+}
+
+/// Message of the refusal, without the file's name.
+std::string refusal(const fs::path& path, const std::string& scene = "") {
+  try {
+    scene.empty() ? read_checkpoint(path) : read_checkpoint(path, scene);
+  } catch (const ReadError& error) {
+    const std::string message = error.what();
+    BOOST_TEST(message.starts_with(path.string() + ": "));
+    return message.substr(path.string().size() + 2);
+  }
+  return "none";
+}
+
+void overwrite(const fs::path& path, std::size_t at, char byte) {
+  std::string bytes = content(path);
+  bytes[at] = byte;
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_bit_comes_back) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  Checkpoint written = example(1'234'567'890'123, 1001);
+  written.state[3] = -0.0;
+  written.state[4] = std::numeric_limits<double>::denorm_min();
+  written.state[5] = -std::numeric_limits<double>::infinity();
+  written.state[6] =
+      std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
+  written.scene += std::string("\0 and beyond", 12);
+  write_checkpoint(path, written);
+  const Checkpoint read = read_checkpoint(path, written.scene_sha256);
+  BOOST_REQUIRE(read.state.size() == written.state.size());
+  for (std::size_t i = 0; i < read.state.size(); ++i)
+    BOOST_TEST(std::bit_cast<std::uint64_t>(read.state[i]) == std::bit_cast<std::uint64_t>(written.state[i]));
+  written.state.clear();
+  Checkpoint rest = read;
+  rest.state.clear();
+  BOOST_TEST((rest == written));
+}
+
+BOOST_AUTO_TEST_CASE(the_one_before_is_kept) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  for (const std::int64_t step : {1, 2, 3}) write_checkpoint(path, example(step, 10));
+  BOOST_TEST(read_checkpoint(path).step == 3);
+  BOOST_TEST(read_checkpoint(previous_checkpoint(path)).step == 2);
+  BOOST_TEST(files_in(scratch.path) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_whole_checkpoint_is_refused_with_its_reason) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  BOOST_TEST(refusal(path) == "cannot open this checkpoint: No such file or directory");
+  BOOST_TEST(refusal(scratch.path) == "is a directory, not a checkpoint");
+  std::ofstream(path) << "";
+  BOOST_TEST(refusal(path) == "is no checkpoint");
+  write_checkpoint(path, example(5, 1000));
+  const std::string whole = content(path);
+  fs::resize_file(path, 40);
+  BOOST_TEST(refusal(path) == "is cut off within its head");
+  std::ofstream(path, std::ios::binary) << whole.substr(0, whole.size() - 1);
+  BOOST_TEST(refusal(path) == "is cut off: " + std::to_string(whole.size() - 513) + " of " +
+                                  std::to_string(whole.size() - 512) + " bytes");
+  std::ofstream(path, std::ios::binary) << whole << "more";
+  BOOST_TEST(refusal(path) == "is corrupt: its checksum is not that of its content");
+  std::ofstream(path, std::ios::binary) << whole;
+  BOOST_TEST(refusal(path, "e3b0c44298fc1c149afbf4c8996fb924") == "none");
+  BOOST_TEST(refusal(path, "abcdefghijklmnop") ==
+             "belongs to another scene (SHA-256 e3b0c44298fc..., not abcdefghijkl...)");
+  std::string later = whole;
+  later.replace(later.find("checkpoint 1"), 12, "checkpoint 7");
+  std::ofstream(path, std::ios::binary) << later;
+  BOOST_TEST(refusal(path) == "is a checkpoint of format 7; this program reads format 1");
+}
+
+// A bit wrong anywhere: in the head, in HDF5's own tables, in the numbers.
+BOOST_AUTO_TEST_CASE(no_wrong_byte_goes_unnoticed) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  write_checkpoint(path, example(5, 300));
+  const std::string whole = content(path);
+  std::size_t tried = 0;
+  for (std::size_t at = 0; at < whole.size(); at += 37, ++tried) {
+    overwrite(path, at, static_cast<char>(whole[at] ^ (1 << at % 8)));
+    BOOST_TEST(refusal(path) != "none", "byte " << at);
+    overwrite(path, at, whole[at]);
+  }
+  BOOST_TEST(tried > 50);
+  BOOST_TEST(refusal(path) == "none");
+}
+
+BOOST_AUTO_TEST_CASE(a_full_disk_keeps_the_last_good_one) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  write_checkpoint(path, example(1, 2000));
+  write_checkpoint(path, example(2, 2000));
+  {
+    const SizeLimit full(9000);
+    BOOST_CHECK_EXCEPTION(write_checkpoint(path, example(3, 2000)), WriteError, [&](const WriteError& error) {
+      return std::string(error.what()) == "cannot write " + path.string() + ": File too large";
+    });
+  }
+  BOOST_TEST((read_checkpoint(path) == example(2, 2000)));
+  BOOST_TEST((read_checkpoint(previous_checkpoint(path)) == example(1, 2000)));
+  BOOST_TEST(files_in(scratch.path) == 2);
+  BOOST_CHECK_THROW(write_checkpoint(scratch.path / "none" / "run", example(1, 1)), WriteError);
+}
+
+BOOST_AUTO_TEST_CASE(another_program_or_thread_count_is_told) {
+  const Checkpoint checkpoint = example(5, 1);
+  BOOST_TEST(resumed_differently(checkpoint, checkpoint.program, 2) == "");
+  BOOST_TEST(resumed_differently(checkpoint, checkpoint.program, 1) ==
+             "the checkpoint was written by a run of 2 threads, not 1");
+  BOOST_TEST(resumed_differently(checkpoint, "other", 2) ==
+             "the checkpoint was written by another program (fiberchain 0.1.0 abc GNU 12 -O3, not other)");
+}
