@@ -14,7 +14,7 @@
 #include "tests/dem/trajectory/files.hpp"
 
 namespace dem = fiberchain::dem;
-using namespace fiberchain::compare;
+using namespace fiberchain::dem;
 namespace fs = std::filesystem;
 
 namespace {
@@ -23,7 +23,7 @@ using fiberchain::test::content;
 using fiberchain::test::Scratch;
 using fiberchain::test::SizeLimit;
 
-std::size_t dem::entries(const fs::path& path) { return fiberchain::test::files_in(path); }
+std::size_t entries(const fs::path& path) { return fiberchain::test::files_in(path); }
 
 }  // namespace
 
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(files_appear_whole_and_nothing_else) {
   directory.write({{"one.csv", bytes}, {"two.csv", ""}});
   BOOST_TEST(content(scratch.path / "a/b/one.csv") == bytes);
   BOOST_TEST(fs::exists(scratch.path / "a/b/two.csv"));
-  BOOST_TEST(dem::entries(scratch.path / "a/b") == 2);
+  BOOST_TEST(entries(scratch.path / "a/b") == 2);
 }
 
 BOOST_AUTO_TEST_CASE(new_results_take_the_place_of_old_ones) {
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_old_results_as_they_were) {
   }
   BOOST_TEST(content(scratch.path / "one.csv") == "old one");
   BOOST_TEST(content(scratch.path / "two.csv") == "old two");
-  BOOST_TEST(dem::entries(scratch.path) == 2);
+  BOOST_TEST(entries(scratch.path) == 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_place_that_cannot_be_written_is_refused_at_once) {
@@ -87,5 +87,5 @@ BOOST_AUTO_TEST_CASE(a_directory_in_the_place_of_a_file_is_an_error) {
   const Scratch scratch;
   fs::create_directory(scratch.path / "one.csv");
   BOOST_CHECK_THROW(dem::OutputDirectory(scratch.path).write({{"one.csv", "x"}}), dem::OutputError);
-  BOOST_TEST(dem::entries(scratch.path) == 1);
+  BOOST_TEST(entries(scratch.path) == 1);
 }

@@ -8,7 +8,7 @@
 #include <regex>
 
 namespace dem = fiberchain::dem;
-using namespace fiberchain::compare;
+using namespace fiberchain::dem;
 
 // FIPS 180-2, appendix B.1 and B.3; the empty text as `sha256sum /dev/null` prints it.
 BOOST_AUTO_TEST_CASE(sha256_is_the_standard_one) {

@@ -12,7 +12,7 @@
 #include "tests/dem/trajectory/files.hpp"
 
 namespace dem = fiberchain::dem;
-using namespace fiberchain::compare;
+using namespace fiberchain::dem;
 using namespace fiberchain::test;
 
 namespace {

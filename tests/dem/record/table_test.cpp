@@ -14,7 +14,7 @@
 #include "compare/study/markdown.hpp"
 
 namespace dem = fiberchain::dem;
-using namespace fiberchain::compare;
+using namespace fiberchain::dem;
 
 namespace {
 
