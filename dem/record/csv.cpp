@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <istream>
-#include <optional>
+#include <utility>
 
 #include "dem/record/errors.hpp"
 #include "dem/record/columns.hpp"
+#include "dem/files/csv_reader.hpp"
 #include "dem/files/numbers.hpp"
 
 namespace fiberchain::dem {
@@ -28,64 +28,7 @@ std::string field(const Cell& cell, CellKind kind) {
   return kind == CellKind::text ? "" : "nan";
 }
 
-/// Reads records of a CSV text and counts its lines.
-class Reader {
- public:
-  Reader(std::istream& input, std::string name) : input_(input), name_(std::move(name)) {}
-
-  /// The next line that is not a record's continuation, without its end; nothing at the end of the file.
-  std::optional<std::string> line() {
-    std::string text;
-    if (!std::getline(input_, text)) return std::nullopt;
-    ++line_;
-    if (text.ends_with('\r')) text.pop_back();
-    return text;
-  }
-
-  /// Splits a record that begins with this line, reading on where a quoted field spans lines.
-  std::vector<std::string> split(std::string text) {
-    std::vector<std::string> fields;
-    std::size_t at = 0;
-    do {
-      fields.push_back(at < text.size() && text[at] == '"' ? quoted(text, at) : plain(text, at));
-    } while (at++ < text.size());
-    return fields;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", name_, line_, what));
-  }
-
-  std::size_t line_number() const { return line_; }
-
- private:
-  std::string plain(const std::string& text, std::size_t& at) const {
-    const std::size_t begin = at;
-    at = std::min(text.find(',', at), text.size());
-    return text.substr(begin, at - begin);
-  }
-
-  std::string quoted(std::string& text, std::size_t& at) {
-    std::string value;
-    for (++at;; ++at) {
-      if (at == text.size()) {
-        const auto more = line();
-        if (!more) fail("a quoted field is not closed");
-        text += '\n' + *more;
-      }
-      if (text[at] == '"' && (++at == text.size() || text[at] != '"')) break;
-      value += text[at];
-    }
-    if (at < text.size() && text[at] != ',') fail("text after a quoted field");
-    return value;
-  }
-
-  std::istream& input_;
-  std::string name_;
-  std::size_t line_ = 0;
-};
-
-Cell parsed(const std::string& text, const Column& column, const Reader& reader) {
+Cell parsed(const std::string& text, const Column& column, const CsvReader& reader) {
   if (column.kind == CellKind::text) return text;
   if (text == "nan") return Missing{};
   if (column.kind == CellKind::integer) {
@@ -103,9 +46,9 @@ std::pair<std::string, std::string> comment(const std::string& line) {
   return {line.substr(begin, colon - begin), line.substr(colon + 2)};
 }
 
-Table header(Reader& reader, const std::string& line) {
+Table header(const CsvReader& reader, std::vector<std::string> columns) {
   try {
-    return Table(reader.split(line));
+    return Table(std::move(columns));
   } catch (const TableError& error) {
     reader.fail(error.what());
   }
@@ -128,28 +71,22 @@ std::string to_csv(const Table& table, const Provenance& provenance) {
 }
 
 CsvDocument read_csv(std::istream& input, const std::string& name) {
-  Reader reader(input, name);
-  std::vector<std::pair<std::string, std::string>> comments;
-  auto line = reader.line();
-  for (; line && (line->empty() || line->starts_with('#')); line = reader.line()) {
-    if (!line->empty()) comments.push_back(comment(*line));
-  }
-  if (!line) reader.fail("no header: the file holds no table");
-  CsvDocument document{std::move(comments), header(reader, *line), {}};
+  CsvReader reader(input, name, [](const std::string& what) { throw InputError(what); });
+  auto fields = reader.record();
+  if (!fields) reader.fail("no header: the file holds no table");
+  CsvDocument document{{}, header(reader, *fields), {}};
+  for (const std::string& line : reader.comments()) document.comments.push_back(comment(line));
   const std::vector<std::string> columns = document.table.columns();
-  while ((line = reader.line())) {
-    if (line->empty() || line->starts_with('#')) continue;
-    const std::size_t number = reader.line_number();
-    const auto fields = reader.split(*line);
-    if (fields.size() != columns.size()) {
-      reader.fail(fmt::format("{} fields where the header has {}", fields.size(), columns.size()));
+  while ((fields = reader.record())) {
+    if (fields->size() != columns.size()) {
+      reader.fail(fmt::format("{} fields where the header has {}", fields->size(), columns.size()));
     }
     NamedRow row;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      row.emplace_back(columns[i], parsed(fields[i], find_column(columns[i]), reader));
+      row.emplace_back(columns[i], parsed((*fields)[i], find_column(columns[i]), reader));
     }
     document.table.append(row);
-    document.lines.push_back(number);
+    document.lines.push_back(reader.line_number());
   }
   return document;
 }
