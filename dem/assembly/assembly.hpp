@@ -6,20 +6,15 @@
 #include <optional>
 #include <vector>
 
+#include "dem/chain/fiber_group.hpp"
+#include "dem/contact/contact_state.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
-#include "dem/chain/chain_state.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 
 // Many fibers that touch each other and walls, marched by the leapfrog: bonds in SIMD lanes across fibers, contacts
 // in lanes across pairs. Results do not depend on the number of threads, to the bit.
 namespace fiberchain::dem {
-
-/// Fibers of one kind and where they start.
-struct FiberGroup {
-  Chain<3> chain;                      ///< with `natural` where curved at rest
-  std::vector<ChainState<3>> fibers;   ///< one state a fiber
-};
 
 struct AssemblyOptions {
   std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
@@ -55,14 +50,6 @@ double total(const EnergyBalance& energy);
 struct BondState {
   Vec<double, 3> force;  ///< on its first sphere, spring and dashpot [N]
   double bending_angle;  ///< |theta_b| of the bond law, 0 at rest [rad]
-};
-
-/// A pair that touches.
-struct ContactState {
-  std::int64_t first, second;  ///< sphere numbers; second < 0: wall -1 - second
-  double overlap;              ///< [m]
-  Vec<double, 3> point;        ///< [m]
-  Vec<double, 3> force;        ///< on the first [N]
 };
 
 class Assembly {

@@ -82,7 +82,7 @@ struct Assembly::State {
 
   State(Domain around, AssemblyOptions how, double dt)
       : domain(std::move(around)), options(std::move(how)), step(dt), pool(options.threads),
-        contacts(domain, options, step) {
+        contacts(domain, {options.account_energy, options.instruction_set}, step) {
     watch.on = options.time_parts;
   }
 

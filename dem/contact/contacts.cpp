@@ -21,7 +21,7 @@ void add_times(ContactAccount<double>& sum, double factor, const ContactAccount<
 
 }  // namespace
 
-Contacts::Contacts(const Domain& domain, const AssemblyOptions& options, double step)
+Contacts::Contacts(const Domain& domain, const ContactOptions& options, double step)
     : domain_(domain),
       periods_(periodic_box(domain.period)),
       accounted_(options.account_energy),

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "dem/assembly/assembly.hpp"
+#include "dem/chain/fiber_group.hpp"
+#include "dem/contact/contact_state.hpp"
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/contact_history.hpp"
 #include "dem/contact/contact_parameters.hpp"
@@ -15,9 +16,14 @@
 // All contacts of an assembly: which spheres are close, what their contacts restore, and their loads.
 namespace fiberchain::dem {
 
+struct ContactOptions {
+  bool account_energy = false;  ///< sum the work dissipated by contacts and done by walls
+  InstructionSet instruction_set = best_instruction_set();
+};
+
 class Contacts {
  public:
-  Contacts(const Domain& domain, const AssemblyOptions& options, double step);
+  Contacts(const Domain& domain, const ContactOptions& options, double step);
 
   /// Throws InvalidInput where periodic sides are too near for these fibers beside those there.
   void check_periods(const std::vector<FiberGroup>& more) const;

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/assembly/assembly.hpp"
+#include "dem/chain/fiber_group.hpp"
 #include "dem/insertion/insertion_grid.hpp"
+#include "dem/model/domain.hpp"
 
 // Fibers at random position_radius, one after the other, where no sphere overlaps another or a wall. The same seed
 // gives the same packing on any machine and any number of threads.
