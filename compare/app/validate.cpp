@@ -9,29 +9,25 @@
 namespace fiberchain::app {
 namespace {
 
-/// What the parts of the matrix are called on the command line, in its order.
-constexpr const char* kParts[] = {"beams", "static", "damping", "friction", "stability", "flow", "packing"};
+using Subjects = std::vector<compare::ValidationSubject>;
 
-using Steps = std::vector<compare::ValidationStep>;
-
-/// The parts asked for, in the order of the matrix; all if none is.
-Steps steps_of(const Arguments& arguments) {
-  const Steps& all = compare::validation_steps();
-  Steps chosen = all;
-  std::vector<std::pair<std::string, compare::ValidationStep>> words;
-  for (std::size_t n = 0; n < all.size(); ++n) words.emplace_back(kParts[n], all[n]);
-  read_choices<compare::ValidationStep>(arguments, "--part", chosen, words);
+/// The subjects asked for, in the order of the matrix; all if none is.
+Subjects subjects_of(const Arguments& arguments) {
+  Subjects chosen = compare::validation_subjects();
+  std::vector<std::pair<std::string, compare::ValidationSubject>> words;
+  for (const compare::ValidationSubject& subject : chosen) words.emplace_back(subject.name, subject);
+  read_choices<compare::ValidationSubject>(arguments, "--part", chosen, words);
   return chosen;
 }
 
-/// Their rows.
-std::vector<compare::MatrixRow> rows_of(const Steps& steps, const std::vector<compare::PublishedValue>& published, int jobs,
+/// Their rows. Claims and measures are held against each other before the first run.
+std::vector<compare::MatrixRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
                                         const Context& context) {
-  const compare::ValidationInput input{published, jobs};
-  const auto progress = context.progress(steps.size());
+  for (const auto& subject : subjects) compare::check_complete(input.claims, subject.name, subject.checks());
+  const auto progress = context.progress(subjects.size());
   std::vector<compare::MatrixRow> all;
-  for (const compare::ValidationStep& step : steps) {
-    for (compare::MatrixRow& row : step.rows(input)) all.push_back(std::move(row));
+  for (const compare::ValidationSubject& subject : subjects) {
+    for (compare::MatrixRow& row : compare::validation_rows(input, subject)) all.push_back(std::move(row));
     progress->advance();
   }
   return all;
@@ -49,10 +45,10 @@ int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
-  const auto published = compare::read_all_published(compare::find_data_directory(data));
-  const Steps steps = steps_of(arguments);
+  const compare::ValidationInput input{compare::read_all_published(compare::find_data_directory(data)), output.jobs};
+  const Subjects subjects = subjects_of(arguments);
   const auto directory = open_output(output);
-  const std::vector<compare::MatrixRow> rows = rows_of(steps, published, output.jobs, context);
+  const std::vector<compare::MatrixRow> rows = rows_of(subjects, input, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
   const dem::Table shown = results.table.select(

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <limits>
 
 #include "compare/damping/table.hpp"
 #include "compare/study/validation.hpp"
@@ -24,41 +24,36 @@ double load_of(double force, int aspect_ratio, double shear_modulus = 1e6) {
   return force / dem::load_force(damped_fiber(unit), 1.0);
 }
 
-/// Where fiber_damping_paper passes the paper's slope, by interpolation between loads, and the slope there.
-MatrixRow slope_row(const ValidationInput& in, int aspect_ratio, const std::string& id) {
-  const double wanted = find_published(in.published, id).value;
+/// Paper's slope where fiber_damping_paper passes it, by interpolation between loads; NaN if no load up to 3 gives it.
+Measured slope(const ValidationInput& in, int aspect_ratio, const std::string& id) {
+  const double wanted = find_claim(in.claims, id).value;
   std::vector<DampingCase> cases;
   for (int i = 0; i < 16; ++i) cases.push_back({.aspect_ratio = aspect_ratio, .load = 0.02 + 0.2 * i});
   const Points points = measure(cases, in.jobs);
-  for (std::size_t i = 1; i < points.size(); ++i) {
+  double load = std::numeric_limits<double>::quiet_NaN(), there = load;
+  for (std::size_t i = 1; i < points.size() && std::isnan(load); ++i) {
     const double above = points[i - 1].damping_paper, below = points[i].damping_paper;
     if (!(above >= wanted && below < wanted)) continue;
-    const double load = cases[i - 1].load + (above - wanted) / (above - below) * (cases[i].load - cases[i - 1].load);
-    const double there = measure({{.aspect_ratio = aspect_ratio, .load = load}}, in.jobs)[0].damping_paper;
-    return published_row(in, id, there, 2e-5,
-                         fmt::format("appears at PL^2/EI = {:.2f} with peaks 1..10 after the release; at vanishing load "
-                                     "the slope is {:.6f}, {:.1f} % higher", load, points[0].damping_modes,
-                                     100 * (points[0].damping_modes / wanted - 1)));
+    load = cases[i - 1].load + (above - wanted) / (above - below) * (cases[i].load - cases[i - 1].load);
+    there = measure({{.aspect_ratio = aspect_ratio, .load = load}}, in.jobs)[0].damping_paper;
   }
-  return published_row(in, id, points[0].damping_modes, 0, "no load up to 3 gives this slope with peaks 1..10");
+  return {there, {load, points[0].damping_modes, 100 * (points[0].damping_modes / wanted - 1)}};
 }
 
-std::vector<MatrixRow> load_rows(const ValidationInput& in) {
+std::vector<Measured> slopes(const ValidationInput& in) {
+  return {slope(in, 8, "paper-fig7-slope-8"), slope(in, 10, "paper-fig7-slope-10")};
+}
+
+std::vector<Measured> loads(const ValidationInput& in) {
   const Points ten = measure({{.load = load_of(0.001, 10)}, {.load = load_of(0.008, 10)}, {.load = load_of(0.02, 10)}}, in.jobs);
   const Points eight = measure({{.aspect_ratio = 8, .load = load_of(0.02, 8)}}, in.jobs);
   const auto fall = [](double from, double to) { return 100 * (1 - to / from); };
   const double far_ten = fall(ten[0].damping_modes, ten[2].damping), far_eight = fall(eight[0].damping_modes, eight[0].damping);
-  return {published_row(in, "paper-fig8-load", fall(ten[0].damping, ten[1].damping), 0.5,
-                        fmt::format("mode 2 gone, nominal fiber d = 2 mm, G = 1 MPa, nu = 0.3; peaks 1..10 give {:.2f} %",
-                                    fall(ten[0].damping_paper, ten[1].damping_paper))),
-          disputed_row(in, "paper-fig7-load", far_ten,
-                       fmt::format("from vanishing load to P = 0.02 N on the nominal fiber xi_f falls {:.1f} % at r_f = 10 "
-                                   "(PL^2/EI = {:.2f}) and {:.1f} % at r_f = 8 ({:.2f}); the paper's own fall of 5 % up to "
-                                   "0.008 N is larger than 3.3 %", far_ten, ten[2].asked.load, far_eight,
-                                   eight[0].asked.load))};
+  return {{fall(ten[0].damping, ten[1].damping), {fall(ten[0].damping_paper, ten[1].damping_paper)}},
+          {far_ten, {far_ten, ten[2].asked.load, far_eight, eight[0].asked.load}}};
 }
 
-MatrixRow modulus_row(const ValidationInput& in) {
+std::vector<Measured> modulus(const ValidationInput& in) {
   std::vector<DampingCase> cases;
   for (const double force : {0.002, 0.0005}) {
     for (const double modulus : {0.2e6, 2e6}) {
@@ -67,10 +62,13 @@ MatrixRow modulus_row(const ValidationInput& in) {
   }
   const Points p = measure(cases, in.jobs);
   const auto rise = [](const DampingPoint& soft, const DampingPoint& stiff) { return 100 * (stiff.damping / soft.damping - 1); };
-  return disputed_row(in, "paper-fig8-modulus", rise(p[0], p[1]),
-                      fmt::format("xi_f depends on G only through PL^2/EI: from 0.2 to 2 MPa it rises {:.2f} % at P = 0.002 N "
-                                  "and {:.2f} % at 0.0005 N; constant above 0.2 MPa holds for small loads only",
-                                  rise(p[0], p[1]), rise(p[2], p[3])));
+  return {{rise(p[0], p[1]), {rise(p[0], p[1]), rise(p[2], p[3])}}};
+}
+
+std::vector<Measured> equation_20_values(const ValidationInput&) {
+  const double chain_30 = reference::first_bending_mode(linear_chain_of({.aspect_ratio = 30})).damping;
+  const double ratio = equation_20(30, 1) / chain_30;
+  return {{equation_20(8, 1)}, {equation_20(10, 1)}, {ratio, {chain_30, 1 / ratio}}};
 }
 
 double worst_closed_form() {
@@ -111,31 +109,19 @@ double worst_rod_mode() {
 
 }  // namespace
 
-std::vector<MatrixRow> damping_rows(const ValidationInput& in) {
-  const double chain_30 = reference::first_bending_mode(linear_chain_of({.aspect_ratio = 30})).damping;
-  const double ratio = equation_20(30, 1) / chain_30;
-  std::vector<MatrixRow> rows{
-      slope_row(in, 8, "paper-fig7-slope-8"),
-      slope_row(in, 10, "paper-fig7-slope-10"),
-      modulus_row(in),
-      published_row(in, "paper-eq20-8", equation_20(8, 1), 5e-6, "a = 0.03709, b = 0.1615"),
-      published_row(in, "paper-eq20-10", equation_20(10, 1), 5e-6, "a = 0.03709, b = 0.1615"),
-      disputed_row(in, "paper-eq20-30", ratio,
-                   fmt::format("the chain follows a power law, xi_f = {:.6f} xi_b at r_f = 30 (linear modes); Eq 20 is an "
-                               "exponential fitted over a short range and is {:.1f} times too low there", chain_30, 1 / ratio)),
-      method_row("march-modes", "damped vibration", 0, worst_march(in), 2e-4,
-                 "quadratic eigenproblem of the linear chain",
-                 "largest relative difference of xi_f, r_f = 5, 13, 24, xi_b = 0.01 to 3, nu = 0.17, PL^2/EI = 1e-5"),
-      method_row("closed-form-modes", "damped vibration", 0, worst_closed_form(), 0.0025,
-                 "(beta_1^2/sqrt(20)) xi_b/(r_f + 1/2)^2 against the quadratic eigenproblem",
-                 "largest relative difference, r_f = 5 to 60, nu = 0 to 0.49, xi_b = 1"),
-      method_row("amplitude-frequency", "damped Elastica", 0.0194, reference::amplitude_frequency_coefficient(), 5e-5,
-                 "undamped amplitude-frequency relation omega/omega_0 = 1 + c (a/L)^2",
-                 "c by averaging over a period; the damped Elastica's runs are tested against it"),
-      exact_row("rod-modes", "damped vibration", 0, worst_rod_mode(), 1e-10, "sqrt(2) xi_b sin(pi/(4 r_f + 2))",
-                "first axial and twisting mode of the linear chain, r_f = 13, nu = 0.17, xi_b = 0.7")};
-  for (MatrixRow& row : load_rows(in)) rows.push_back(std::move(row));
-  return rows;
+const Checks& damping_checks() {
+  using In = ValidationInput;
+  using Found = std::vector<Measured>;
+  static const Checks checks{
+      {{"paper-fig7-slope-8", "paper-fig7-slope-10"}, slopes},
+      {{"paper-fig8-modulus"}, modulus},
+      {{"paper-eq20-8", "paper-eq20-10", "paper-eq20-30"}, equation_20_values},
+      {{"march-modes"}, [](const In& in) -> Found { return {{worst_march(in)}}; }},
+      {{"closed-form-modes"}, [](const In&) -> Found { return {{worst_closed_form()}}; }},
+      {{"amplitude-frequency"}, [](const In&) -> Found { return {{reference::amplitude_frequency_coefficient()}}; }},
+      {{"rod-modes"}, [](const In&) -> Found { return {{worst_rod_mode()}}; }},
+      {{"paper-fig8-load", "paper-fig7-load"}, loads}};
+  return checks;
 }
 
 }  // namespace fiberchain::compare

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,23 +13,18 @@ using dem::BondModel;
 using dem::Integrator;
 using reference::ChainEnds;
 
-/// Runs at r_f = 50, nu = 0.3 against the waves of the endless chain, a row for each xi_b.
-std::vector<MatrixRow> limit_rows(const ValidationInput& in) {
+/// Largest stable steps of runs at r_f = 50, nu = 0.3, a measure for each xi_b, and of the waves of the endless chain.
+std::vector<Measured> limits(const ValidationInput& in) {
   const StabilitySweep sweep{.aspect_ratio = {50},
                              .poisson_ratio = {0.3},
                              .bond_damping = {0, 0.1, 0.25, 0.5, 1, 2, 5},
                              .bond = {BondModel::paper},
                              .scheme = {Integrator::leapfrog}};
-  std::vector<MatrixRow> rows;
+  std::vector<Measured> limits;
   for (const StabilityPoint& p : stability_points(cases(sweep), {.jobs = in.jobs})) {
-    rows.push_back(method_row(
-        fmt::format("stable-step-{:g}", p.asked.bond_damping), "stability", p.endless, p.measured,
-        0.005 * p.endless,
-        "spectral radius of the amplification matrix over all waves, lagged "
-        "dashpots, over t_b",
-        fmt::format("runs bracket it to 0.1 %: nu = 0.3, xi_b = {:g}, r_f = 50", p.asked.bond_damping)));
+    limits.push_back({.value = p.measured, .expected = p.endless});
   }
-  return rows;
+  return limits;
 }
 
 double worst_difference(const ValidationInput& in, const std::vector<StabilitySweep>& sweeps) {
@@ -44,8 +37,8 @@ double worst_difference(const ValidationInput& in, const std::vector<StabilitySw
   return worst;
 }
 
-/// Runs against modes over the map, both bonds.
-std::vector<MatrixRow> agreement_rows(const ValidationInput& in) {
+/// Runs against modes over the map, both bonds; lagged dashpots and solved ones.
+std::vector<Measured> agreement(const ValidationInput& in) {
   const StabilitySweep lagged{.aspect_ratio = {5, 13},
                               .poisson_ratio = {-0.2, 0, 0.25, 0.49},
                               .bond_damping = {0, 0.3, 10},
@@ -57,20 +50,11 @@ std::vector<MatrixRow> agreement_rows(const ValidationInput& in) {
                               .poisson_ratio = {-0.2, 0.25, 0.49},
                               .bond_damping = {0.3, 10},
                               .scheme = {Integrator::leapfrog_damped}};
-  constexpr const char* source = "largest stable step of the finite chain by its modes";
-  return {
-      method_row("stable-step-runs", "stability", 0, worst_difference(in, {lagged, spatial}), 0.01, source,
-                 "largest relative difference of runs, lagged dashpots: planar clamped and spatial free "
-                 "chains, nu = "
-                 "-0.2 to 0.49, xi_b = 0 to 10, r_f = 5 and 13, both bonds"),
-      method_row(
-          "stable-step-runs-damped", "stability", 0, worst_difference(in, {solved}), 0.01, source,
-          "the same with the dashpots solved within the step, whose limit is the undamped one: planar, nu = "
-          "-0.2 to 0.49, xi_b = 0.3 and 10, r_f = 5, both bonds")};
+  return {{worst_difference(in, {lagged, spatial})}, {worst_difference(in, {solved})}};
 }
 
 /// The step that marches take their default from, against the spectral radius: largest relative difference.
-MatrixRow own_step_row() {
+std::vector<Measured> own_step(const ValidationInput&) {
   double worst = 0;
   for (const auto bond : {BondModel::paper, BondModel::corrected}) {
     for (const double nu : {-0.2, 0.0, 0.17, 0.3, 0.49}) {
@@ -82,10 +66,7 @@ MatrixRow own_step_row() {
       }
     }
   }
-  return method_row(
-      "stable-step-own", "stability", 0, worst, 1e-5,
-      "spectral radius of the amplification matrix over all waves",
-      "largest relative difference of the step limit that marches use, nu = -0.2 to 0.49, xi_b = 0 to 10");
+  return {{worst}};
 }
 
 double rayleigh_percent(double nu) {
@@ -103,35 +84,26 @@ double damping_of_quarter_step(StabilityCase asked) {
   return low;
 }
 
-std::vector<MatrixRow> paper_rows(const ValidationInput& in) {
+std::vector<Measured> paper_steps(const ValidationInput&) {
   const StabilityPoint one = stability_points({{.aspect_ratio = 10, .bond_damping = 1}})[0];
-  return {disputed_row(
-              in, "paper-quarter-step", one.measured,
-              fmt::format(
-                  "at xi_b = 1, nu = 0.3, r_f = 10 the largest stable step is {:.4f} t_b by runs, {:.4f} by "
-                  "modes: 0.25 t_b is {}, its fastest mode grows {:.2f} times a step. It is small enough up "
-                  "to xi_b = {:.3f}, at nu = -0.2 up to {:.3f}",
-                  one.measured, one.modes, one.quarter_verdict, one.quarter_growth,
-                  damping_of_quarter_step(one.asked),
-                  damping_of_quarter_step({.aspect_ratio = 10, .poisson_ratio = -0.2}))),
-          published_row(in, "paper-rayleigh-most", rayleigh_percent(0), 0.5,
-                        "pi R sqrt(rho/G)/(0.1631 nu + 0.8766) at nu = 0"),
-          disputed_row(
-              in, "paper-rayleigh-least", rayleigh_percent(0.5),
-              fmt::format(
-                  "falls with nu: {:.1f} % at nu = 0, {:.1f} % at 0.3 and, the least an isotropic material "
-                  "can have, {:.1f} % at 0.5",
-                  rayleigh_percent(0), rayleigh_percent(0.3), rayleigh_percent(0.5)))};
+  return {{one.measured,
+           {one.measured, one.modes, one.quarter_verdict, one.quarter_growth, damping_of_quarter_step(one.asked),
+            damping_of_quarter_step({.aspect_ratio = 10, .poisson_ratio = -0.2})}},
+          {rayleigh_percent(0)},
+          {rayleigh_percent(0.5), {rayleigh_percent(0), rayleigh_percent(0.3), rayleigh_percent(0.5)}}};
 }
 
 }  // namespace
 
-std::vector<MatrixRow> stability_rows(const ValidationInput& in) {
-  std::vector<MatrixRow> rows = paper_rows(in);
-  for (MatrixRow& row : limit_rows(in)) rows.push_back(std::move(row));
-  for (MatrixRow& row : agreement_rows(in)) rows.push_back(std::move(row));
-  rows.push_back(own_step_row());
-  return rows;
+const Checks& stability_checks() {
+  static const Checks checks{
+      {{"paper-quarter-step", "paper-rayleigh-most", "paper-rayleigh-least"}, paper_steps},
+      {{"stable-step-0", "stable-step-0.1", "stable-step-0.25", "stable-step-0.5", "stable-step-1", "stable-step-2",
+        "stable-step-5"},
+       limits},
+      {{"stable-step-runs", "stable-step-runs-damped"}, agreement},
+      {{"stable-step-own"}, own_step}};
+  return checks;
 }
 
 }  // namespace fiberchain::compare

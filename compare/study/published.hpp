@@ -6,35 +6,60 @@
 #include <string_view>
 #include <vector>
 
-/// Published values the program is held against: data/published/*.csv.
+/// Claims the program is held against, published and of its own: data/published/*.csv, a file a subject.
 namespace fiberchain::compare {
 
-struct PublishedValue {
-  std::string id;              ///< unique over all files
-  std::string feature;         ///< what it tests
-  std::string quantity;        ///< what was published
-  double value;                ///< in `unit`; NaN where the source makes a statement without a number
+enum class ReferenceKind { exact, published, independent_method, regression };
+
+/// Quantity that the tolerance of a claim is a multiple of.
+enum class ToleranceScale {
+  unit,   ///< the row's unit
+  value,  ///< magnitude of the expected value
+  spread  ///< spread of the runs, measured with the value
+};
+
+enum class VerdictRule {
+  must_hold,  ///< holds or fails by the tolerance
+  disputed,   ///< disputed, whatever the difference
+  either      ///< holds by the tolerance, else disputed
+};
+
+struct Claim {
+  std::string id;       ///< unique over all files
+  std::string subject;  ///< file the claim stands in, without its extension
+  std::string feature;  ///< what it tests
+  ReferenceKind kind;
+  std::string quantity;  ///< what is expected
+  double value;  ///< in `unit`; NaN where the source gives no number or the reference is computed
+  double tolerance;  ///< in units of `scale`; NaN for a disputed claim
+  ToleranceScale scale;
+  VerdictRule rule;
   std::string unit;            ///< "1" where dimensionless
-  std::string source;          ///< where
-  std::string page_or_figure;  ///< page, figure, table or equation
-  std::string statement;       ///< the source's words, or what the number stands for
+  std::string source;          ///< publication, or derivation
+  std::string page_or_figure;  ///< page, figure, table or equation; "-" where there is none
+  std::string statement;       ///< the source's words, or what the number stands for; "-" likewise
+  std::string evidence;        ///< how it is measured, with {fmt} fields for measured numbers
+  std::string dispute;         ///< reason given where a claim of rule `either` does not hold
 };
 
 /// The data directory: `asked` if given, else the environment's FIBERCHAIN_DATA, else the one installed
 /// beside the program, else the source tree's.
-/// @throws InputError naming the places snapshot in if there is none
+/// @throws InputError naming the looked in if there is none
 std::filesystem::path find_data_directory(const std::optional<std::filesystem::path>& asked);
 
-/// The values in one file.
+/// The claims in one file.
 /// @throws InputError naming file, line and column of what is wrong, or an id that comes twice
-std::vector<PublishedValue> read_published(const std::filesystem::path& file);
+std::vector<Claim> read_published(const std::filesystem::path& file);
 
-/// All values in DATA/published/*.csv, files in alphabetical order.
+/// All claims in DATA/published/*.csv, files in alphabetical order.
 /// @throws InputError as above, or if there is no such file
-std::vector<PublishedValue> read_all_published(const std::filesystem::path& data_directory);
+std::vector<Claim> read_all_published(const std::filesystem::path& data_directory);
 
-/// The value of that id.
+/// The claim of that id.
 /// @throws InputError if there is none
-const PublishedValue& find_published(const std::vector<PublishedValue>& values, std::string_view id);
+const Claim& find_claim(const std::vector<Claim>& claims, std::string_view id);
+
+/// As the file and the report have it: "independent method".
+std::string to_string(ReferenceKind kind);
 
 }  // namespace fiberchain::compare

@@ -1,62 +1,81 @@
 #pragma once
 
-#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "compare/study/validation_report.hpp"
 #include "compare/study/published.hpp"
+#include "compare/study/validation_report.hpp"
 
-// The rows of the validation matrix, feature by feature.
+/// The validation matrix: claims are data (published.hpp), their measures are tables of id and function, one a subject.
 namespace fiberchain::compare {
 
 struct ValidationInput {
-  std::vector<PublishedValue> published;
+  std::vector<Claim> claims;
   int jobs = 1;
 };
 
-/// Elastica and Reissner beam: against published values and against each other.
-std::vector<MatrixRow> beam_rows(const ValidationInput& input);
+/// A number or word that a field of the claim's evidence text shows.
+using EvidenceField = std::variant<double, int, std::string>;
 
-/// The chain's statics: the paper's statements on Figs 3 and 4, exact results, marching against solving.
-std::vector<MatrixRow> static_rows(const ValidationInput& input);
-
-/// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the closed form.
-std::vector<MatrixRow> damping_rows(const ValidationInput& input);
-
-/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect ratio.
-std::vector<MatrixRow> rolling_rows(const ValidationInput& input);
-
-/// The largest stable step: theory against runs, the paper's rules for the time step.
-std::vector<MatrixRow> stability_rows(const ValidationInput& input);
-
-/// Fibers in flows: Jeffery's orbits, the paper's statements on Fig 5, interactions, buckling, inertia.
-std::vector<MatrixRow> flow_rows(const ValidationInput& input);
-
-/// Packings: the paper's statements on Figs 11 and 12, energy, half the step.
-std::vector<MatrixRow> packing_rows(const ValidationInput& input);
-
-/// A piece of the matrix that is worked out on its own.
-struct ValidationStep {
-  std::string_view feature;
-  std::vector<MatrixRow> (*rows)(const ValidationInput&);
+struct Measured {
+  double value;                        ///< in the unit of the claim
+  std::vector<EvidenceField> evidence{};  ///< fields of the claim's text, in order
+  std::optional<double> expected{};    ///< value of a reference that is computed, not published
+  double spread = 0;                   ///< of the runs, where the claim's tolerance is a multiple of it
 };
 
-/// Every piece, in the order of the matrix.
-const std::vector<ValidationStep>& validation_steps();
+/// Measurement of claims that share their runs.
+struct Check {
+  std::vector<std::string> ids;
+  std::vector<Measured> (*measure)(const ValidationInput& input);  ///< one for each id
+};
 
-/// A row with its verdict set by the tolerance.
-MatrixRow exact_row(std::string id, std::string feature, double expected, double measured, double tolerance,
-                    std::string source, std::string evidence);
+using Checks = std::vector<Check>;
 
-/// The same against another method of our own.
-MatrixRow method_row(std::string id, std::string feature, double expected, double measured, double tolerance,
-                     std::string source, std::string evidence);
+/// Elastica and Reissner beam: against published values and against each other.
+const Checks& beam_checks();
 
-/// A row of a published value, judged by the tolerance. Throws InputError if the value is not in the data.
-MatrixRow published_row(const ValidationInput& input, std::string_view id, double measured, double tolerance,
-                        std::string evidence);
+/// The chain's statics: the paper's statements on Figs 3 and 4, exact results, marching against solving.
+const Checks& static_checks();
 
-/// The same where the statement does not hold: disputed, with the evidence.
-MatrixRow disputed_row(const ValidationInput& input, std::string_view id, double measured, std::string evidence);
+/// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the closed form.
+const Checks& damping_checks();
+
+/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect ratio.
+const Checks& friction_checks();
+
+/// The largest stable step: theory against runs, the paper's rules for the time step.
+const Checks& stability_checks();
+
+/// Fibers in flows: Jeffery's orbits, the paper's statements on Fig 5, interactions, buckling, inertia.
+const Checks& flow_checks();
+
+/// Packings: the paper's statements on Figs 11 and 12, energy, half the step.
+const Checks& packing_checks();
+
+/// A subject of the matrix, which has a file of claims and a table of measures.
+struct ValidationSubject {
+  std::string_view name;  ///< of the file, and on the command line
+  const Checks& (*checks)();
+};
+
+/// Every subject, in the order of the matrix.
+const std::vector<ValidationSubject>& validation_subjects();
+
+/// Whether the subject's claims and its measures are the same ids.
+/// @throws InputError naming a claim without a measure or a measure without a claim
+void check_complete(const std::vector<Claim>& claims, std::string_view subject, const Checks& checks);
+
+/// The subject's rows, in the order of the claims.
+/// @throws InputError as above, or where a measure does not return a value for each id
+///   or does not fill the claim's evidence text
+std::vector<MatrixRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
+
+/// The claim's row, its verdict set by the claim's rule.
+/// @throws InputError if the evidence text has more fields than were measured
+MatrixRow row_of(const Claim& claim, const Measured& measured);
 
 }  // namespace fiberchain::compare

@@ -47,20 +47,6 @@ bool all_hold(const std::vector<MatrixRow>& rows) {
   return std::ranges::none_of(rows, [](const MatrixRow& row) { return row.verdict == Verdict::fails; });
 }
 
-std::string to_string(ReferenceKind kind) {
-  switch (kind) {
-    case ReferenceKind::exact:
-      return "exact";
-    case ReferenceKind::published:
-      return "published";
-    case ReferenceKind::independent_method:
-      return "independent method";
-    case ReferenceKind::regression:
-      return "regression";
-  }
-  throw dem::TableError("no such kind of reference");
-}
-
 std::string to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::holds:

@@ -3,12 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "compare/study/published.hpp"
 #include "dem/record/table.hpp"
 
 /// The validation matrix: a row per claim, held against what is measured here.
 namespace fiberchain::compare {
-
-enum class ReferenceKind { exact, published, independent_method, regression };
 
 enum class Verdict {
   holds,     ///< |measured - expected| is within the tolerance
@@ -43,7 +42,6 @@ dem::Table to_table(const std::vector<MatrixRow>& rows);
 /// Whether no row fails.
 bool all_hold(const std::vector<MatrixRow>& rows);
 
-std::string to_string(ReferenceKind kind);
 std::string to_string(Verdict verdict);
 
 }  // namespace fiberchain::compare

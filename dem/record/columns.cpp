@@ -353,9 +353,12 @@ constexpr Column kColumns[] = {
     {"verdict", text, "", "holds, disputed (published, found wrong; see evidence) or fails"},
     {"evidence", text, "", "how the row was measured, and why if it is disputed"},
 
-    // Published values, data/published/*.csv.
+    // Claims, data/published/*.csv.
     {"quantity", text, "", "the quantity published"},
     {"value", number, "", "its value, in the unit of the row"},
+    {"tolerance_scale", text, "", "unit of the tolerance: unit (of the row), value (of the reference) or spread (of the runs)"},
+    {"rule", text, "", "must hold, disputed, or either, which is disputed where it does not hold"},
+    {"dispute", text, "", "reason given where a claim of rule either does not hold"},
     {"unit", text, "", "unit of the row"},
     {"source", text, "", "where it is published"},
     {"page_or_figure", text, "", "page, figure, table or equation in the source"},
