@@ -25,8 +25,7 @@ std::string stages_note(const PackingRun& run) {
 
 std::string energy_note(const PackingRun& run) {
   const dem::EnergyBalance& e = run.history.back().energy;
-  const double taken =
-      e.bond_damping + e.bond_friction + e.contact_normal + e.contact_tangential + e.contact_rolling;
+  const double taken = sum_of(e, dem::EnergyRole::dissipated);
   return fmt::format(
       "Of the energy taken, contacts took {:.1f} % along their normal and {:.1f} % along the surface, bonds "
       "{:.1f} %. The total "

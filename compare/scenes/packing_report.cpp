@@ -13,8 +13,8 @@ std::vector<double> column(const dem::Table& log, std::string_view name) {
 }
 
 /// A line through what is finite: a run that blew up may end in what is not.
-void add_line(Figure& figure, const char* label, const std::vector<double>& x, const std::vector<double>& y) {
-  Series line{label, {}, {}, Mark::line};
+void add_line(Figure& figure, std::string_view label, const std::vector<double>& x, const std::vector<double>& y) {
+  Series line{std::string(label), {}, {}, Mark::line};
   for (std::size_t n = 0; n < x.size(); ++n) {
     if (std::isfinite(y[n])) line.x.push_back(x[n]), line.y.push_back(y[n]);
   }
@@ -55,25 +55,15 @@ std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::Packi
   Figure bending{"Mean bending angle per bond", {"time [s]"}, {"angle [rad]"}, {}};
   add_line(bending, "", time, column(log, "bending_mean"));
   Figure energy{"Energy", {"time [s]"}, {"energy [J]"}, {}};
-  std::vector<std::pair<const char*, const char*>> parts = {{"kinetic_energy", "kinetic"},
-                                                            {"energy_bonds", "elastic, bonds"},
-                                                            {"energy_contacts", "elastic, contacts"},
-                                                            {"energy_gravity", "of height"}};
-  if (job.scene.account_energy) {
-    parts.insert(parts.end(), {{"taken_bond_damping", "taken by bond damping"},
-                               {"taken_bond_friction", "taken by bond friction"},
-                               {"taken_contact_normal", "taken by contacts, normal"},
-                               {"taken_contact_tangential", "taken by contacts, tangential"},
-                               {"taken_contact_rolling", "taken by contacts, rolling"},
-                               {"taken_fluid", "taken by the fluid"},
-                               {"given_walls", "given by walls"},
-                               {"energy_total", "total"}});
-  }
-  for (const auto& [name, label] : parts) {
-    const std::vector<double> values = column(log, name);
+  const auto add_energy = [&](const dem::EnergyMechanism& term) {
+    const std::vector<double> values = column(log, term.column);
     const bool nothing = std::ranges::all_of(values, [](double v) { return v == 0; });
-    if (!nothing) add_line(energy, label, time, values);
+    if (!nothing) add_line(energy, term.label, time, values);
+  };
+  for (const dem::EnergyMechanism& term : dem::energy_mechanisms) {
+    if (job.scene.account_energy || term.role == dem::EnergyRole::stored) add_energy(term);
   }
+  if (job.scene.account_energy) add_energy(dem::energy_total);
   std::vector<std::pair<std::string, Figure>> figures;
   if (!bending.series.empty()) figures.emplace_back("-bending", std::move(bending));
   if (!energy.series.empty()) figures.emplace_back("-energy", std::move(energy));

@@ -65,7 +65,7 @@ void check_periods(const Domain& domain) {
 
 double largest_step(const StepChoice& choice) { return std::min(choice.bonds, choice.damped_bonds); }
 
-double stored(const EnergyBalance& e) { return e.kinetic + e.bonds + e.contacts + e.gravity; }
+double stored(const EnergyBalance& energy) { return sum_of(energy, EnergyRole::stored); }
 
 }  // namespace
 
@@ -225,10 +225,5 @@ std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 std::vector<ContactState> Assembly::contacts() const { return state_->contacts.states(state_->rows, state_->time()); }
 StepTimes Assembly::times() const { return state_->watch.times; }
 EnergyBalance Assembly::energy() const { return state_->energy(); }
-
-double total(const EnergyBalance& e) {
-  return stored(e) + e.bond_damping + e.bond_friction + e.contact_normal + e.contact_tangential + e.contact_rolling +
-         e.fluid - e.wall_work - e.inserted;
-}
 
 }  // namespace fiberchain::dem

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "dem/assembly/energy_balance.hpp"
+#include "dem/assembly/saved_state.hpp"
 #include "dem/chain/fiber_group.hpp"
 #include "dem/contact/contact_state.hpp"
 #include "dem/insertion/insertion_grid.hpp"
@@ -14,8 +16,8 @@
 #include "dem/motion/physics.hpp"
 #include "dem/simd/instruction_set.hpp"
 
-// Many fibers that touch each other and walls, marched by the leapfrog: bonds in SIMD lanes across fibers, contacts
-// in lanes across pairs. Results do not depend on the number of threads, to the bit.
+// Many fibers in contact with each other and with walls, integrated by the leapfrog: bonds in SIMD lanes across fibers,
+// contacts in lanes across pairs. Results do not depend on the number of threads, to the bit.
 namespace fiberchain::dem {
 
 struct AssemblyOptions {
@@ -23,30 +25,17 @@ struct AssemblyOptions {
   BondForm form = BondForm::incremental;
   Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
   int threads = 1;
-  bool time_parts = false;                ///< measure where the time goes (StepTimes)
-  bool account_energy = false;               ///< sum what each mechanism dissipates
+  bool time_parts = false;                ///< measure the parts of a step (StepTimes)
+  bool account_energy = false;            ///< sum the energy dissipated or supplied by each mechanism
   bool orientations = true;               ///< follow the orientations of spheres where the bonds do not need them (incremental form)
   bool placed_anywhere = false;           ///< fibers may start behind walls: their state comes from restore()
   InstructionSet instruction_set = best_instruction_set();
 };
 
-/// Where energy is, and what each mechanism has dissipated or given since the start where it is accounted [J].
-struct EnergyBalance {
-  double kinetic, bonds, contacts, gravity;  ///< stored now
-  double bond_damping, bond_friction;        ///< dissipated by the dashpots and by the rolling friction of bonds
-  double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
-  double fluid;                              ///< dissipated by the fluid (negative where it drives)
-  double wall_work;                          ///< given by walls that move
-  double inserted;                           ///< that fibers brought with them
-};
-
-/// Where the time of the steps went [s], by the clock on the wall.
+/// Wall-clock time of the parts of all steps [s].
 struct StepTimes {
   double bonds_and_motion, contacts, search;
 };
-
-/// Stored, and dissipated less what was given [J]: constant but for errors of the step.
-double total(const EnergyBalance& energy);
 
 /// A bond now.
 struct BondState {
@@ -75,7 +64,7 @@ class Assembly {
   int groups() const;
   const Chain<3>& chain(int group) const;
   int fibers(int group) const;  ///< how many
-  PlacedSpheres placed() const;  ///< all spheres now, to fill in more beside them
+  PlacedSpheres placed() const;  ///< all spheres now, obstacles of further insertion
 
   /// State now of a fiber, velocities of this moment; at the start itself those given to first order in the step where
   /// dashpots act. Orientations are not numbers where they are not followed.
@@ -95,10 +84,10 @@ class Assembly {
   EnergyBalance energy() const;
   StepTimes times() const;  ///< since the start; zero unless asked for
 
-  /// The whole state, to go on from to the bit.
-  std::vector<double> saved() const;
-  /// Throws InvalidInput for numbers that cannot be a state of this assembly.
-  void restore(const std::vector<double>& saved);
+  /// The whole state by named fields: a restored assembly continues bit for bit.
+  SavedState saved() const;
+  /// Throws InvalidInput naming the field that is missing, unknown, of another version, type or size.
+  void restore(const SavedState& saved);
 
   struct State;
 

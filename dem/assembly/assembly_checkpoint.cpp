@@ -1,82 +1,245 @@
-#include <array>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/model/errors.hpp"
 
-// The whole state as numbers, and back.
+// Saving and restoring the state: one table of fields serves both.
 namespace fiberchain::dem {
 namespace {
 
-/// Steps, time of the list, displacement_budget, inserted energy, spheres.
-constexpr std::size_t head_numbers = 5;
-/// Of a contact.
-constexpr std::size_t kept_numbers = 8 + contact_account_size;
+using State = Assembly::State;
+using Reals = std::vector<double>;
+using Integers = std::vector<std::int64_t>;
 
-std::array<const LaneArray*, 3> arrays(const SphereStorage& rows) { return {&rows.position_radius, &rows.motions, &rows.orientation}; }
+/// Number of values of a field.
+enum class Extent {
+  fixed,       ///< that of this assembly's own field
+  per_contact  ///< `width` times the number of contacts in the saved state
+};
 
-std::size_t fixed_numbers(const Assembly::State& s, std::size_t parts) {
-  std::size_t sum = head_numbers + parts * Contacts::accumulators_per_part + (3 + load_size) * s.rows.count + 1;
-  for (const LaneArray* a : arrays(s.rows)) sum += a->size();
-  for (const FiberBlock& block : s.blocks) sum += block.saved_size();
-  return sum;
+/// A field of the state.
+struct FieldRule {
+  std::string_view name;
+  FieldValues (*get)(State& s);
+  void (*set)(State& s, const FieldValues& values);  ///< of the right type and number
+  int version = 1;
+  Extent extent = Extent::fixed;
+  std::size_t width = 1;
+};
+
+/// A number of the state itself.
+template <auto member>
+FieldRule number_field(std::string_view name) {
+  using Number = std::remove_cvref_t<decltype(std::declval<State&>().*member)>;
+  return {.name = name,
+          .get = [](State& s) -> FieldValues { return std::vector<Number>{s.*member}; },
+          .set = [](State& s, const FieldValues& v) { s.*member = std::get<std::vector<Number>>(v).front(); }};
 }
 
-}  // namespace
+/// Rows of all spheres.
+template <LaneArray SphereStorage::*member>
+FieldRule sphere_field(std::string_view name) {
+  return {.name = name,
+          .get = [](State& s) -> FieldValues {
+            const LaneArray& rows = s.rows.*member;
+            return Reals(rows.data(), rows.data() + rows.size());
+          },
+          .set = [](State& s, const FieldValues& v) { std::ranges::copy(std::get<Reals>(v), (s.rows.*member).data()); }};
+}
 
-std::vector<double> Assembly::saved() const {
-  const State& s = *state_;
-  std::vector<double> all{static_cast<double>(s.steps), s.contacts.reference_time(), s.displacement_budget, s.inserted,
-                          static_cast<double>(s.rows.count)};
-  const std::vector<double> accumulators = s.contacts.accumulators();
-  all.insert(all.end(), accumulators.begin(), accumulators.end());
+/// One of the arrays of every block of fibers (FiberBlock::saved_arrays), block after block.
+template <std::size_t index>
+FieldRule block_field(std::string_view name) {
+  return {.name = name,
+          .get = [](State& s) -> FieldValues {
+            Reals all;
+            for (FiberBlock& block : s.blocks) {
+              const std::span<double> own = block.saved_arrays()[index];
+              all.insert(all.end(), own.begin(), own.end());
+            }
+            return all;
+          },
+          .set = [](State& s, const FieldValues& v) {
+            auto from = std::get<Reals>(v).begin();
+            for (FiberBlock& block : s.blocks) {
+              const std::span<double> own = block.saved_arrays()[index];
+              std::copy_n(from, own.size(), own.begin());
+              from += static_cast<std::ptrdiff_t>(own.size());
+            }
+          }};
+}
+
+FieldValues reference_positions(State& s) {
+  Reals all;
   for (const auto& x : s.contacts.reference_positions()) all.insert(all.end(), x.c, x.c + 3);
-  for (const LaneArray* a : arrays(s.rows)) all.insert(all.end(), a->data(), a->data() + a->size());
-  const std::vector<double> loads = s.loads.all();
-  all.insert(all.end(), loads.begin(), loads.end());
-  for (const FiberBlock& block : s.blocks) block.save(all);
-  const std::vector<SavedContact> saved = s.contacts.saved();
-  all.push_back(static_cast<double>(saved.size()));
-  for (const SavedContact& c : saved) {
-    all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
-                           c.spring[2], c.sqrt_overlap, c.normal_velocity, c.rolling_power});
-    all.insert(all.end(), c.work, c.work + contact_account_size);
+  return all;
+}
+
+/// Lists pairs and wall neighbors as they stood; contacts follow from fields of their own.
+void set_reference_positions(State& s, const FieldValues& values) {
+  std::vector<Vec<double, 3>> listed;
+  const Reals& x = std::get<Reals>(values);
+  for (std::size_t i = 0; i < x.size(); i += 3) listed.push_back({x[i], x[i + 1], x[i + 2]});
+  s.contacts.rebuild_neighbor_list(std::move(listed), s.contacts.reference_time(), s.pool);
+  s.contacts.clear();
+}
+
+/// Numbers of a contact's history.
+constexpr int saved_history_size = 6;
+constexpr std::string_view pairs_field = "contact_pairs";
+
+[[noreturn]] void refuse(std::string_view name, const std::string& reason) {
+  throw InvalidInput(fmt::format("field '{}' of the saved state {}", name, reason));
+}
+
+/// Two primitives of every contact: sphere numbers; -1 - w for wall w.
+FieldValues contact_pairs(State& s) {
+  Integers all;
+  for (const SavedContact& c : s.contacts.saved()) all.insert(all.end(), {c.first, c.second});
+  return all;
+}
+
+/// Contacts without history, which follows.
+void set_contact_pairs(State& s, const FieldValues& values) {
+  const Integers& pairs = std::get<Integers>(values);
+  std::vector<SavedContact> contacts(pairs.size() / 2);
+  for (std::size_t n = 0; n < contacts.size(); ++n) contacts[n].first = pairs[2 * n], contacts[n].second = pairs[2 * n + 1];
+  s.contacts.restore(contacts);
+  if (contact_pairs(s) != values) refuse(pairs_field, "names pairs that are not neighbors, or in another order");
+}
+
+FieldValues contact_histories(State& s) {
+  Reals all;
+  for (const SavedContact& c : s.contacts.saved()) {
+    all.insert(all.end(), {c.spring[0], c.spring[1], c.spring[2], c.sqrt_overlap, c.normal_velocity, c.rolling_power});
   }
   return all;
 }
 
-void Assembly::restore(const std::vector<double>& saved) {
-  State& s = *state_;
-  const std::size_t fixed = fixed_numbers(s, s.contacts.parts().count());
-  if (saved.size() < fixed || saved[head_numbers - 1] != static_cast<double>(s.rows.count) || !(saved[fixed - 1] >= 0) ||
-      static_cast<double>(saved.size()) != static_cast<double>(fixed) + kept_numbers * saved[fixed - 1]) {
-    throw InvalidInput("these numbers are not a state of this assembly");
-  }
-  const double* from = saved.data() + head_numbers;
-  std::vector<Vec<double, 3>> listed(s.rows.count);
-  const double* accumulators = from;
-  from += static_cast<std::size_t>(s.contacts.parts().count()) * Contacts::accumulators_per_part;
-  for (auto& x : listed) x = {from[0], from[1], from[2]}, from += 3;
-  for (LaneArray* a : {&s.rows.position_radius, &s.rows.motions, &s.rows.orientation}) {
-    std::copy_n(from, a->size(), a->data());
-    from += a->size();
-  }
-  const std::size_t loads = load_size * s.rows.count;
-  s.loads.set(from, loads);
-  from += loads;
-  for (FiberBlock& block : s.blocks) from = block.restore(from);
-  std::vector<SavedContact> contacts(static_cast<std::size_t>(*from++));
-  for (SavedContact& c : contacts) {
-    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6], from[7]};
-    std::copy_n(from + 8, contact_account_size, c.work);
-    from += kept_numbers;
-  }
-  s.contacts.rebuild_neighbor_list(std::move(listed), saved[1], s.pool);
+/// read(contact, numbers) for every contact, of which a field has `width` numbers each.
+template <class Read>
+void change_contacts(State& s, const FieldValues& values, int width, const Read& read) {
+  std::vector<SavedContact> contacts = s.contacts.saved();
+  const double* from = std::get<Reals>(values).data();
+  for (SavedContact& contact : contacts) read(contact, from), from += width;
   s.contacts.clear();
   s.contacts.restore(contacts);
-  s.contacts.set_accumulators(accumulators);
-  s.steps = static_cast<std::int64_t>(saved[0]);
-  s.displacement_budget = saved[2];
-  s.inserted = saved[3];
+}
+
+void set_contact_histories(State& s, const FieldValues& values) {
+  change_contacts(s, values, saved_history_size, [](SavedContact& c, const double* h) {
+    c = {c.first, c.second, {h[0], h[1], h[2]}, h[3], h[4], h[5]};
+  });
+}
+
+FieldValues contact_works(State& s) {
+  Reals all;
+  for (const SavedContact& c : s.contacts.saved()) all.insert(all.end(), c.work, c.work + contact_account_size);
+  return all;
+}
+
+void set_contact_works(State& s, const FieldValues& values) {
+  change_contacts(s, values, contact_account_size,
+                  [](SavedContact& c, const double* work) { std::copy_n(work, contact_account_size, c.work); });
+}
+
+/// Every field, in the order of restoring; a new one is a line here.
+const std::vector<FieldRule>& fields() {
+  static const std::vector<FieldRule> all = {
+      number_field<&State::steps>("steps"),
+      number_field<&State::displacement_budget>("displacement_budget"),
+      number_field<&State::inserted>("inserted_energy"),
+      sphere_field<&SphereStorage::position_radius>("position_radius"),
+      sphere_field<&SphereStorage::motions>("velocity_spin"),
+      sphere_field<&SphereStorage::orientation>("orientation"),
+      {.name = "load",
+       .get = [](State& s) -> FieldValues { return s.loads.all(); },
+       .set = [](State& s, const FieldValues& v) { s.loads.set(std::get<Reals>(v).data(), std::get<Reals>(v).size()); }},
+      block_field<0>("block_previous_step"),
+      block_field<1>("block_fluid_dissipation"),
+      block_field<2>("bond_history"),
+      block_field<3>("block_workspace"),
+      block_field<4>("bond_previous_loads"),
+      block_field<5>("bond_dissipation"),
+      {.name = "reference_time",
+       .get = [](State& s) -> FieldValues { return Reals{s.contacts.reference_time()}; },
+       .set = [](State& s, const FieldValues& v) { s.contacts.set_reference_time(std::get<Reals>(v).front()); }},
+      {.name = "reference_position", .get = reference_positions, .set = set_reference_positions},
+      {.name = pairs_field, .get = contact_pairs, .set = set_contact_pairs, .extent = Extent::per_contact, .width = 2},
+      {.name = "contact_history", .get = contact_histories, .set = set_contact_histories, .extent = Extent::per_contact,
+       .width = saved_history_size},
+      {.name = "contact_work", .get = contact_works, .set = set_contact_works, .extent = Extent::per_contact,
+       .width = contact_account_size},
+      {.name = "contact_accumulators",
+       .get = [](State& s) -> FieldValues { return s.contacts.accumulators(); },
+       .set = [](State& s, const FieldValues& v) { s.contacts.set_accumulators(std::get<Reals>(v).data()); }},
+  };
+  return all;
+}
+
+std::size_t size_of(const FieldValues& values) {
+  return std::visit([](const auto& numbers) { return numbers.size(); }, values);
+}
+
+std::string_view type_of(const FieldValues& values) {
+  return std::holds_alternative<Integers>(values) ? "integers" : "reals";
+}
+
+/// Contacts of a saved state, whose pairs have been checked.
+std::size_t contacts_in(const SavedState& saved) {
+  const auto found = saved.find(pairs_field);
+  return found == saved.end() ? 0 : size_of(found->second.values) / 2;
+}
+
+void check_field(State& s, const FieldRule& rule, const SavedState& saved) {
+  const auto found = saved.find(rule.name);
+  if (found == saved.end()) refuse(rule.name, "is missing");
+  const StateField& field = found->second;
+  if (field.version != rule.version)
+    refuse(rule.name, fmt::format("is of version {}; this program reads version {}", field.version, rule.version));
+  const FieldValues own = rule.get(s);
+  if (own.index() != field.values.index())
+    refuse(rule.name, fmt::format("holds {}, not {}", type_of(field.values), type_of(own)));
+  const std::size_t wanted = rule.extent == Extent::fixed ? size_of(own) : rule.width * contacts_in(saved);
+  if (size_of(field.values) != wanted)
+    refuse(rule.name, fmt::format("has {} numbers; this assembly has {}", size_of(field.values), wanted));
+}
+
+void check_pairs(const State& s, const Integers& pairs) {
+  const auto walls = static_cast<std::int64_t>(s.domain.walls.size());
+  for (std::size_t n = 0; n < pairs.size(); n += 2) {
+    const std::int64_t first = pairs[n], second = pairs[n + 1];
+    if (first < 0 || first >= s.rows.count || second < -walls || second >= s.rows.count)
+      refuse(pairs_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));
+  }
+}
+
+void check_state(State& s, const SavedState& saved) {
+  for (const FieldRule& rule : fields()) check_field(s, rule, saved);
+  for (const auto& [name, field] : saved) {
+    if (std::ranges::find(fields(), name, &FieldRule::name) == fields().end()) refuse(name, "is unknown");
+  }
+  check_pairs(s, std::get<Integers>(saved.find(pairs_field)->second.values));
+}
+
+}  // namespace
+
+SavedState Assembly::saved() const {
+  SavedState all;
+  for (const FieldRule& rule : fields()) all.emplace(rule.name, StateField{rule.version, rule.get(*state_)});
+  return all;
+}
+
+void Assembly::restore(const SavedState& saved) {
+  State& s = *state_;
+  check_state(s, saved);
+  for (const FieldRule& rule : fields()) rule.set(s, saved.find(rule.name)->second.values);
   s.set_gradient();
 }
 

@@ -19,7 +19,7 @@ Physics physics_of(const Chain<3>& chain, const Domain& domain, const AssemblyOp
   return physics;
 }
 
-/// The rows of `from` at the beginning of larger ones.
+/// Larger storage that begins with the rows of `from`.
 SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented) {
   SphereStorage rows(count, oriented);
   const auto copy = [&](const LaneArray& source, LaneArray& target, int numbers) {
@@ -31,7 +31,7 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
   return rows;
 }
 
-/// What the dashpots of a bond take at this moment [W].
+/// Power dissipated by the dashpots of a bond at this moment [W].
 double dashpot_power(const BondParameters<double>& law, const MovingSphere<double, 3>& a, const MovingSphere<double, 3>& b) {
   const Vec<double, 3> r = b.pose.position - a.pose.position;
   const RelativeMotion<double, 3> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin), b.spin - a.spin};
@@ -39,14 +39,11 @@ double dashpot_power(const BondParameters<double>& law, const MovingSphere<doubl
   return power_taken(loads, motion.velocity, a.spin, b.spin);
 }
 
-/// Fibers side by side at most.
+/// Fibers of a block at most, over all instruction sets.
 constexpr int widest_block = 8;
 
-/// Their numbers are int32, with some to pad lanes.
+/// Sphere numbers are int32, pads included.
 constexpr std::int64_t most_spheres = 2'000'000'000;
-
-/// Steps between two looks at all spheres.
-constexpr int kStepsBetweenLooks = 256;
 
 }  // namespace
 
@@ -96,7 +93,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   return first_new;
 }
 
-/// Whole blocks of any width, so that the cuts do not depend on it.
+/// Parts of whole blocks of the widest kind: the same for every instruction set.
 Partition Assembly::State::partition_of_blocks() {
   std::vector<std::int32_t> ends;
   for (std::size_t g = 0; g < kinds.size(); ++g) {
@@ -137,132 +134,6 @@ void Assembly::State::set_gradient() {
   const Gradient A = gradient_now();
   const std::size_t width = gradient.size() / 9;
   for (int n = 0; n < 9; ++n) std::fill_n(gradient.data() + n * width, width, A[n / 3][n % 3]);
-}
-
-void Assembly::State::rebuild_neighbor_list() {
-  contacts.rebuild_neighbor_list(rows, time(), pool);
-  displacement_budget = 0.5 * contacts.skin();
-}
-
-/// Speeds tell when a sphere may have moved so far that a pair is missing, or a wall. Whether lists were snapshot at.
-bool Assembly::State::update_neighbor_list() {
-  contacts.add_displacements(paths);
-  if (contacts.walls_moved_far(time())) {
-    rebuild_neighbor_list();
-    return true;
-  }
-  displacement_budget -= *std::ranges::max_element(paths);
-  if (displacement_budget > 0) return false;
-  displacement_budget = contacts.follow(rows, pool);
-  return true;
-}
-
-/// Kinetic energy and the work of all other forces tell what the fluid took.
-double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const {
-  const GroupKind& kind = kinds[block.group()];
-  double dissipated = 0;
-  for (int lane = 0; lane < block.lanes(); ++lane) {
-    for (int i = 0; i < kind.spheres(); ++i) {
-      const MovingSphere<double, 3> s = block.sphere(kind, before, lane, i);
-      const Vec<double, 3> v = rows.velocity(block.first(lane) + i), w = rows.spin(block.first(lane) + i);
-      for (int c = 0; c < 3; ++c) {
-        const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + w[c]);
-        dissipated += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
-                 mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
-      }
-    }
-  }
-  return dissipated;
-}
-
-/// From a block that ends there to the spheres whose rows are fetched meanwhile; 0 where none need be.
-std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
-  constexpr std::int64_t two_parts = 2 * cache_sized_part;  // contacts of the next part, the other thread's too, find them at hand
-  return rows.count > 2 * two_parts ? std::min(two_parts, rows.count - end) : 0;
-}
-
-double Assembly::State::step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch) {
-  FiberBlock& block = blocks[number];
-  const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
-  const GroupKind& kind = kinds[block.group()];
-  const std::int64_t ahead = rows_ahead(block.end(kind));
-  if (options.account_energy) block.account(kind, rows, own_scratch);
-  if (!options.account_energy || !domain.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
-  const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
-  const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
-  block.add_fluid_taken(fluid_taken(block, before));
-  return fastest;
-}
-
-void Assembly::State::move_part(int part, int thread) {
-  double fastest = 0;
-  const LoadRange own = loads.of(part);
-  for (int b = part_blocks[part]; b < part_blocks[part + 1]; ++b) fastest = std::max(fastest, step_block(b, own, scratch[thread]));
-  loads.give_back(part, thread);
-  paths[part] = step * std::sqrt(fastest);
-}
-
-void Assembly::State::has_moved() {
-  ++steps;
-  set_gradient();
-}
-
-/// All fibers move.
-void Assembly::State::move() {
-  pool.each(contacts.parts().count(), [&](int k, int thread) { move_part(k, thread); });
-  has_moved();
-  watch.lap(&StepTimes::bonds_and_motion);
-}
-
-/// Loads of all contacts.
-void Assembly::State::touch() {
-  contacts.work_out(rows, time(), loads, pool);
-  watch.lap(&StepTimes::contacts);
-}
-
-/// Both of these, part by part: what contacts have read and written is moved while it is at hand.
-void Assembly::State::touch_and_move() {
-  for (StepTimes& own : own_times) own = {};
-  const double now = time();
-  wave.run(
-      pool, contacts.reach(),
-      [&](int k, int thread) {
-        const TimedPart timed(watch.on, own_times[thread].contacts);
-        contacts.work_out(k, rows, now, loads.take(k, thread));
-      },
-      [&](int k, int thread) {
-        const TimedPart timed(watch.on, own_times[thread].bonds_and_motion);
-        contacts.reduce_halo_forces(k, loads.of(k));
-        move_part(k, thread);
-      });
-  has_moved();
-  watch.lap(own_times);
-}
-
-/// False where positions are no longer finite.
-bool Assembly::State::march_some(int count) {
-  watch.lap(nullptr);
-  for (int n = 0; n < count; ++n) {
-    n == 0 ? move() : touch_and_move();
-    try {
-      if (update_neighbor_list()) watch.lap(&StepTimes::search);
-    } catch (const InvalidInput&) {
-      for (int k = 0; k < contacts.parts().count(); ++k) loads.take(k, 0);  // who looks at the wreck finds some
-      return false;
-    }
-  }
-  touch();
-  return true;
-}
-
-void Assembly::State::march(std::int64_t count) {
-  for (std::int64_t done = 0; done < count;) {
-    const std::int64_t from = steps;
-    const bool finite = march_some(static_cast<int>(std::min<std::int64_t>(kStepsBetweenLooks, count - done)));
-    const std::int64_t sphere = broken();
-    if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
-    done += steps - from;
-  }
 }
 
 /// First sphere that has blown up: not finite, or its bond ten times too long or short; -1 if none.
@@ -312,7 +183,7 @@ EnergyBalance Assembly::State::energy() const {
         sum.kinetic += 0.5 * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
         sum.gravity -= dot(kind.weight, s.pose.position);
         poses.push_back(s.pose);
-        // the kick that is centered on this moment has done half of its work
+        // half of the work of the kick that is centered on this moment
         if (options.account_energy && block.moved() && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
         before = s;
       }

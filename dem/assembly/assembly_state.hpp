@@ -11,7 +11,7 @@
 
 namespace fiberchain::dem {
 
-/// Adds the time since the last lap to a part.
+/// Splits wall-clock time among the parts of a step: a lap adds the time since the last one.
 struct StopWatch {
   using Clock = std::chrono::steady_clock;
 
@@ -26,7 +26,7 @@ struct StopWatch {
     last = now;
   }
 
-  /// Adds it to all parts, in proportion to what threads spent on them.
+  /// Divides it among all parts in proportion to the threads' times in them.
   void lap(const std::vector<StepTimes>& threads) {
     if (!on) return;
     const Clock::time_point now = Clock::now();
@@ -39,7 +39,7 @@ struct StopWatch {
   }
 };
 
-/// Adds the time that it lives.
+/// Adds its lifetime [s] to a sum.
 class TimedPart {
  public:
   TimedPart(bool on, double& sum) : sum_(on ? &sum : nullptr) {
@@ -56,7 +56,7 @@ class TimedPart {
   StopWatch::Clock::time_point start_;
 };
 
-/// The inside of an assembly: rows of spheres, blocks of fibers that move them, contacts between them.
+/// Storage of the spheres, blocks of fibers that move them, contacts between them.
 struct Assembly::State {
   Domain domain;
   AssemblyOptions options;
@@ -73,12 +73,12 @@ struct Assembly::State {
   Contacts contacts;
   LaneArray gradient;               ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;   ///< one a thread
-  std::vector<double> paths;        ///< how far spheres of each part went in the last step at most [m]
-  std::vector<StepTimes> own_times; ///< one a thread, where parts run side by side
+  std::vector<double> paths;        ///< largest displacement in the last step, one a part [m]
+  std::vector<StepTimes> own_times; ///< one a thread, of the last step
   WavefrontSchedule wave{0};
-  double displacement_budget = 0;                  ///< what spheres may move before their distance from where they were listed is snapshot at [m]
+  double displacement_budget = 0;   ///< displacement left before the Verlet criterion must be checked [m]
   StopWatch watch;
-  double inserted = 0;              ///< energy that fibers brought with them [J]
+  double inserted = 0;              ///< energy supplied with inserted fibers [J]
 
   State(Domain around, AssemblyOptions how, double dt)
       : domain(std::move(around)), options(std::move(how)), step(dt), pool(options.threads),
@@ -96,16 +96,16 @@ struct Assembly::State {
     return {first_block[group] + fiber / width, fiber % width};
   }
 
-  /// Makes displacement_budget for the groups, sets their spheres, and lists pairs; returns the first new block.
+  /// Enlarges the storage, sets the groups' spheres and builds the neighbor list; returns the first new block.
   int add(const std::vector<FiberGroup>& groups);
-  /// Blocks from this one on have the velocities of this moment: half a step back.
+  /// Sets the velocities of blocks from this one on half a step back, as the leapfrog stores them.
   void start_blocks(int from);
 
   int part_of(const FiberBlock& block) const { return contacts.parts().of(block.first(0)); }
   BlockSnapshot snapshot(const FiberBlock& block) const {
     return block.snapshot(kinds[block.group()], rows, loads.of(part_of(block)), gradient.data());
   }
-  /// With the velocities of this moment.
+  /// A sphere with its velocities at this moment.
   MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane, int i) const;
   Gradient gradient_now() const;
   void set_gradient();

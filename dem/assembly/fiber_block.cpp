@@ -157,25 +157,10 @@ double FiberBlock::bond_friction() const {
   return sum_of_lanes(dissipated_.data() + dissipated_.size() / taken_numbers, lanes_);
 }
 
-std::size_t FiberBlock::saved_size() const { return 2 + history_size_ + workspace_.size() + previous_.size() + dissipated_.size(); }
-
-void FiberBlock::save(std::vector<double>& to) const {
-  to.push_back(previous_step_);
-  to.push_back(fluid_taken_);
-  to.insert(to.end(), history_, history_ + history_size_);
-  for (const LaneArray* a : {&workspace_, &previous_, &dissipated_}) to.insert(to.end(), a->data(), a->data() + a->size());
-}
-
-const double* FiberBlock::restore(const double* from) {
-  previous_step_ = *from++;
-  fluid_taken_ = *from++;
-  std::copy_n(from, history_size_, history_);
-  from += history_size_;
-  for (LaneArray* a : {&workspace_, &previous_, &dissipated_}) {
-    std::copy_n(from, a->size(), a->data());
-    from += a->size();
-  }
-  return from;
+std::array<std::span<double>, 6> FiberBlock::saved_arrays() {
+  const auto all = [](LaneArray& array) { return std::span(array.data(), array.size()); };
+  return {std::span(&previous_step_, 1), std::span(&fluid_taken_, 1), std::span(history_, history_size_),
+          all(workspace_), all(previous_), all(dissipated_)};
 }
 
 }  // namespace fiberchain::dem

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "dem/chain/sphere_storage.hpp"
@@ -11,7 +13,7 @@
 
 namespace fiberchain::dem {
 
-/// What all blocks of fibers of one kind share.
+/// Shared by all blocks of a group: physics, kernel and parameters.
 struct GroupKind {
   Chain<3> chain;
   Physics physics;
@@ -38,7 +40,7 @@ struct BlockSnapshot {
   LaneArray spheres, history;
 };
 
-/// Up to `width` fibers of one kind side by side: what their bonds restore. Their spheres lie in rows.
+/// Up to `width` fibers of one group in the lanes of a kernel, with their bond histories; spheres are in SphereStorage.
 class FiberBlock {
  public:
   /// Block `number` of its kind: fibers with consecutive rows from `first` on, which are set from the states.
@@ -51,14 +53,14 @@ class FiberBlock {
   std::int64_t first(int lane) const { return first_[lane]; }
   std::int64_t end(const GroupKind& kind) const { return first_[lanes_ - 1] + kind.spheres(); }
 
-  /// Velocities were those of the start's moment: half a step back they go.
+  /// Sets the velocities, given at this moment, half a step back.
   void start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient, const Gradient& A);
 
   /// One step; the loads have acted and are zero then. Returns the square of the largest speed. `next` is stepped after it,
   /// if any.
   double step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
               const FiberBlock* next, std::int64_t rows_ahead);
-  /// Before a step: accounts what the bonds took in the last one.
+  /// Before a step: accounts the energy dissipated by the bonds in the last one.
   void account(const GroupKind& kind, SphereStorage& rows, LaneArray& scratch);
 
   BlockSnapshot snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient) const;
@@ -70,10 +72,9 @@ class FiberBlock {
   double fluid_taken() const { return fluid_taken_; }  ///< so far [J]
   void add_fluid_taken(double energy) { fluid_taken_ += energy; }
 
-  /// The numbers that its rows do not hold.
-  std::size_t saved_size() const;
-  void save(std::vector<double>& to) const;
-  const double* restore(const double* from);
+  /// All state beyond the spheres' rows: previous step, energy dissipated by the fluid, bond histories, workspace,
+  /// loads of the previous step for the energy account, dissipated energies.
+  std::array<std::span<double>, 6> saved_arrays();
 
  private:
   PackingBlock view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient);

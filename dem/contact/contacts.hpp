@@ -45,6 +45,8 @@ class Contacts {
   bool walls_moved_far(double time) const;
   const std::vector<Vec<double, 3>>& reference_positions() const { return close_.position_radius(); }
   double reference_time() const { return reference_time_; }
+  /// When the next neighbor list is built at saved positions.
+  void set_reference_time(double time) { reference_time_ = time; }
 
   /// Spheres of each part move on by no more than `paths` [m] before the next work_out().
   void add_displacements(const std::vector<double>& paths);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All that a run may leave.
+/// All files that a run may write.
 std::vector<fs::path> all_files(const RunFiles& files) {
   const fs::path trajectory = files.trajectory(), checkpoint = files.checkpoint();
   return {checkpoint,
@@ -43,7 +43,7 @@ Checkpoint checkpoint_of(const fs::path& path, const std::string& scene_sha256) 
   return read_checkpoint(path, scene_sha256);
 }
 
-/// One that this program can go on from.
+/// A checkpoint of this very program. @throws InputError
 Checkpoint ours(Checkpoint checkpoint, const fs::path& path, const std::string& program) {
   if (checkpoint.program == program) return checkpoint;
   throw InputError(

@@ -8,7 +8,7 @@
 
 #include "dem/trajectory/checkpoint.hpp"
 
-// The files of a run of many fibers, by name, and whom they belong to.
+// Names of the files of a packing run, and the lock of its directory.
 namespace fiberchain::dem {
 
 /// Takes a message for people.
@@ -24,14 +24,14 @@ struct RunFiles {
   std::filesystem::path checkpoint() const { return at(".checkpoint"); }
 };
 
-/// Those of a run that are there: what a new run would overwrite.
+/// Existing files of a run, which a new run would overwrite.
 std::vector<std::filesystem::path> files_there(const RunFiles& files);
 
 /// Removes them.
 /// @throws OutputError
 void remove_files(const RunFiles& files);
 
-/// Removes what a killed run has left half written.
+/// Removes half-written files of a killed run.
 void remove_leftovers(const RunFiles& files);
 
 /// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside
@@ -40,7 +40,7 @@ void remove_leftovers(const RunFiles& files);
 std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
                                                    const std::string& program, const Say& say);
 
-/// A directory that one run at a time has. The system frees it when the program ends, however that happens.
+/// Exclusive lock of a directory by one run; the system releases it at the end of the process, a kill included.
 class DirectoryLock {
  public:
   /// @throws OutputError if another run has it, or it cannot be had

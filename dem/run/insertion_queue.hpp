@@ -7,17 +7,17 @@
 
 namespace fiberchain::dem {
 
-/// Batches of fibers that are still to come.
+/// Batches of fibers still to be inserted.
 class InsertionQueue {
  public:
-  /// Those after the steps that the assembly has done.
+  /// Batches after the steps that the assembly has done.
   InsertionQueue(const PackingScene& scene, const Assembly& assembly);
 
-  /// When the next comes; after every step if none does.
+  /// Step of the next insertion; the largest integer if none is left.
   std::int64_t next_step() const;
 
-  /// Puts in what is due after the steps done.
-  /// @throws dem::NoRoom
+  /// Inserts the batches due after the steps done.
+  /// @throws NoRoom
   void insert_due(Assembly& assembly);
 
  private:

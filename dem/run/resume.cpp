@@ -10,8 +10,7 @@
 namespace fiberchain::dem {
 namespace {
 
-/// An assembly of the fibers that are there after so many steps, anywhere: their state comes from a
-/// checkpoint.
+/// An assembly of the fibers present after so many steps, at arbitrary positions: a checkpoint sets their state.
 Assembly stand_ins(const PackingScene& scene, PackingStart start, std::int64_t step) {
   PackingScene anywhere = scene;  // where walls stand when batches come is not where they stand now
   anywhere.domain.walls.clear();
@@ -35,7 +34,7 @@ void restore(Assembly& assembly, const Checkpoint& checkpoint, const RunFiles& f
   }
 }
 
-/// Without a checkpoint, a run that came farther than its start would be lost.
+/// Refuses to overwrite a trajectory beyond its first frame where no checkpoint exists.
 void refuse_what_is_there(const RunFiles& files) {
   const auto trajectory = files.trajectory();
   if (!std::filesystem::exists(trajectory)) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "dem/analysis/observables.hpp"
 #include "dem/scene/build_packing.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 using V = Vec<double, 3>;
 
-/// Height of the lowest corner of the room.
+/// Height of the lowest corner of the scene box [m].
 double floor_of(const PackingScene& scene, const V& up) {
   double lowest = 0;
   for (int a = 0; a < 3; ++a) lowest += std::min(up[a] * scene.room.low[a], up[a] * scene.room.high[a]);
@@ -32,13 +33,15 @@ Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Miss
 
 const std::vector<std::string> kColumns = {"step",         "simulated_time",  "contacts",
                                            "height",       "bending_mean"};
-const std::vector<std::string> kStored = {"kinetic_energy", "energy_bonds", "energy_contacts", "energy_gravity"};
-const std::vector<std::string> kBooked = {
-    "taken_bond_damping",    "taken_bond_friction", "taken_contact_normal", "taken_contact_tangential",
-    "taken_contact_rolling", "taken_fluid",         "given_walls",          "given_inserted",
-    "energy_total"};
+/// Terms of the balance that a run knows: those stored, and where energy is accounted all.
+std::vector<EnergyMechanism> known_terms(bool accounted) {
+  std::vector<EnergyMechanism> terms;
+  std::ranges::copy_if(energy_mechanisms, std::back_inserter(terms),
+                       [&](const EnergyMechanism& term) { return accounted || term.role == EnergyRole::stored; });
+  return terms;
+}
 
-/// A fiber with all its spheres at one place, at rest: it comes later.
+/// A fiber to be inserted later: all spheres at one point, at rest.
 void add_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
   const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
@@ -81,27 +84,17 @@ RunMoment measure(const Assembly& assembly, const PackingScene& scene) {
           bending_mean(assembly), assembly.energy()};
 }
 
-std::vector<std::string> energy_columns(bool booked) {
-  std::vector<std::string> columns = kStored;
-  if (booked) columns.insert(columns.end(), kBooked.begin(), kBooked.end());
+std::vector<std::string> energy_columns(bool accounted) {
+  std::vector<std::string> columns;
+  for (const EnergyMechanism& term : known_terms(accounted)) columns.emplace_back(term.column);
+  if (accounted) columns.emplace_back(energy_total.column);
   return columns;
 }
 
-NamedRow energy_cells(const EnergyBalance& e, bool booked) {
-  NamedRow row = {{"kinetic_energy", e.kinetic},
-                  {"energy_bonds", e.bonds},
-                  {"energy_contacts", e.contacts},
-                  {"energy_gravity", e.gravity}};
-  if (!booked) return row;
-  row.insert(row.end(), {{"taken_bond_damping", e.bond_damping},
-                         {"taken_bond_friction", e.bond_friction},
-                         {"taken_contact_normal", e.contact_normal},
-                         {"taken_contact_tangential", e.contact_tangential},
-                         {"taken_contact_rolling", e.contact_rolling},
-                         {"taken_fluid", e.fluid},
-                         {"given_walls", e.wall_work},
-                         {"given_inserted", e.inserted},
-                         {"energy_total", total(e)}});
+NamedRow energy_cells(const EnergyBalance& energy, bool accounted) {
+  NamedRow row;
+  for (const EnergyMechanism& term : known_terms(accounted)) row.emplace_back(term.column, energy.*term.value);
+  if (accounted) row.emplace_back(energy_total.column, total(energy));
   return row;
 }
 

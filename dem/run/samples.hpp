@@ -5,7 +5,7 @@
 #include "dem/trajectory/frame.hpp"
 #include "dem/scene/packing_scene.hpp"
 
-// A packing at one moment, as a run writes it.
+// A packing at one moment as the log and the trajectory record it.
 namespace fiberchain::dem {
 
 struct RunMoment {
@@ -22,9 +22,9 @@ Vec<double, 3> upward(const PackingScene& scene);
 
 RunMoment measure(const Assembly& assembly, const PackingScene& scene);
 
-/// Columns of stored energies and, where `booked`, of what each mechanism took.
-std::vector<std::string> energy_columns(bool booked);
-NamedRow energy_cells(const EnergyBalance& energy, bool booked);
+/// Columns of the stored energies and, where energy is accounted, of all mechanisms and the total.
+std::vector<std::string> energy_columns(bool accounted);
+NamedRow energy_cells(const EnergyBalance& energy, bool accounted);
 
 /// An empty log.
 Table run_log_table(const PackingScene& scene);
@@ -33,7 +33,7 @@ Table run_log_table(const PackingScene& scene);
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate,
                   double time_left);
 
-/// All spheres, with room for those that come later.
+/// All spheres; those of batches to come are reserved as absent.
 TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene);
 
 }  // namespace fiberchain::dem

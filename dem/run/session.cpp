@@ -18,11 +18,10 @@
 namespace fiberchain::dem {
 namespace {
 
-
-/// Steps between two looks at who wants the run to stop.
+/// Steps between two checks for a request to stop.
 constexpr std::int64_t kStride = 64;
 
-/// What set the step.
+/// The step's origin and limits.
 std::string step_words(const StepChoice& choice, const PackingScene& scene) {
   const std::string limits = fmt::format(": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
                                          choice.bonds, choice.damped_bonds, choice.contacts);

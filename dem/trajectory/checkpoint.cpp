@@ -20,7 +20,9 @@ namespace {
 using hdf5::Handle;
 
 constexpr std::string_view kMagic = "fiberchain checkpoint ";
-constexpr int kFormat = 1;
+/// 1: the state as one array without names; 2: a dataset for every field of the state.
+constexpr int kFormat = 2;
+constexpr const char *kState = "state", *kVersion = "version";
 constexpr std::size_t kHead = 512;  ///< HDF5 looks for itself at 0, 512, 1024 ...
 
 std::string head_of(const std::string& image) {
@@ -29,7 +31,7 @@ std::string head_of(const std::string& image) {
   return head;
 }
 
-/// HDF5 that lives in memory.
+/// Access to an HDF5 file in memory.
 Handle in_memory() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose, "make a property list");
   hdf5::check(H5Pset_fapl_core(access, 1 << 20, false), "work in memory");
@@ -38,6 +40,22 @@ Handle in_memory() {
 
 void set_number(hid_t file, const char* name, hid_t memory, hid_t stored, const void* value) {
   hdf5::write_array(file, name, {memory, stored}, {1}, value, false);
+}
+
+hdf5::Stored type_of(const std::vector<double>&) { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }
+hdf5::Stored type_of(const std::vector<std::int64_t>&) { return {H5T_NATIVE_INT64, H5T_STD_I64LE}; }
+
+/// A dataset a field, of reals or integers, with its version.
+void write_state(hid_t file, const SavedState& state) {
+  const Handle group = hdf5::make_group(file, kState);
+  for (const auto& [name, field] : state) {
+    const Handle dataset = std::visit(
+        [&](const auto& numbers) {
+          return hdf5::write_array(group, name.c_str(), type_of(numbers), {numbers.size()}, numbers.data(), false);
+        },
+        field.values);
+    hdf5::set_attribute(dataset, kVersion, std::vector<std::int32_t>{field.version});
+  }
 }
 
 std::string image_of(const Checkpoint& checkpoint) {
@@ -51,8 +69,7 @@ std::string image_of(const Checkpoint& checkpoint) {
   set_number(file, "threads", H5T_NATIVE_INT64, H5T_STD_I64LE, &threads);
   set_number(file, "step", H5T_NATIVE_INT64, H5T_STD_I64LE, &checkpoint.step);
   set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &checkpoint.time);
-  hdf5::write_array(file, "state", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {checkpoint.state.size()},
-                    checkpoint.state.data(), false);
+  write_state(file, checkpoint.state);
   hdf5::flush(file);
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
@@ -77,6 +94,29 @@ Number number(hid_t file, const char* name, hid_t type) {
   return all.front();
 }
 
+StateField field_in(hid_t group, const char* name) {
+  const Handle dataset = hdf5::open_array(group, name);
+  const auto version = hdf5::integer_attribute(dataset, kVersion);
+  if (!version) throw hdf5::Failure(fmt::format("field '{}' of the state has no version", name));
+  const Handle type(H5Dget_type(dataset), &H5Tclose, "find a dataset's type");
+  switch (H5Tget_class(type)) {
+    case H5T_FLOAT:
+      return {*version, array<double>(group, name, H5T_NATIVE_DOUBLE)};
+    case H5T_INTEGER:
+      return {*version, array<std::int64_t>(group, name, H5T_NATIVE_INT64)};
+    default:
+      throw hdf5::Failure(fmt::format("field '{}' of the state holds no numbers", name));
+  }
+}
+
+SavedState state_in(hid_t file) {
+  if (!hdf5::is_group(file, kState)) throw hdf5::Failure("its state is not stored by named fields");
+  const Handle group = hdf5::open_group(file, kState);
+  SavedState state;
+  for (const std::string& name : hdf5::names_in(group)) state.emplace(name, field_in(group, name.c_str()));
+  return state;
+}
+
 Checkpoint checkpoint_in(std::string& image) {
   const Handle access = in_memory();
   hdf5::check(H5Pset_file_image(access, image.data(), image.size()), "take the image");
@@ -89,7 +129,7 @@ Checkpoint checkpoint_in(std::string& image) {
   checkpoint.threads = static_cast<int>(number<std::int64_t>(file, "threads", H5T_NATIVE_INT64));
   checkpoint.step = number<std::int64_t>(file, "step", H5T_NATIVE_INT64);
   checkpoint.time = number<double>(file, "time", H5T_NATIVE_DOUBLE);
-  checkpoint.state = array<double>(file, "state", H5T_NATIVE_DOUBLE);
+  checkpoint.state = state_in(file);
   return checkpoint;
 }
 
@@ -107,6 +147,9 @@ std::string checked_image(const std::filesystem::path& path, const std::string& 
   if (!head.starts_with(kMagic)) throw ReadError(path, "is no checkpoint");
   const auto format = parse_integer(line_of(head, kMagic));
   if (!format) throw ReadError(path, "is corrupt: no format");
+  if (*format < kFormat)
+    throw ReadError(path, fmt::format("is a checkpoint of the old format {}, whose state has no named fields; this program "
+                                      "reads format {}", *format, kFormat));
   if (*format != kFormat)
     throw ReadError(
         path, fmt::format("is a checkpoint of format {}; this program reads format {}", *format, kFormat));
@@ -170,7 +213,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   try {
     return checkpoint_in(image);
   } catch (const hdf5::Failure& failure) {
-    throw ReadError(path, fmt::format("is no checkpoint of ours: {}", failure.what()));
+    throw ReadError(path, fmt::format("is no checkpoint of this program: {}", failure.what()));
   }
 }
 

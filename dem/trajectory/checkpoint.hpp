@@ -3,32 +3,34 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
+
+#include "dem/assembly/saved_state.hpp"
 
 namespace fiberchain::dem {
 
-/// All that a run needs to go on to the bit.
+/// State of a run, sufficient to continue it to the bit.
 struct Checkpoint {
   std::string program;       ///< which binary wrote it: version, commit, compiler, flags
   int threads = 1;           ///< it ran with
   std::string scene_sha256;  ///< of everything the scene is made of
   std::string scene;         ///< text of the scene file
   std::int64_t step = 0;
-  double time = 0;            ///< [s]
-  std::vector<double> state;  ///< of the engine, kept to the bit
+  double time = 0;   ///< [s]
+  SavedState state;  ///< of the assembly, kept to the bit
 
   bool operator==(const Checkpoint&) const = default;
 };
 
 /// Writes a checkpoint: 512 bytes of text (format, SHA-256 and size of the rest), then HDF5, which h5dump and
-/// h5py open as it stands. The one that stood there before becomes PATH.previous. At any moment there is a
+/// h5py open as it stands: /scene, /threads, /step, /time, and in /state a dataset for every field of the state, whose
+/// attribute "version" is that of the field. The one that stood there before becomes PATH.previous. At any moment there is a
 /// whole checkpoint at the place.
 /// @throws WriteError; what stood there before then still does
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Reads a checkpoint. Not a byte of it is believed before its checksum is right.
 /// @throws ReadError naming the file and the reason: absent, no checkpoint, of another format, cut off,
-/// corrupt
+/// corrupt; or the field of the state that cannot be read
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// The same, of that very scene.

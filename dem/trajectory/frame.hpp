@@ -24,10 +24,10 @@ struct TrajectoryFrame {
   std::vector<double> radius;                      ///< [m]
   std::vector<std::int32_t> fiber;                 ///< number of the fiber
   std::vector<FrameBond> bonds;
-  std::int64_t absent = 0;  ///< spheres at the end that are not there yet: they stand anywhere, at rest
+  std::int64_t absent = 0;  ///< spheres at the end that are inserted later
 };
 
-/// The frame without the spheres that are not there, and their bonds.
+/// The frame without its absent spheres and their bonds.
 TrajectoryFrame present_part(TrajectoryFrame frame);
 
 }  // namespace fiberchain::dem

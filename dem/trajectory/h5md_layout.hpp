@@ -2,7 +2,6 @@
 
 #include <hdf5.h>
 
-#include <array>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -10,21 +9,34 @@
 #include "dem/trajectory/h5md.hpp"
 #include "dem/trajectory/hdf5.hpp"
 #include "dem/trajectory/hdf5_vfd.hpp"
+#include "dem/trajectory/output_fields.hpp"
 
 // Where things stand in a trajectory, for its writer and its reader.
 namespace fiberchain::dem::h5md {
 
 inline constexpr const char* kPosition = "particles/fibers/position";
-inline constexpr const char* kVelocity = "particles/fibers/velocity";
 inline constexpr const char* kEdges = "particles/fibers/box/edges";
 inline constexpr const char* kOrigin = "particles/fibers/box/origin";
-inline constexpr const char* kBondForce = "observables/fibers/bond_force";
-inline constexpr const char* kBendingAngle = "observables/fibers/bending_angle";
 inline constexpr const char* kId = "particles/fibers/id";
 inline constexpr const char* kBonds = "connectivity/bonds";
-inline constexpr std::array kElements = {kPosition, kVelocity, kEdges, kOrigin, kBondForce, kBendingAngle};
 
 inline std::string value_of(const std::string& element) { return element + "/value"; }
+inline std::string sphere_element(const OutputField& field) { return std::string("particles/fibers/") + field.name; }
+inline std::string bond_element(const OutputField& field) { return std::string("observables/fibers/") + field.name; }
+
+/// Elements in time of every trajectory.
+inline std::vector<std::string> elements() {
+  std::vector<std::string> all = {kPosition};
+  for (const OutputField& field : sphere_fields) all.push_back(sphere_element(field));
+  all.insert(all.end(), {kEdges, kOrigin});
+  for (const OutputField& field : bond_fields) all.push_back(bond_element(field));
+  return all;
+}
+
+/// Size of an entry of a field: rows of `width`, or of one number.
+inline std::vector<hsize_t> entry_size(const OutputField& field, hsize_t rows) {
+  return field.width == 1 ? std::vector<hsize_t>{rows} : std::vector<hsize_t>{rows, static_cast<hsize_t>(field.width)};
+}
 
 static_assert(std::is_trivially_copyable_v<Vec<double, 3>> && sizeof(Vec<double, 3>) == 3 * sizeof(double),
               "vectors are written as rows of three");
@@ -41,7 +53,7 @@ inline bool has_growing_id(hid_t file) { return hdf5::has(file, value_of(kId)); 
 
 enum class Access { create, change, read };
 
-/// The file within an journaled. Closing it leaves all that was written in the journaled.
+/// The HDF5 file within a journaled file. Closing it leaves all that was written in the journaled file.
 inline hdf5::Handle open_in(JournaledFile& journaled, Access access) {
   const hdf5::Handle by(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose, "make a property list");
   if (!use_journaled_file(by, journaled)) throw hdf5::Failure("HDF5 cannot use our files");

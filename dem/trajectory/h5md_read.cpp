@@ -78,15 +78,14 @@ void read_boundary(hid_t file, TrajectoryFrame& frame) {
 void read_bonds(hid_t file, std::int64_t n, TrajectoryFrame& frame) {
   const auto pairs = whole<std::int64_t>(file, kBonds, H5T_NATIVE_INT64, 2);
   const hsize_t bonds = pairs.size() / 2;
-  const auto force = vectors(entry(file, kBondForce, n, {bonds, 3}));
-  const auto angle = entry(file, kBendingAngle, n, {bonds});
   for (std::size_t i = 0; i < bonds; ++i) {
     const std::int64_t first = pairs[2 * i];
     if (first < 0 || first + 1 >= static_cast<std::int64_t>(frame.radius.size()) ||
         pairs[2 * i + 1] != first + 1)
       throw hdf5::Failure("a bond is between spheres that do not follow each other");
-    frame.bonds.push_back({first, force[i], angle[i]});
+    frame.bonds.push_back({first, {}, 0});
   }
+  for (const OutputField& field : bond_fields) field.set(frame, entry(file, bond_element(field), n, entry_size(field, bonds)));
 }
 
 }  // namespace
@@ -95,7 +94,11 @@ TrajectoryFrame present_part(TrajectoryFrame frame) {
   if (frame.absent == 0) return frame;
   const std::size_t present = frame.position.size() - static_cast<std::size_t>(frame.absent);
   frame.position.resize(present);
-  frame.velocity.resize(present);
+  for (const OutputField& field : sphere_fields) {
+    std::vector<double> values = field.values(frame);
+    values.resize(present * static_cast<std::size_t>(field.width));
+    field.set(frame, values);
+  }
   frame.radius.resize(present);
   frame.fiber.resize(present);
   std::erase_if(frame.bonds, [&](const FrameBond& bond) { return bond.first >= static_cast<std::int64_t>(present); });
@@ -124,7 +127,8 @@ TrajectoryFrame TrajectoryReader::read(std::int64_t n) const {
     const hsize_t spheres = frame.radius.size();
     if (frame.fiber.size() != spheres) throw hdf5::Failure("radii and fibers differ in number");
     frame.position = vectors(entry(file, kPosition, n, {spheres, 3}));
-    frame.velocity = vectors(entry(file, kVelocity, n, {spheres, 3}));
+    for (const OutputField& field : sphere_fields)
+      field.set(frame, entry(file, sphere_element(field), n, entry_size(field, spheres)));
     frame.low = vectors(entry(file, kOrigin, n, {3})).front();
     frame.high = frame.low + vectors(entry(file, kEdges, n, {3})).front();
     read_boundary(file, frame);

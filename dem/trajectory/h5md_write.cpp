@@ -120,11 +120,12 @@ void write_layout(hid_t file, const TrajectoryHeader& header, const TrajectoryFr
   hdf5::make_group(file, "observables");
   hdf5::make_group(file, "observables/fibers");
   make_element(file, kPosition, H5T_IEEE_F64LE, {spheres, 3}, "", true);
-  make_element(file, kVelocity, H5T_IEEE_F32LE, {spheres, 3}, "m s-1", true);
+  for (const OutputField& field : sphere_fields)
+    make_element(file, sphere_element(field), H5T_IEEE_F32LE, entry_size(field, spheres), field.unit, true);
   make_element(file, kEdges, H5T_IEEE_F64LE, {3}, "", false);
   make_element(file, kOrigin, H5T_IEEE_F64LE, {3}, "", false);
-  make_element(file, kBondForce, H5T_IEEE_F32LE, {bonds, 3}, "N", true);
-  make_element(file, kBendingAngle, H5T_IEEE_F32LE, {bonds}, "rad", true);
+  for (const OutputField& field : bond_fields)
+    make_element(file, bond_element(field), H5T_IEEE_F32LE, entry_size(field, bonds), field.unit, true);
   if (header.growing) make_element(file, kId, H5T_STD_I32LE, {spheres}, "", true);
   for (const auto& [name, value] : scalars)
     make_element(file, "observables/" + name, H5T_IEEE_F64LE, {}, "", false);
@@ -134,7 +135,7 @@ void write_layout(hid_t file, const TrajectoryHeader& header, const TrajectoryFr
 /// Every series of the file, once.
 std::vector<std::string> all_series(hid_t file) {
   std::vector<std::string> all = {std::string(kPosition) + "/step", std::string(kPosition) + "/time"};
-  for (const char* element : kElements) all.push_back(value_of(element));
+  for (const std::string& element : elements()) all.push_back(value_of(element));
   if (has_growing_id(file)) all.push_back(value_of(kId));
   for (const std::string& name : scalar_names(file)) all.push_back(value_of("observables/" + name));
   return all;
@@ -146,14 +147,15 @@ void set_frames(hid_t file, hsize_t count) {
 }
 
 void check_same(hid_t file, const TrajectoryFrame& frame, const Scalars& scalars) {
-  const auto rows = [&](const char* element) {
-    const auto size = hdf5::size_of(hdf5::open_array(file, value_of(element).c_str()));
-    return size.size() > 1 ? size[1] : 0;
+  const auto size = [&](const std::string& name, std::size_t index) {
+    const auto all = hdf5::size_of(hdf5::open_array(file, name.c_str()));
+    return all.size() > index ? all[index] : 0;
   };
-  if (rows(kPosition) != frame.position.size() || rows(kBendingAngle) != frame.bonds.size()) {
+  const hsize_t spheres = size(value_of(kPosition), 1), bonds = size(kBonds, 0);
+  if (spheres != frame.position.size() || bonds != frame.bonds.size()) {
     throw InvalidInput(
         fmt::format("a frame of {} spheres and {} bonds does not go with earlier ones of {} and {}",
-                    frame.position.size(), frame.bonds.size(), rows(kPosition), rows(kBendingAngle)));
+                    frame.position.size(), frame.bonds.size(), spheres, bonds));
   }
   std::vector<std::string> names;
   for (const auto& [name, value] : scalars) names.push_back(name);
@@ -176,22 +178,16 @@ void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scal
   const auto put = [&](const std::string& name, hid_t type, const void* values) {
     hdf5::write_entry(hdf5::open_array(file, name.c_str()), n, type, values);
   };
-  std::vector<Vec<double, 3>> force;
-  std::vector<double> angle;
-  for (const FrameBond& bond : frame.bonds) {
-    force.push_back(bond.force);
-    angle.push_back(bond.bending_angle);
-  }
   const Vec<double, 3> edges = frame.high - frame.low;
   put(std::string(kPosition) + "/step", H5T_NATIVE_INT64, &frame.step);
   put(std::string(kPosition) + "/time", H5T_NATIVE_DOUBLE, &frame.time);
   put(value_of(kPosition), H5T_NATIVE_DOUBLE, rounded(frame.position).data());
-  put(value_of(kVelocity), H5T_NATIVE_DOUBLE, frame.velocity.data());
+  for (const OutputField& field : sphere_fields)
+    put(value_of(sphere_element(field)), H5T_NATIVE_DOUBLE, field.values(frame).data());
   put(value_of(kEdges), H5T_NATIVE_DOUBLE, &edges);
   put(value_of(kOrigin), H5T_NATIVE_DOUBLE, &frame.low);
-  if (!frame.bonds.empty()) {
-    put(value_of(kBondForce), H5T_NATIVE_DOUBLE, force.data());
-    put(value_of(kBendingAngle), H5T_NATIVE_DOUBLE, angle.data());
+  for (const OutputField& field : bond_fields) {
+    if (!frame.bonds.empty()) put(value_of(bond_element(field)), H5T_NATIVE_DOUBLE, field.values(frame).data());
   }
   if (has_growing_id(file)) put(value_of(kId), H5T_NATIVE_INT32, ids(frame).data());
   for (const auto& [name, value] : scalars) put(value_of("observables/" + name), H5T_NATIVE_DOUBLE, &value);
@@ -203,7 +199,8 @@ void check_frame(const TrajectoryFrame& frame) {
     return bond.first < 0 || bond.first + 1 >= static_cast<std::int64_t>(spheres);
   };
   if (spheres == 0) throw InvalidInput("a frame without spheres");
-  if (frame.velocity.size() != spheres || frame.radius.size() != spheres || frame.fiber.size() != spheres)
+  const auto incomplete = [&](const OutputField& field) { return field.values(frame).size() != field.width * spheres; };
+  if (std::ranges::any_of(sphere_fields, incomplete) || frame.radius.size() != spheres || frame.fiber.size() != spheres)
     throw InvalidInput("a frame's positions, velocities, radii and fibers differ in number");
   if (frame.absent < 0 || frame.absent > static_cast<std::int64_t>(spheres))
     throw InvalidInput("a frame lacks more spheres than it has");

@@ -109,6 +109,12 @@ Handle open_group(hid_t parent, const char* name) {
 
 bool has(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
 
+bool is_group(hid_t parent, const char* name) {
+  if (!has(parent, name)) return false;
+  const Handle object(H5Oopen(parent, name, H5P_DEFAULT), &H5Oclose, name);
+  return H5Iget_type(object) == H5I_GROUP;
+}
+
 std::vector<std::string> names_in(hid_t group) {
   H5G_info_t info;
   check(H5Gget_info(group, &info), "list a group");
@@ -163,6 +169,17 @@ std::optional<std::string> text_attribute(hid_t object, const char* name) {
   const std::string text = value ? value : "";
   check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &value), "free an attribute");
   return text;
+}
+
+std::optional<std::int32_t> integer_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return std::nullopt;
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose, "open an attribute");
+  const Handle type(H5Aget_type(attribute), &H5Tclose, "find an attribute's type");
+  const Handle space(H5Aget_space(attribute), &H5Sclose, "find an attribute's size");
+  if (H5Tget_class(type) != H5T_INTEGER || H5Sget_simple_extent_npoints(space) != 1) return std::nullopt;
+  std::int32_t value = 0;
+  check(H5Aread(attribute, H5T_NATIVE_INT32, &value), "read an attribute");
+  return value;
 }
 
 std::vector<std::pair<std::string, std::string>> text_attributes(hid_t object) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-// HDF5's C interface with owners for its identifiers and exceptions for its failures. Private to dem/io.
+// HDF5's C interface with owners for its identifiers and exceptions for its failures. Private to dem/trajectory.
 namespace fiberchain::dem::hdf5 {
 
 /// HDF5 refused; the message says what was tried and HDF5's own reason. Callers add the file's name.
@@ -60,6 +60,7 @@ void flush(hid_t file);
 
 Handle make_group(hid_t parent, const char* name);
 Handle open_group(hid_t parent, const char* name);
+bool is_group(hid_t parent, const char* name);
 bool has(hid_t parent, const std::string& name);
 /// Names of what is in a group.
 std::vector<std::string> names_in(hid_t group);
@@ -69,6 +70,8 @@ void set_attribute(hid_t object, const char* name, const std::vector<std::int32_
 void set_attribute(hid_t object, const char* name, const std::vector<std::string>& texts);
 /// Text of an attribute; nothing if there is none or it is no text.
 std::optional<std::string> text_attribute(hid_t object, const char* name);
+/// The integer of an attribute; nothing if there is none or it is no single integer.
+std::optional<std::int32_t> integer_attribute(hid_t object, const char* name);
 /// Text of every attribute that is text, by name.
 std::vector<std::pair<std::string, std::string>> text_attributes(hid_t object);
 

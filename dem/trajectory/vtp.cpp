@@ -5,6 +5,7 @@
 #include <span>
 
 #include "dem/files/base64.hpp"
+#include "dem/trajectory/output_fields.hpp"
 #include "dem/trajectory/vtk.hpp"
 
 namespace fiberchain::dem {
@@ -32,13 +33,10 @@ std::string array(const char* name, int components, const std::vector<Number>& v
       kType<Number>, name, components, base64(&bytes, sizeof bytes), base64(values.data(), bytes));
 }
 
-template <class Number>
-std::vector<Number> flat(const std::vector<Vec<double, 3>>& vectors) {
-  std::vector<Number> all;
+std::vector<double> flat(const std::vector<Vec<double, 3>>& vectors) {
+  std::vector<double> all;
   all.reserve(3 * vectors.size());
-  for (const auto& vector : vectors) {
-    for (int k = 0; k < 3; ++k) all.push_back(static_cast<Number>(vector[k]));
-  }
+  for (const auto& vector : vectors) all.insert(all.end(), vector.c, vector.c + 3);
   return all;
 }
 
@@ -48,20 +46,33 @@ std::vector<std::int64_t> numbers_from(std::int64_t first, std::size_t count) {
   return all;
 }
 
+std::vector<float> singles(const std::vector<double>& values) {
+  std::vector<float> all;
+  all.reserve(values.size());
+  for (const double value : values) all.push_back(static_cast<float>(value));
+  return all;
+}
+
+/// A field of the bonds at the first sphere of each; 0 where none begins.
+std::vector<float> at_first_spheres(const TrajectoryFrame& frame, const OutputField& field) {
+  const auto width = static_cast<std::size_t>(field.width);
+  std::vector<float> all(width * frame.position.size(), 0);
+  const std::vector<double> values = field.values(frame);
+  for (std::size_t bond = 0; bond < frame.bonds.size(); ++bond) {
+    const auto first = static_cast<std::size_t>(frame.bonds[bond].first);
+    for (std::size_t k = 0; k < width; ++k) all[width * first + k] = static_cast<float>(values[width * bond + k]);
+  }
+  return all;
+}
+
 std::string point_data(const TrajectoryFrame& frame) {
   const std::size_t spheres = frame.position.size();
-  std::vector<float> radius(frame.radius.begin(), frame.radius.end()), force(3 * spheres, 0),
-      angle(spheres, 0);
-  for (const FrameBond& bond : frame.bonds) {
-    const auto first = static_cast<std::size_t>(bond.first);
-    for (std::size_t k = 0; k < 3; ++k)
-      force[3 * first + k] = static_cast<float>(bond.force[static_cast<int>(k)]);
-    angle[first] = static_cast<float>(bond.bending_angle);
-  }
-  return "<PointData Scalars=\"radius\" Vectors=\"v\">\n" + array("id", 1, numbers_from(0, spheres)) +
-         array("fiber", 1, frame.fiber) + array("radius", 1, radius) +
-         array("v", 3, flat<float>(frame.velocity)) + array("bond_force", 3, force) +
-         array("bending_angle", 1, angle) + "</PointData>\n";
+  const std::vector<float> radius(frame.radius.begin(), frame.radius.end());
+  std::string text = "<PointData Scalars=\"radius\" Vectors=\"v\">\n" + array("id", 1, numbers_from(0, spheres)) +
+                     array("fiber", 1, frame.fiber) + array("radius", 1, radius);
+  for (const OutputField& field : sphere_fields) text += array(field.point_array, field.width, singles(field.values(frame)));
+  for (const OutputField& field : bond_fields) text += array(field.point_array, field.width, at_first_spheres(frame, field));
+  return text + "</PointData>\n";
 }
 
 /// A comment may not hold two dashes.
@@ -75,7 +86,7 @@ std::string comment(const Entries& provenance) {
   return text + "-->\n";
 }
 
-/// CellGeometry of one kind, by the points they join and where each ends.
+/// VTK cells of one kind, by the points they join and the end of each.
 std::string cells(const char* kind, const std::vector<std::int64_t>& points,
                   const std::vector<std::int64_t>& ends) {
   return fmt::format("<{0}>\n{1}{2}</{0}>\n", kind, array("connectivity", 1, points),
@@ -91,7 +102,7 @@ std::string file(const TrajectoryFrame& frame, const Entries& provenance, std::s
       "NumberOfStrips=\"0\" "
       "NumberOfPolys=\"0\">\n{}<Points>\n{}</Points>\n{}</Piece>\n</PolyData>\n</VTKFile>\n",
       comment(provenance), frame.position.size(), verts, lines, point_data(frame),
-      array("points", 3, flat<double>(frame.position)), rest);
+      array("points", 3, flat(frame.position)), rest);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_packing_goes_on_while_it_is_filled) {
   int between = 0;
   for (const auto& c : assembly.contacts()) between += c.first < second && c.second >= second;
   BOOST_TEST(between > 0);
-  const std::vector<double> pause = assembly.saved();
+  const dem::SavedState pause = assembly.saved();
   dem::Assembly again({packing.groups[0]}, packing.around, {.step = 6e-6, .account_energy = true});
   BOOST_CHECK_THROW(again.restore(pause), dem::InvalidInput);  // it has no second group yet
   again.insert(moved(packing.groups[1], {0, 0, 0.02}));

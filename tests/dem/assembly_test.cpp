@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
   dem::Assembly one({fibers}, around, {.threads = 1}), two({fibers}, around, {.threads = 2});
   one.march(1500);
   two.march(700);
-  const std::vector<double> pause = two.saved();
+  const dem::SavedState pause = two.saved();
   two.march(800);
   dem::Assembly third({fibers}, around, {.threads = 2});
   third.march(10);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
   BOOST_TEST(one.touching() > 20);
   BOOST_TEST((numbers(one) == numbers(two)));
   BOOST_TEST((numbers(two) == numbers(third)));
-  BOOST_CHECK_THROW(third.restore({1.0, 2.0}), dem::InvalidInput);
+  BOOST_CHECK_THROW(third.restore({{"steps", {1, std::vector<double>{2.0}}}}), dem::InvalidInput);
 }
 
 /// Instruction sets differ by round-off, which collisions let grow: compared while few have happened.

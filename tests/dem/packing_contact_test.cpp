@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
     more.march(20);
     BOOST_TEST((numbers(more) == numbers(one)), threads << " threads");
     one.march(740);
-    const std::vector<double> pause = one.saved();
+    const dem::SavedState pause = one.saved();
     one.march(40);
     BOOST_TEST(one.touching() > 20);
     more.restore(pause);

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "dem/files/file_error.hpp"
+#include "dem/files/sha256.hpp"
+#include "dem/trajectory/hdf5.hpp"
 #include "tests/dem/trajectory/files.hpp"
 
 using namespace fiberchain::dem;
@@ -22,7 +24,11 @@ Checkpoint example(std::int64_t step, std::size_t numbers) {
                         .step = step,
                         .time = 0.1 * static_cast<double>(step),
                         .state = {}};
-  for (std::size_t i = 0; i < numbers; ++i) checkpoint.state.push_back(1 / (3.0 + static_cast<double>(i)));
+  std::vector<double> reals;
+  for (std::size_t i = 0; i < numbers; ++i) reals.push_back(1 / (3.0 + static_cast<double>(i)));
+  checkpoint.state = {{"load", {1, reals}},
+                      {"orientation", {2, std::vector<double>{}}},
+                      {"steps", {1, std::vector<std::int64_t>{step, -1, std::numeric_limits<std::int64_t>::min()}}}};
   return checkpoint;
 }
 
@@ -50,21 +56,22 @@ BOOST_AUTO_TEST_CASE(every_bit_comes_back) {
   const Scratch scratch;
   const fs::path path = scratch.path / "run.checkpoint";
   Checkpoint written = example(1'234'567'890'123, 1001);
-  written.state[3] = -0.0;
-  written.state[4] = std::numeric_limits<double>::denorm_min();
-  written.state[5] = -std::numeric_limits<double>::infinity();
-  written.state[6] =
-      std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
+  std::vector<double>& reals = std::get<std::vector<double>>(written.state["load"].values);
+  reals[3] = -0.0;
+  reals[4] = std::numeric_limits<double>::denorm_min();
+  reals[5] = -std::numeric_limits<double>::infinity();
+  reals[6] = std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
   written.scene += std::string("\0 and beyond", 12);
   write_checkpoint(path, written);
-  const Checkpoint read = read_checkpoint(path, written.scene_sha256);
-  BOOST_REQUIRE(read.state.size() == written.state.size());
-  for (std::size_t i = 0; i < read.state.size(); ++i)
-    BOOST_TEST(std::bit_cast<std::uint64_t>(read.state[i]) == std::bit_cast<std::uint64_t>(written.state[i]));
-  written.state.clear();
-  Checkpoint rest = read;
-  rest.state.clear();
-  BOOST_TEST((rest == written));
+  Checkpoint read = read_checkpoint(path, written.scene_sha256);
+  const auto bits = [](std::vector<double>& all) {
+    std::vector<std::uint64_t> bits;
+    for (const double x : all) bits.push_back(std::bit_cast<std::uint64_t>(x));
+    all.clear();
+    return bits;
+  };
+  BOOST_TEST((bits(std::get<std::vector<double>>(read.state["load"].values)) == bits(reals)));
+  BOOST_TEST((read == written));  // all else, integers and versions of fields included
 }
 
 BOOST_AUTO_TEST_CASE(the_one_before_is_kept) {
@@ -97,9 +104,66 @@ BOOST_AUTO_TEST_CASE(what_is_no_whole_checkpoint_is_refused_with_its_reason) {
   BOOST_TEST(refusal(path, "abcdefghijklmnop") ==
              "belongs to another scene (SHA-256 e3b0c44298fc..., not abcdefghijkl...)");
   std::string later = whole;
-  later.replace(later.find("checkpoint 1"), 12, "checkpoint 7");
+  later.replace(later.find("checkpoint 2"), 12, "checkpoint 7");
   std::ofstream(path, std::ios::binary) << later;
-  BOOST_TEST(refusal(path) == "is a checkpoint of format 7; this program reads format 1");
+  BOOST_TEST(refusal(path) == "is a checkpoint of format 7; this program reads format 2");
+}
+
+namespace {
+
+/// An HDF5 file in memory that `write` fills, with the head of a checkpoint of this format.
+template <class Write>
+void write_image(const fs::path& path, int format, const Write& write) {
+  std::string image;
+  {
+    const hdf5::Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose, "make a property list");
+    hdf5::check(H5Pset_fapl_core(access, 1 << 16, false), "work in memory");
+    const hdf5::Handle file(H5Fcreate("old", H5F_ACC_TRUNC, H5P_DEFAULT, access), &H5Fclose, "make a file");
+    write(file);
+    hdf5::flush(file);
+    image.resize(static_cast<std::size_t>(H5Fget_file_image(file, nullptr, 0)));
+    BOOST_REQUIRE(H5Fget_file_image(file, image.data(), image.size()) > 0);
+  }
+  std::string head = "fiberchain checkpoint " + std::to_string(format) + "\nsha256 " + sha256(image) + "\nbytes " +
+                     std::to_string(image.size()) + "\n";
+  head.resize(512, '\0');
+  std::ofstream(path, std::ios::binary) << head << image;
+}
+
+/// The layout before fields had names, which format 1 was.
+void write_unnamed_state(hid_t file) {
+  const hdf5::Stored real{H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, integer{H5T_NATIVE_INT64, H5T_STD_I64LE};
+  const std::int64_t one = 1;
+  const std::vector<double> state = {1, 0, 0.5, 0, 2};
+  hdf5::write_array(file, "scene", {H5T_NATIVE_UCHAR, H5T_STD_U8LE}, {1}, "s", false);
+  hdf5::write_array(file, "threads", integer, {1}, &one, false);
+  hdf5::write_array(file, "step", integer, {1}, &one, false);
+  hdf5::write_array(file, "time", real, {1}, state.data(), false);
+  hdf5::write_array(file, "state", real, {state.size()}, state.data(), false);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_old_layout_is_refused) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  write_image(path, 1, write_unnamed_state);
+  BOOST_TEST(refusal(path) ==
+             "is a checkpoint of the old format 1, whose state has no named fields; this program reads format 2");
+  write_image(path, 2, write_unnamed_state);
+  BOOST_TEST(refusal(path) == "is no checkpoint of this program: its state is not stored by named fields");
+}
+
+BOOST_AUTO_TEST_CASE(a_field_without_a_version_is_named) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "run.checkpoint";
+  write_image(path, 2, [](hid_t file) {
+    write_unnamed_state(file);
+    hdf5::check(H5Ldelete(file, "state", H5P_DEFAULT), "delete");
+    const double number = 1;
+    hdf5::write_array(hdf5::make_group(file, "state"), "load", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {1}, &number, false);
+  });
+  BOOST_TEST(refusal(path) == "is no checkpoint of this program: field 'load' of the state has no version");
 }
 
 // A bit wrong anywhere: in the head, in HDF5's own tables, in the numbers.

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dem/assembly/assembly_state.hpp"
+#include "dem/model/errors.hpp"
+
+// The time step of an assembly: bonds and motion, contacts, the Verlet criterion.
+namespace fiberchain::dem {
+namespace {
+
+/// Steps between two searches for spheres that have blown up.
+constexpr int steps_between_checks = 256;
+
+}  // namespace
+
+void Assembly::State::rebuild_neighbor_list() {
+  contacts.rebuild_neighbor_list(rows, time(), pool);
+  displacement_budget = 0.5 * contacts.skin();
+}
+
+/// Bounds the displacements by the speeds and checks the Verlet criterion once they may violate it. Returns whether it was
+/// checked.
+bool Assembly::State::update_neighbor_list() {
+  contacts.add_displacements(paths);
+  if (contacts.walls_moved_far(time())) {
+    rebuild_neighbor_list();
+    return true;
+  }
+  displacement_budget -= *std::ranges::max_element(paths);
+  if (displacement_budget > 0) return false;
+  displacement_budget = contacts.follow(rows, pool);
+  return true;
+}
+
+/// Energy dissipated by the fluid in a step [J]: the work of all other forces less the change of kinetic energy.
+double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const {
+  const GroupKind& kind = kinds[block.group()];
+  double dissipated = 0;
+  for (int lane = 0; lane < block.lanes(); ++lane) {
+    for (int i = 0; i < kind.spheres(); ++i) {
+      const MovingSphere<double, 3> s = block.sphere(kind, before, lane, i);
+      const Vec<double, 3> v = rows.velocity(block.first(lane) + i), w = rows.spin(block.first(lane) + i);
+      for (int c = 0; c < 3; ++c) {
+        const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + w[c]);
+        dissipated += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
+                 mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
+      }
+    }
+  }
+  return dissipated;
+}
+
+/// Distance from the end of a block to the rows that are prefetched during its step; 0 where all rows fit the caches.
+std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
+  constexpr std::int64_t two_parts = 2 * cache_sized_part;  // those whose contacts come next, on two threads
+  return rows.count > 2 * two_parts ? std::min(two_parts, rows.count - end) : 0;
+}
+
+double Assembly::State::step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch) {
+  FiberBlock& block = blocks[number];
+  const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
+  const GroupKind& kind = kinds[block.group()];
+  const std::int64_t ahead = rows_ahead(block.end(kind));
+  if (options.account_energy) block.account(kind, rows, own_scratch);
+  if (!options.account_energy || !domain.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
+  const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
+  const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
+  block.add_fluid_taken(fluid_taken(block, before));
+  return fastest;
+}
+
+void Assembly::State::move_part(int part, int thread) {
+  double fastest = 0;
+  const LoadRange own = loads.of(part);
+  for (int b = part_blocks[part]; b < part_blocks[part + 1]; ++b) fastest = std::max(fastest, step_block(b, own, scratch[thread]));
+  loads.give_back(part, thread);
+  paths[part] = step * std::sqrt(fastest);
+}
+
+void Assembly::State::has_moved() {
+  ++steps;
+  set_gradient();
+}
+
+/// Bonds and motion of all fibers.
+void Assembly::State::move() {
+  pool.each(contacts.parts().count(), [&](int k, int thread) { move_part(k, thread); });
+  has_moved();
+  watch.lap(&StepTimes::bonds_and_motion);
+}
+
+/// Loads of all contacts.
+void Assembly::State::touch() {
+  contacts.work_out(rows, time(), loads, pool);
+  watch.lap(&StepTimes::contacts);
+}
+
+/// Both, part by part: a part is moved while its rows are still in the cache from its contacts.
+void Assembly::State::touch_and_move() {
+  for (StepTimes& own : own_times) own = {};
+  const double now = time();
+  wave.run(
+      pool, contacts.reach(),
+      [&](int k, int thread) {
+        const TimedPart timed(watch.on, own_times[thread].contacts);
+        contacts.work_out(k, rows, now, loads.take(k, thread));
+      },
+      [&](int k, int thread) {
+        const TimedPart timed(watch.on, own_times[thread].bonds_and_motion);
+        contacts.reduce_halo_forces(k, loads.of(k));
+        move_part(k, thread);
+      });
+  has_moved();
+  watch.lap(own_times);
+}
+
+/// False where positions are no longer finite.
+bool Assembly::State::march_some(int count) {
+  watch.lap(nullptr);
+  for (int n = 0; n < count; ++n) {
+    n == 0 ? move() : touch_and_move();
+    try {
+      if (update_neighbor_list()) watch.lap(&StepTimes::search);
+    } catch (const InvalidInput&) {
+      for (int k = 0; k < contacts.parts().count(); ++k) loads.take(k, 0);  // the search for the cause needs loads
+      return false;
+    }
+  }
+  touch();
+  return true;
+}
+
+void Assembly::State::march(std::int64_t count) {
+  for (std::int64_t done = 0; done < count;) {
+    const std::int64_t from = steps;
+    const bool finite = march_some(static_cast<int>(std::min<std::int64_t>(steps_between_checks, count - done)));
+    const std::int64_t sphere = broken();
+    if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
+    done += steps - from;
+  }
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+// State of an assembly as named datasets, for checkpoints.
+namespace fiberchain::dem {
+
+/// Numbers of one quantity: reals, or counts and indices.
+using FieldValues = std::variant<std::vector<double>, std::vector<std::int64_t>>;
+
+/// One quantity of a saved state.
+struct StateField {
+  int version = 1;  ///< of the meaning and the layout of the values
+  FieldValues values;
+
+  bool operator==(const StateField&) const = default;
+};
+
+/// All fields by name, sufficient to continue to the bit (Assembly::saved, Assembly::restore).
+using SavedState = std::map<std::string, StateField, std::less<>>;
+
+}  // namespace fiberchain::dem
