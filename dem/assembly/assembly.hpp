@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "dem/contact/contact_key.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
 #include "dem/chain/chain_state.hpp"
@@ -59,7 +60,7 @@ struct BondState {
 
 /// A pair that touches.
 struct ContactState {
-  std::int64_t first, second;  ///< sphere numbers; second < 0: wall -1 - second
+  ContactKey key;              ///< spheres by their numbers, walls as facets
   double overlap;              ///< [m]
   Vec<double, 3> point;        ///< [m]
   Vec<double, 3> force;        ///< on the first [N]

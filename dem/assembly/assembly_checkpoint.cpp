@@ -10,7 +10,7 @@ namespace {
 /// Steps, time of the list, displacement_budget, inserted energy, spheres.
 constexpr std::size_t head_numbers = 5;
 /// Of a contact.
-constexpr std::size_t kept_numbers = 8 + contact_account_size;
+constexpr std::size_t kept_numbers = 3 + contact_history_size + contact_account_size;
 
 std::array<const LaneArray*, 3> arrays(const SphereStorage& rows) { return {&rows.position_radius, &rows.motions, &rows.orientation}; }
 
@@ -37,8 +37,9 @@ std::vector<double> Assembly::saved() const {
   const std::vector<SavedContact> saved = s.contacts.saved();
   all.push_back(static_cast<double>(saved.size()));
   for (const SavedContact& c : saved) {
-    all.insert(all.end(), {static_cast<double>(c.first), static_cast<double>(c.second), c.spring[0], c.spring[1],
-                           c.spring[2], c.sqrt_overlap, c.normal_velocity, c.rolling_power});
+    all.insert(all.end(), {static_cast<double>(to_number(c.key.first)), static_cast<double>(to_number(c.key.second)),
+                           static_cast<double>(c.key.slot)});
+    all.insert(all.end(), c.history, c.history + contact_history_size);
     all.insert(all.end(), c.work, c.work + contact_account_size);
   }
   return all;
@@ -66,8 +67,10 @@ void Assembly::restore(const std::vector<double>& saved) {
   for (FiberBlock& block : s.blocks) from = block.restore(from);
   std::vector<SavedContact> contacts(static_cast<std::size_t>(*from++));
   for (SavedContact& c : contacts) {
-    c = {static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1]), {from[2], from[3], from[4]}, from[5], from[6], from[7]};
-    std::copy_n(from + 8, contact_account_size, c.work);
+    c.key = {primitive_of(static_cast<std::int64_t>(from[0])), primitive_of(static_cast<std::int64_t>(from[1])),
+             static_cast<std::int32_t>(from[2])};
+    std::copy_n(from + 3, contact_history_size, c.history);
+    std::copy_n(from + 3 + contact_history_size, contact_account_size, c.work);
     from += kept_numbers;
   }
   s.contacts.rebuild_neighbor_list(std::move(listed), saved[1], s.pool);
