@@ -51,7 +51,7 @@ PackingScene tiled(const PackingScene& scene, int tiles) {
   }
   wide.room.high[0] += (tiles - 1) * length;
   for (dem::Wall& wall : wide.domain.walls) {
-    if (auto* plane = std::get_if<dem::Plane>(&wall.shape); plane != nullptr && plane->normal[0] < 0) {
+    if (auto* plane = wall.shape.get_if<dem::Plane>(); plane != nullptr && plane->normal[0] < 0) {
       plane->point[0] += (tiles - 1) * length;
     }
   }

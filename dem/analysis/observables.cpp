@@ -96,15 +96,15 @@ Coordination coordination(std::span<const ContactState> contacts, std::span<cons
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   const auto spheres = static_cast<std::int64_t>(fiber_of.size());
   for (const ContactState& contact : contacts) {
-    if (contact.first < 0 || std::max(contact.first, contact.second) >= spheres) {
-      throw InvalidInput(
-          fmt::format("contact of spheres {} and {}: there are {}", contact.first, contact.second, spheres));
+    const Primitive &first = contact.key.first, &second = contact.key.second;
+    if (!is_sphere(first) || std::max(to_number(first), to_number(second)) >= spheres) {
+      throw InvalidInput(fmt::format("contact of spheres {} and {}: there are {}", to_number(first), to_number(second), spheres));
     }
-    if (contact.second < 0) {
+    if (is_facet(second)) {
       ++c.with_walls;
       continue;
     }
-    const auto i = static_cast<std::size_t>(contact.first), j = static_cast<std::size_t>(contact.second);
+    const auto i = static_cast<std::size_t>(first.number), j = static_cast<std::size_t>(second.number);
     touches[i] = touches[j] = 1;
     if (fiber_of[i] == fiber_of[j]) {
       ++c.within_fibers;

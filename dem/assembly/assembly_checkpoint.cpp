@@ -90,34 +90,38 @@ void set_reference_positions(State& s, const FieldValues& values) {
   s.contacts.clear();
 }
 
-/// Numbers of a contact's history.
-constexpr int saved_history_size = 6;
-constexpr std::string_view pairs_field = "contact_pairs";
+constexpr std::string_view keys_field = "contact_keys";
+/// First and second primitive (to_number), slot.
+constexpr std::size_t key_size = 3;
 
 [[noreturn]] void refuse(std::string_view name, const std::string& reason) {
   throw InvalidInput(fmt::format("field '{}' of the saved state {}", name, reason));
 }
 
-/// Two primitives of every contact: sphere numbers; -1 - w for wall w.
-FieldValues contact_pairs(State& s) {
+FieldValues contact_keys(State& s) {
   Integers all;
-  for (const SavedContact& c : s.contacts.saved()) all.insert(all.end(), {c.first, c.second});
+  for (const SavedContact& c : s.contacts.saved()) {
+    all.insert(all.end(), {to_number(c.key.first), to_number(c.key.second), c.key.slot});
+  }
   return all;
 }
 
 /// Contacts without history, which follows.
-void set_contact_pairs(State& s, const FieldValues& values) {
-  const Integers& pairs = std::get<Integers>(values);
-  std::vector<SavedContact> contacts(pairs.size() / 2);
-  for (std::size_t n = 0; n < contacts.size(); ++n) contacts[n].first = pairs[2 * n], contacts[n].second = pairs[2 * n + 1];
+void set_contact_keys(State& s, const FieldValues& values) {
+  const Integers& keys = std::get<Integers>(values);
+  std::vector<SavedContact> contacts(keys.size() / key_size);
+  for (std::size_t n = 0; n < contacts.size(); ++n) {
+    const std::int64_t* key = keys.data() + key_size * n;
+    contacts[n].key = {primitive_of(key[0]), primitive_of(key[1]), static_cast<std::int32_t>(key[2])};
+  }
   s.contacts.restore(contacts);
-  if (contact_pairs(s) != values) refuse(pairs_field, "names pairs that are not neighbors, or in another order");
+  if (contact_keys(s) != values) refuse(keys_field, "names pairs that are not neighbors, or in another order");
 }
 
 FieldValues contact_histories(State& s) {
   Reals all;
   for (const SavedContact& c : s.contacts.saved()) {
-    all.insert(all.end(), {c.spring[0], c.spring[1], c.spring[2], c.sqrt_overlap, c.normal_velocity, c.rolling_power});
+    all.insert(all.end(), c.history, c.history + contact_history_size);
   }
   return all;
 }
@@ -133,9 +137,8 @@ void change_contacts(State& s, const FieldValues& values, int width, const Read&
 }
 
 void set_contact_histories(State& s, const FieldValues& values) {
-  change_contacts(s, values, saved_history_size, [](SavedContact& c, const double* h) {
-    c = {c.first, c.second, {h[0], h[1], h[2]}, h[3], h[4], h[5]};
-  });
+  change_contacts(s, values, contact_history_size,
+                  [](SavedContact& c, const double* history) { std::copy_n(history, contact_history_size, c.history); });
 }
 
 FieldValues contact_works(State& s) {
@@ -171,9 +174,9 @@ const std::vector<FieldRule>& fields() {
        .get = [](State& s) -> FieldValues { return Reals{s.contacts.reference_time()}; },
        .set = [](State& s, const FieldValues& v) { s.contacts.set_reference_time(std::get<Reals>(v).front()); }},
       {.name = "reference_position", .get = reference_positions, .set = set_reference_positions},
-      {.name = pairs_field, .get = contact_pairs, .set = set_contact_pairs, .extent = Extent::per_contact, .width = 2},
+      {.name = keys_field, .get = contact_keys, .set = set_contact_keys, .extent = Extent::per_contact, .width = key_size},
       {.name = "contact_history", .get = contact_histories, .set = set_contact_histories, .extent = Extent::per_contact,
-       .width = saved_history_size},
+       .width = contact_history_size},
       {.name = "contact_work", .get = contact_works, .set = set_contact_works, .extent = Extent::per_contact,
        .width = contact_account_size},
       {.name = "contact_accumulators",
@@ -193,7 +196,7 @@ std::string_view type_of(const FieldValues& values) {
 
 /// Contacts of a saved state, whose pairs have been checked.
 std::size_t contacts_in(const SavedState& saved) {
-  const auto found = saved.find(pairs_field);
+  const auto found = saved.find(keys_field);
   return found == saved.end() ? 0 : size_of(found->second.values) / 2;
 }
 
@@ -216,7 +219,7 @@ void check_pairs(const State& s, const Integers& pairs) {
   for (std::size_t n = 0; n < pairs.size(); n += 2) {
     const std::int64_t first = pairs[n], second = pairs[n + 1];
     if (first < 0 || first >= s.rows.count || second < -walls || second >= s.rows.count)
-      refuse(pairs_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));
+      refuse(keys_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));
   }
 }
 
@@ -225,7 +228,7 @@ void check_state(State& s, const SavedState& saved) {
   for (const auto& [name, field] : saved) {
     if (std::ranges::find(fields(), name, &FieldRule::name) == fields().end()) refuse(name, "is unknown");
   }
-  check_pairs(s, std::get<Integers>(saved.find(pairs_field)->second.values));
+  check_pairs(s, std::get<Integers>(saved.find(keys_field)->second.values));
 }
 
 }  // namespace

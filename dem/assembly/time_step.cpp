@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/contact/contact_parameters.hpp"
+#include "dem/contact/contact_rates.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -46,7 +46,7 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
 }  // namespace
 
 // Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
-// (contact_parameters.hpp). K and C are accumulators over bonds and contacts: what each uses up alone, in its own
+// (contact_rates.hpp). K and C are accumulators over bonds and contacts: what each uses up alone, in its own
 // worst mode, adds up to no less than what both do.
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain) {
   StepChoice choice{1e300, "", 1e300, 1e300, 1e300};

@@ -28,18 +28,18 @@ void ContactHistories::reserve(std::size_t numbers) {
   for (std::size_t number = after - 1; number >= before; --number) give_back(static_cast<std::int32_t>(number));
 }
 
-SavedContact ContactHistories::at(std::int32_t number, std::int64_t first, std::int64_t second) const {
-  const double* n = rows.data() + static_cast<std::ptrdiff_t>(number) * contact_history_size;
-  SavedContact contact{first, second, {n[0], n[1], n[2]}, n[3], n[4], n[5]};
-  if (accounted) std::copy_n(work.data() + static_cast<std::ptrdiff_t>(number) * contact_account_size, contact_account_size, contact.work);
+SavedContact ContactHistories::at(std::int32_t number, const ContactKey& key) const {
+  const auto row = static_cast<std::ptrdiff_t>(number);
+  SavedContact contact{key};
+  std::copy_n(rows.data() + row * contact_history_size, contact_history_size, contact.history);
+  if (accounted) std::copy_n(work.data() + row * contact_account_size, contact_account_size, contact.work);
   return contact;
 }
 
-void ContactHistories::put(std::int32_t number, const SavedContact& c) {
-  double* n = rows.data() + static_cast<std::ptrdiff_t>(number) * contact_history_size;
-  for (int k = 0; k < 3; ++k) n[k] = c.spring[k];
-  n[3] = c.sqrt_overlap, n[4] = c.normal_velocity, n[5] = c.rolling_power;
-  if (accounted) std::copy_n(c.work, contact_account_size, work.data() + static_cast<std::ptrdiff_t>(number) * contact_account_size);
+void ContactHistories::put(std::int32_t number, const SavedContact& contact) {
+  const auto row = static_cast<std::ptrdiff_t>(number);
+  std::copy_n(contact.history, contact_history_size, rows.data() + row * contact_history_size);
+  if (accounted) std::copy_n(contact.work, contact_account_size, work.data() + row * contact_account_size);
 }
 
 }  // namespace fiberchain::dem

@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "dem/contact/contact_key.hpp"
 #include "dem/simd/lane_array.hpp"
 #include "dem/simd/storage_layout.hpp"
 
 namespace fiberchain::dem {
 
-/// What a contact remembers, by sphere numbers, to be written to a file. second < 0: wall -1 - second.
+/// A contact and its history, to be kept where lists change or written to a file.
 struct SavedContact {
-  std::int64_t first, second;
-  double spring[3];     ///< on the first
-  double sqrt_overlap, normal_velocity, rolling_power;  ///< as ContactHistory
-  double work[contact_account_size] = {};  ///< accounted only
+  ContactKey key;
+  double history[contact_history_size] = {};  ///< the law's History, then zeros
+  double work[contact_account_size] = {};     ///< accounted only
 };
 
 /// The same of many contacts: a row each, which has the contact's number. Number 0 is nobody's: pairs that do not touch
@@ -31,7 +31,7 @@ struct ContactHistories {
   std::int32_t take() { return free[--free_count]; }
   void give_back(std::int32_t number) { free[free_count++] = number; }
 
-  SavedContact at(std::int32_t number, std::int64_t first, std::int64_t second) const;
+  SavedContact at(std::int32_t number, const ContactKey& key) const;
   void put(std::int32_t number, const SavedContact& contact);
 };
 

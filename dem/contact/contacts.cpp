@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dem/contact/contact_parameters.hpp"
-#include "dem/contact/kernels/contact_kernel.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -23,17 +21,29 @@ void add_times(ContactAccount<double>& sum, double factor, const ContactAccount<
 
 Contacts::Contacts(const Domain& domain, const ContactOptions& options, double step)
     : domain_(domain),
+      law_(law_of(domain.contacts)),
       periods_(periodic_box(domain.period)),
       accounted_(options.account_energy),
       instruction_set_(options.instruction_set),
-      step_(step) {}
+      step_(step) {
+  check(domain.contacts);
+  for (const Wall& wall : domain.walls) shapes_.push_back(shape_index(law_, wall));
+}
+
+double Contacts::law_reach(const std::vector<ContactBody>& bodies) const {
+  double reach = 0;
+  for (const ContactBody& body : bodies) {
+    for (const ContactBody& other : bodies) reach = std::max(reach, law_.reach(effective_body(body, other), domain_.contacts));
+    reach = std::max(reach, law_.reach(effective_body(body, wall_body(domain_)), domain_.contacts));
+  }
+  return reach;
+}
 
 void Contacts::check_periods(const std::vector<FiberGroup>& more) const {
-  std::vector<double> radius;
-  for (const ContactBody& body : bodies_) radius.push_back(body.radius);
-  for (const FiberGroup& group : more) radius.push_back(sphere_radius(group.chain.fiber));
-  const auto [least, largest] = std::ranges::minmax(radius);
-  dem::check_periods(domain_.period, 2 * largest + kSkin * least);
+  std::vector<ContactBody> bodies = bodies_;
+  for (const FiberGroup& group : more) bodies.push_back(sphere_body(group.chain.fiber));
+  const auto [least, largest] = std::ranges::minmax(bodies, {}, &ContactBody::radius);
+  dem::check_periods(domain_.period, 2 * largest.radius + kSkin * least.radius + law_reach(bodies));
 }
 
 int Contacts::kind_of(const ContactBody& body) {
@@ -90,23 +100,25 @@ void Contacts::pad(SphereStorage& rows) const {
 void Contacts::set_parameters() {
   pair_parameters_.clear();
   wall_parameters_.clear();
-  const ContactBody wall = wall_body(domain_);
+  const auto append = [&](std::vector<double>& table, const ContactBody& body, const ContactBody& other) {
+    table.resize(table.size() + law_.parameters_size);
+    law_.parameters(effective_body(body, other), domain_.contacts, step_, &*table.end() - law_.parameters_size);
+  };
   for (const ContactBody& body : bodies_) {
-    for (const ContactBody& other : bodies_) {
-      pair_parameters_.push_back(contact_parameters(body, other, domain_.contacts, step_));
-    }
-    wall_parameters_.push_back(contact_parameters(body, wall, domain_.contacts, step_));
+    for (const ContactBody& other : bodies_) append(pair_parameters_, body, other);
+    append(wall_parameters_, body, wall_body(domain_));
   }
+  law_reach_ = law_reach(bodies_);
+  skin_ = kSkin * *std::ranges::min_element(radius_);
 }
 
 void Contacts::begin(SphereStorage& rows, Partition parts, double time, ThreadPool& pool) {
   const std::vector<SavedContact> contacts = saved();
   set_parameters();
   const bool periodic = std::ranges::any_of(domain_.period.c, [](double p) { return p > 0; });
-  kernel_ = &contact_kernel({bodies_.size() == 1, periodic, domain_.contacts.rolling_friction > 0, accounted_},
-                            instruction_set_);
+  kernel_ = &law_.kernel({bodies_.size() == 1, periodic, domain_.contacts.rolling_friction > 0, accounted_}, instruction_set_);
   cut(parts.count());
-  close_ = NeighborList({radius_, fiber_, domain_.period}, kSkin * *std::ranges::min_element(radius_), std::move(parts), *kernel_);
+  close_ = NeighborList({radius_, fiber_, domain_.period}, skin_ + law_reach_, std::move(parts), *kernel_);
   kind_of_sphere_.resize(spheres() + SphereStorage::pads, 0);
   pad(rows);
   rebuild_neighbor_list(rows, time, pool);
@@ -134,26 +146,15 @@ ContactView Contacts::view(Part& part, const SphereStorage& rows) {
   view.parameters = pair_parameters_.data();
   view.kinds = static_cast<std::int32_t>(bodies_.size());
   view.step = step_;
+  view.reach = law_reach_;
   return view;
 }
 
 WallView Contacts::wall_view(int w, WallNeighbors& near, double time) const {
   const Wall& wall = domain_.walls[w];
   WallView view{};
-  Vec<double, 3> point, direction;
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
-    point = plane->point, direction = plane->normal;
-  } else {
-    const auto& cylinder = std::get<Cylinder>(wall.shape);
-    point = cylinder.point, direction = cylinder.axis;
-    view.cylinder = true;
-    view.radius = cylinder.radius;
-  }
-  for (int c = 0; c < 3; ++c) {
-    view.point[c] = point[c] + time * wall.velocity[c];
-    view.direction[c] = direction[c];
-    view.velocity[c] = wall.velocity[c];
-  }
+  wall.shape.numbers(time * wall.velocity, view.shape);
+  for (int c = 0; c < 3; ++c) view.velocity[c] = wall.velocity[c];
   view.slots = near.slots.data();
   view.count = static_cast<std::int32_t>(near.slots.size());
   view.contact = near.contact.data();
@@ -176,7 +177,7 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < part.walls.size(); ++w) {
     if (!is_active(domain_.walls[w], time)) continue;
-    kernel_->wall(contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
+    kernel_->walls[shapes_[w]](contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
     if (accounted_ && time > 0 && !is_active(domain_.walls[w], time_before)) task.wall_work += brought_by(part.walls[w], part);
   }
   part.histories.free_count = task.free_count;
@@ -195,7 +196,7 @@ void Contacts::add_displacements(const std::vector<double>& paths) {
     InnerPairList& soon = parts_[k].near;
     const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
     soon.displacement_since += *first + *std::max_element(first, paths.begin() + reach_.last(static_cast<int>(k)) + 1);
-    soon.stale = soon.stale || !(soon.displacement_since < (1 - 1e-9) * inner_cutoff());
+    soon.stale = soon.stale || !(soon.displacement_since < (1 - 1e-9) * (inner_cutoff() - law_reach_));
   }
 }
 
@@ -246,19 +247,13 @@ void Contacts::begin_accounts() {
   }
 }
 
-const ContactParameters<double>& Contacts::parameters_of(const SavedContact& c) const {
-  const int kind = kind_of_sphere_[c.first];
-  return c.second < 0 ? wall_parameters_[kind] : pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
+const double* Contacts::parameters_of(const SavedContact& c) const {
+  const std::size_t kind = kind_of_sphere_[c.key.first.number], size = law_.parameters_size;
+  if (is_facet(c.key.second)) return wall_parameters_.data() + kind * size;
+  return pair_parameters_.data() + (kind * bodies_.size() + kind_of_sphere_[c.key.second.number]) * size;
 }
 
-double Contacts::energy_of(const SavedContact& c) const {
-  const ContactParameters<double>& p = parameters_of(c);
-  double energy = 0.4 * p.normal * c.sqrt_overlap * c.sqrt_overlap * c.sqrt_overlap * c.sqrt_overlap * c.sqrt_overlap;
-  for (const double spring : c.spring) {
-    if (p.tangential > 0) energy += 0.5 * spring * spring / (p.tangential * c.sqrt_overlap);
-  }
-  return energy;
-}
+double Contacts::energy_of(const SavedContact& c) const { return law_.stored_energy(parameters_of(c), c.history); }
 
 double Contacts::stored_energy() const {
   double sum = 0;
@@ -266,17 +261,15 @@ double Contacts::stored_energy() const {
   return sum;
 }
 
-double Contacts::closing_power(const SavedContact& c) const {
-  return -parameters_of(c).normal * c.sqrt_overlap * c.sqrt_overlap * c.sqrt_overlap * c.normal_velocity;
-}
+double Contacts::closing_power(const SavedContact& c) const { return law_.closing_power(parameters_of(c), c.history); }
 
 double Contacts::brought_by(const WallNeighbors& near, const Part& part) const {
   double energy = 0;
   for (std::size_t n = 0; n < near.count; ++n) {
     if (near.contact[n] == 0) continue;
-    SavedContact contact = part.histories.at(near.contact[n], near.slots[n], -1);
-    std::fill_n(contact.spring, 3, 0.0);  // those of the first step come out of the motion
-    energy += energy_of(contact) - 0.5 * step_ * closing_power(contact);
+    const SavedContact contact = part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(0)});
+    // tangential springs of the first step come out of the motion
+    energy += law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
   }
   return energy;
 }
@@ -285,7 +278,7 @@ void Contacts::drop(WallNeighbors& near, int wall, Part& part) const {
   for (std::size_t n = 0; n < near.count; ++n) {
     if (near.contact[n] == 0) continue;
     if (accounted_) {
-      const SavedContact contact = part.histories.at(near.contact[n], near.slots[n], -1 - wall);
+      const SavedContact contact = part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(wall)});
       part.wall_work -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
     }
     part.histories.give_back(near.contact[n]);
@@ -313,36 +306,38 @@ void Contacts::set_accumulators(const double* from) {
   }
 }
 
+TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorage& rows, double time, double& arm) const {
+  const std::int64_t first = c.key.first.number, second = c.key.second.number;
+  const Vec<double, 3> x = rows.position(first), v = rows.velocity(first), w = rows.spin(first);
+  Vec<double, 3> other_velocity{}, other_spin{};
+  TouchingPair<double> pair{};
+  double other_arm = 0;
+  if (is_facet(c.key.second)) {
+    const Wall& wall = domain_.walls[second];
+    pair.normal = direction_to(wall, x, time);
+    arm = gap_to(wall, x, time);
+    other_velocity = wall.velocity;
+  } else {
+    const Vec<double, 3> r = nearest_image(periods_, rows.position(second) - x);
+    pair.normal = (1 / norm(r)) * r;
+    arm = norm(r) * radius_[first] / (radius_[first] + radius_[second]);
+    other_arm = norm(r) - arm;
+    other_velocity = rows.velocity(second);
+    other_spin = rows.spin(second);
+  }
+  pair.overlap = law_.overlap(c.history);
+  pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
+  pair.spin = other_spin - w;
+  return pair;
+}
+
 std::vector<ContactState> Contacts::states(const SphereStorage& rows, double time) const {
   std::vector<ContactState> all;
   for (const SavedContact& c : saved()) {
-    const Vec<double, 3> x = rows.position(c.first);
-    const Vec<double, 3> v = rows.velocity(c.first), w = rows.spin(c.first);
-    const int kind = kind_of_sphere_[c.first];
-    Vec<double, 3> other_velocity{}, other_spin{};
-    TouchingPair<double> pair{};
-    double arm, other_arm = 0;
-    const ContactParameters<double>* p = &wall_parameters_[kind];
-    if (c.second < 0) {
-      const Wall& wall = domain_.walls[-1 - c.second];
-      pair.normal = direction_to(wall, x, time);
-      arm = gap_to(wall, x, time);
-      other_velocity = wall.velocity;
-    } else {
-      const Vec<double, 3> r = nearest_image(periods_, rows.position(c.second) - x);
-      pair.normal = (1 / norm(r)) * r;
-      arm = norm(r) * radius_[c.first] / (radius_[c.first] + radius_[c.second]);
-      other_arm = norm(r) - arm;
-      other_velocity = rows.velocity(c.second);
-      other_spin = rows.spin(c.second);
-      p = &pair_parameters_[kind * bodies_.size() + kind_of_sphere_[c.second]];
-    }
-    pair.overlap = c.sqrt_overlap * c.sqrt_overlap;
-    pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
-    pair.spin = other_spin - w;
-    ContactHistory<double> histories{{c.spring[0], c.spring[1], c.spring[2]}, c.sqrt_overlap, c.normal_velocity};
-    const ContactAction<double> action = contact_action(*p, pair, 0.0, histories);
-    all.push_back({c.first, c.second, pair.overlap, x + arm * pair.normal, action.force});
+    double arm;
+    const TouchingPair<double> pair = pair_at(c, rows, time, arm);
+    const ContactAction<double> action = law_.act(parameters_of(c), pair, c.history);
+    all.push_back({c.key, pair.overlap, rows.position(c.key.first.number) + arm * pair.normal, action.force});
   }
   return all;
 }

@@ -7,11 +7,10 @@
 #include "dem/contact/contact_state.hpp"
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/contact_history.hpp"
-#include "dem/contact/contact_parameters.hpp"
+#include "dem/contact/contact_law.hpp"
 #include "dem/chain/sphere_storage.hpp"
 #include "dem/parallel/force_buffers.hpp"
 #include "dem/parallel/thread_pool.hpp"
-#include "dem/contact/kernels/contact_kernel.hpp"
 
 // All contacts of an assembly: which spheres are close, what their contacts restore, and their loads.
 namespace fiberchain::dem {
@@ -33,7 +32,8 @@ class Contacts {
   void begin(SphereStorage& rows, Partition parts, double time, ThreadPool& pool);
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
-  double skin() const { return close_.skin(); }
+  /// Gap that a listed pair may have beyond the reach of the contact law [m]: bodies may come nearer by that before others do.
+  double skin() const { return skin_; }
 
   /// Lists all spheres at these position_radius, who is close to whom; contacts that touch keep what they restore.
   void rebuild_neighbor_list(std::vector<Vec<double, 3>> position_radius, double time, ThreadPool& pool);
@@ -128,8 +128,9 @@ class Contacts {
   void renew(ThreadPool& pool);
   void renew_pairs(int part);
   void renew_wall(int part, int wall);
+  /// Numbers of the law's Parameters.
+  const double* parameters_of(const SavedContact& contact) const;
   double energy_of(const SavedContact& contact) const;  ///< stored in its springs [J]
-  const ContactParameters<double>& parameters_of(const SavedContact& contact) const;
   /// At which its normal spring is pressed [W]. A kick lasts from half a step before to half a step after.
   double closing_power(const SavedContact& contact) const;
   /// What a wall that has just come stores in contacts at once [J].
@@ -137,20 +138,26 @@ class Contacts {
   /// A wall that is gone takes what its contacts stored.
   void drop(WallNeighbors& near, int wall, Part& part) const;
   int kind_of(const ContactBody& body);
+  /// Largest gap at which any of these bodies and walls act on each other [m].
+  double law_reach(const std::vector<ContactBody>& bodies) const;
+  TouchingPair<double> pair_at(const SavedContact& contact, const SphereStorage& rows, double time, double& arm) const;
   ContactView view(Part& part, const SphereStorage& rows);
   WallView wall_view(int wall, WallNeighbors& near, double time) const;
   /// Numbers in the histories that a step may need.
   std::size_t may_begin(const Part& part) const;
 
   Domain domain_;
+  const ContactLaw& law_;
+  std::vector<int> shapes_;  ///< of each wall: number among those of the law's loops
   PeriodicBox periods_;
   bool accounted_;
   InstructionSet instruction_set_;
   std::vector<ContactBody> bodies_;  ///< of each kind
-  std::vector<ContactParameters<double>> pair_parameters_, wall_parameters_;
+  std::vector<double> pair_parameters_, wall_parameters_;  ///< of the law, numbers of each pair of kinds, of each kind
   std::vector<double> radius_;
   std::vector<std::int32_t> fiber_, kind_of_sphere_;
   double step_;
+  double skin_ = 0, law_reach_ = 0;  ///< [m]
   const ContactKernel* kernel_ = nullptr;
   NeighborList close_;
   double reference_time_ = 0;

@@ -46,7 +46,7 @@ void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> position_radius
 }
 
 double Contacts::follow(const SphereStorage& rows, ThreadPool& pool) {
-  const double limit = 0.5 * close_.skin();
+  const double limit = 0.5 * skin_;
   const double room = limit - close_.farthest_moved(rows, pool);
   if (room > kWorthwhile * limit) return room;
   close_.update(rows, kStays * limit, pool);
@@ -108,7 +108,7 @@ void Contacts::InnerPairList::reserve(std::size_t numbers) {
   if (touches.size() < numbers) touches.resize(with_rest);
 }
 
-double Contacts::inner_cutoff() const { return kNear * close_.skin(); }
+double Contacts::inner_cutoff() const { return law_reach_ + kNear * skin_; }
 
 void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& rows) {
   InnerPairList& near = part.near;
@@ -162,29 +162,28 @@ void Contacts::renew_wall(int k, int w) {
 
 bool Contacts::walls_moved_far(double time) const {
   return std::ranges::any_of(domain_.walls, [&](const Wall& wall) {
-    return norm(wall.velocity) * (time - reference_time_) > 0.5 * close_.skin();
+    return norm(wall.velocity) * (time - reference_time_) > 0.5 * skin_;
   });
 }
 
 std::vector<SavedContact> Contacts::saved() const {
   std::vector<SavedContact> all;
-  const auto before = [](const SavedContact& x, const SavedContact& y) {
-    return std::pair(x.first, x.second) < std::pair(y.first, y.second);
-  };
   for (const Part& part : parts_) {
     const auto own = static_cast<std::ptrdiff_t>(all.size());
     const PairList& pairs = part.pairs;
     for (std::size_t p = 0; p < pairs.count; ++p) {
-      if (pairs.contact[p] != 0) all.push_back(part.histories.at(pairs.contact[p], pairs.first[p], pairs.second[p]));
+      if (pairs.contact[p] != 0) {
+        all.push_back(part.histories.at(pairs.contact[p], {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}));
+      }
     }
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       const WallNeighbors& near = part.walls[w];
       for (std::size_t n = 0; n < near.count; ++n) {
         if (near.contact[n] == 0) continue;
-        all.push_back(part.histories.at(near.contact[n], near.slots[n], -1 - static_cast<std::int64_t>(w)));
+        all.push_back(part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(static_cast<std::int64_t>(w))}));
       }
     }
-    std::sort(all.begin() + own, all.end(), before);
+    std::ranges::sort(all.begin() + own, all.end(), {}, &SavedContact::key);
   }
   return all;
 }
@@ -200,24 +199,25 @@ void Contacts::clear() {
 
 void Contacts::restore(const std::vector<SavedContact>& contacts) {
   for (const SavedContact& contact : contacts) {
-    Part& part = parts_[close_.parts().of(contact.first)];
+    const std::int64_t first = contact.key.first.number, second = contact.key.second.number;
+    Part& part = parts_[close_.parts().of(static_cast<std::int32_t>(first))];
     part.near.stale = true;
     part.histories.reserve(1);
     const auto put = [&](std::int32_t& number) {
       number = part.histories.take();
       part.histories.put(number, contact);
     };
-    if (contact.second < 0) {
-      WallNeighbors& near = part.walls[static_cast<std::size_t>(-1 - contact.second)];
+    if (is_facet(contact.key.second)) {
+      WallNeighbors& near = part.walls[second];
       const auto end = near.slots.begin() + static_cast<std::ptrdiff_t>(near.count);
-      const auto at = std::lower_bound(near.slots.begin(), end, contact.first);
-      if (at != end && *at == contact.first) put(near.contact[at - near.slots.begin()]);
+      const auto at = std::lower_bound(near.slots.begin(), end, first);
+      if (at != end && *at == first) put(near.contact[at - near.slots.begin()]);
     } else {
       PairList& pairs = part.pairs;
-      const auto own = std::equal_range(pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), contact.first);
+      const auto own = std::equal_range(pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), first);
       for (auto p = own.first; p != own.second; ++p) {
         const std::size_t n = p - pairs.first.begin();
-        if (pairs.second[n] == contact.second) put(pairs.contact[n]);
+        if (pairs.second[n] == second) put(pairs.contact[n]);
       }
     }
   }

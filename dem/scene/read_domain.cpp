@@ -130,7 +130,7 @@ ContactProperties read_contacts(const StrictMapping& top) {
 /// Place of the wall across this axis that looks up it from below, if there is one.
 double floor_below(const std::vector<Wall>& walls, int axis, double place) {
   for (const Wall& wall : walls) {
-    const auto* plane = std::get_if<Plane>(&wall.shape);
+    const auto* plane = wall.shape.get_if<Plane>();
     if (plane && plane->normal[axis] == 1 && plane->point[axis] < place) return plane->point[axis];
   }
   return place;

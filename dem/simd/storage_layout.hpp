@@ -16,7 +16,7 @@ inline constexpr int orientation_size = 4;  ///< quaternion
 /// Numbers of a cache line.
 inline constexpr int cache_line_size = 8;
 
-inline constexpr int contact_history_size = 8;  ///< of a contact: tangential spring, root of the overlap, opening velocity, power of rolling, 2 unused
+inline constexpr int contact_history_size = 8;  ///< of a contact: the History of its law, the tangential spring first
 
 inline constexpr int contact_account_size = 8;    ///< booked contacts: dashpot force, tangential force, rolling moment, power of the tangential force
 

@@ -7,7 +7,7 @@
 
 #include "dem/assembly/assembly.hpp"
 #include "dem/contact/neighbor_list.hpp"
-#include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/contact/contact_law.hpp"
 #include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
     }
     dem::ThreadPool pool(2);
     const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts), dem::contact_kernel({false, periodic, false, false}, instructions));
+    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts), dem::law_of({}).kernel({false, periodic, false, false}, instructions));
     list.list(position_radius, pool);
     Pairs pairs = followed({}, list, parts);
     BOOST_TEST(pairs.size() > 400u);
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(floor_carries_the_weight) {
   const auto contacts = assembly.contacts();
   BOOST_TEST(contacts.size() == 15u);
   for (const dem::ContactState& contact : contacts) {
-    BOOST_TEST(contact.second == -1);
+    BOOST_TEST((contact.key.second == dem::facet_primitive(0)));
     carried += contact.force[2];
   }
   BOOST_TEST(carried == 15 * dem::sphere_mass(fiber) * 9.81, boost::test_tools::tolerance(1e-6));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dem/contact/hertz_mindlin.hpp"
+#include "dem/contact/laws/hertz_mindlin.hpp"
 #include "dem/contact/restitution.hpp"
 #include "dem/math/quaternion.hpp"
 
@@ -29,7 +29,7 @@ struct Elastic {
   double rolling = 0;  ///< mu_r
 };
 
-inline dem::ContactParameters<double> parameters(const Elastic& e, double radius, double mass, double inertia,
+inline dem::HertzMindlin::Parameters<double> parameters(const Elastic& e, double radius, double mass, double inertia,
                                                  double dt) {
   const double kn = 4.0 / 3 * e.modulus * std::sqrt(radius), kt = 8 * e.shear_modulus * std::sqrt(radius);
   return {kn,
@@ -44,7 +44,7 @@ inline dem::ContactParameters<double> parameters(const Elastic& e, double radius
 
 /// What a pair has lived through.
 struct Record {
-  dem::ContactHistory<double> history{};
+  dem::HertzMindlin::History<double> history{};
   double overlap = 0;  ///< largest [m]
   int touching = 0;    ///< steps
   int pushing = 0;     ///< steps with a normal force
@@ -54,7 +54,7 @@ struct Record {
 /// One step of a pair; loads on the spheres are added to. A wall is `wall`'s half space behind point and
 /// normal.
 struct PairStep {
-  dem::ContactParameters<double> parameters;
+  dem::HertzMindlin::Parameters<double> parameters;
   double dt;
 
   /// Force on the first at arms from both centers to the contact.
@@ -67,7 +67,7 @@ struct PairStep {
     pair.velocity = vb - a.velocity - cross(arm_a * a.spin + arm_b * wb, normal);
     pair.spin = wb - a.spin;
     pair.mean_spin = b ? 0.5 * (a.spin + wb) : a.spin;
-    const auto action = contact_action(parameters, pair, dt, record.history);
+    const auto action = dem::HertzMindlin::act(parameters, pair, dt, record.history);
     record.overlap = std::max(record.overlap, overlap);
     ++record.touching;
     if (dot(action.force, normal) < 0) ++record.pushing;

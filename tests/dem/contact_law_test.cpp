@@ -244,11 +244,11 @@ BOOST_AUTO_TEST_CASE(a_pair_that_turns_as_one_keeps_its_spring) {
   // kept
   const V omega{31, -57, 23};
   const double dt = 1e-6;
-  dem::ContactParameters<double> p = parameters({2e6, 7e5, 0.1, 0.9}, 1e-3, 1e-6, 1e-12, dt);
-  dem::ContactHistory<double> history{{}, std::sqrt(1e-5)};
+  dem::HertzMindlin::Parameters<double> p = parameters({2e6, 7e5, 0.1, 0.9}, 1e-3, 1e-6, 1e-12, dt);
+  dem::HertzMindlin::History<double> history{{}, std::sqrt(1e-5)};
   V n = tilted(1, 0, 0), t = tilted(0, 0.6, 0.8);
   dem::TouchingPair<double> pair{n, 1e-5, 1e-3 * t, {}, {}};
-  for (int i = 0; i < 300; ++i) contact_action(p, pair, dt, history);
+  for (int i = 0; i < 300; ++i) dem::HertzMindlin::act(p, pair, dt, history);
   const double size = norm(history.spring);
   BOOST_TEST(size > 1e-6);
   within(dot(history.spring, t), size, 1e-12 * size, "along the slip");
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(a_pair_that_turns_as_one_keeps_its_spring) {
   for (int i = 1; i <= steps; ++i) {
     const dem::Quaternion<double> turn = dem::rotation((i * dt) * omega);
     pair = {rotate(turn, n), 1e-5, {}, {}, omega};
-    contact_action(p, pair, dt, history);
+    dem::HertzMindlin::act(p, pair, dt, history);
   }
   const V expected = size * rotate(dem::rotation((steps * dt) * omega), t);
   within(norm(history.spring - expected) / size, 0, 1e-4, "turned");
@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(whatever_the_surfaces_do_the_tangential_contact_gives_no_en
   for (int trial = 0; trial < 300; ++trial) {
     const double dt = 1e-6, overlap = 1e-5, zeta = std::pow(10.0, -2 + trial % 5 * 0.5);
     const auto p = parameters({2e6, 7e5, zeta, 0.3}, 1e-3, 1e-6, 1e-12, dt);
-    dem::ContactHistory<double> history{{}, std::sqrt(overlap)};
+    dem::HertzMindlin::History<double> history{{}, std::sqrt(overlap)};
     const double stiffness = p.tangential * std::sqrt(overlap);
     V slip{}, force{};
     double work = 0, moved = 0;
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(whatever_the_surfaces_do_the_tangential_contact_gives_no_en
       if (i % 37 == trial % 37)
         slip = std::pow(10.0, normal(generator)) * V{0, 0.1 * normal(generator), 0.1 * normal(generator)};
       if (i % 111 > 90) slip = V{};
-      force = contact_action(p, {{1, 0, 0}, overlap, slip, {}, {}}, dt, history).force;
+      force = dem::HertzMindlin::act(p, {{1, 0, 0}, overlap, slip, {}, {}}, dt, history).force;
       work += dt * dot(force, slip);
       moved += dt * std::abs(dot(force, slip));
       least = std::min(least, (work + 1e-15) / (moved + 1e-15));
@@ -303,11 +303,11 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
   };
   const double dt = 1e-6;
   const auto p = parameters({2e6, 7e5, 0.3, 0.4, 0.02}, 1e-3, 1e-6, 1e-12, dt);
-  const dem::ContactParameters<Pack> pp{p.normal,   p.tangential, p.normal_damping, p.tangential_damping,
+  const dem::HertzMindlin::Parameters<Pack> pp{p.normal,   p.tangential, p.normal_damping, p.tangential_damping,
                                         p.friction, p.rolling,    p.rolling_limit,  p.extrapolation};
   for (int trial = 0; trial < 200; ++trial) {
     dem::TouchingPair<double> pair[2];
-    dem::ContactHistory<double> history[2];
+    dem::HertzMindlin::History<double> history[2];
     for (int k = 0; k < 2; ++k) {
       const V n = random(1);
       pair[k] = {(1 / norm(n)) * n, std::exp(normal(generator)) * 1e-6, random(0.1), random(10), random(10)};
@@ -317,11 +317,11 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
         packed(pair[0].normal, pair[1].normal), Pack{pair[0].overlap, pair[1].overlap},
         packed(pair[0].velocity, pair[1].velocity), packed(pair[0].spin, pair[1].spin),
         packed(pair[0].mean_spin, pair[1].mean_spin)};
-    dem::ContactHistory<Pack> together{packed(history[0].spring, history[1].spring),
+    dem::HertzMindlin::History<Pack> together{packed(history[0].spring, history[1].spring),
                                        Pack{history[0].sqrt_overlap, history[1].sqrt_overlap}};
-    const auto action = contact_action(pp, both, Pack(dt), together);
+    const auto action = dem::HertzMindlin::act(pp, both, Pack(dt), together);
     for (int k = 0; k < 2; ++k) {
-      const auto alone = contact_action(p, pair[k], dt, history[k]);
+      const auto alone = dem::HertzMindlin::act(p, pair[k], dt, history[k]);
       for (int c = 0; c < 3; ++c) {
         BOOST_TEST(action.force[c].get(k) == alone.force[c]);
         BOOST_TEST(action.moment[c].get(k) == alone.moment[c]);

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "dem/contact/contact_parameters.hpp"
+#include "dem/contact/contact_rates.hpp"
 #include "dem/model/errors.hpp"
 #include "tests/dem/small_packing.hpp"
 
@@ -23,7 +23,7 @@ struct Squeezed {
     const double at = 1e-3 * (1 - overlap);
     s.walls = {side({0, 0, at}, {0, 0, 1}), side({0, 0, -at}, {0, 0, -1})};
     for (dem::Wall& wall : s.walls)
-      std::get<dem::Plane>(wall.shape).point = -std::get<dem::Plane>(wall.shape).point;
+      wall.shape.get_if<dem::Plane>()->point = -wall.shape.get_if<dem::Plane>()->point;
     return s;
   }
   /// Whether what moves it does not grow. Both spheres move alike: the bond has no part in it.
@@ -98,7 +98,7 @@ struct Dense {
     const double height = fibers / (packing.around.period[0] * packing.around.period[1]) / 0.5;
     dem::Wall& plate = packing.around.walls[1];
     plate.velocity = {0, 0, -speed};
-    plate.until = (std::get<dem::Plane>(plate.shape).point[2] - height) / speed;
+    plate.until = (plate.shape.get_if<dem::Plane>()->point[2] - height) / speed;
     packing.around.walls.push_back(side({0, 0, height}, {0, 0, -1}));
     packing.around.walls[2].from = plate.until;
     dem::Assembly assembly = packing.assembly({.step = 4e-6, .form = dem::BondForm::total});

@@ -36,9 +36,10 @@ BOOST_AUTO_TEST_CASE(spheres_of_different_radius_and_material_press_by_hertz) {
     assembly.march(1);
     const dem::PlacedSpheres placed = assembly.placed();
     for (const dem::ContactState& c : assembly.contacts()) {
-      BOOST_REQUIRE(c.first < 2);
-      BOOST_REQUIRE(c.second >= 2);
-      const V x = placed.position[c.first], y = placed.position[c.second];
+      const std::int64_t first = c.key.first.number, second = c.key.second.number;
+      BOOST_REQUIRE(first < 2);
+      BOOST_REQUIRE((is_sphere(c.key.second) && second >= 2));
+      const V x = placed.position[first], y = placed.position[second];
       const double distance = norm(y - x), overlap = reach - distance;
       const double force = ref::hertz_stiffness(pair) * std::pow(overlap, 1.5);
       BOOST_TEST(std::abs(c.overlap - overlap) < 1e-9 * overlap + 1e-17);
@@ -47,7 +48,7 @@ BOOST_AUTO_TEST_CASE(spheres_of_different_radius_and_material_press_by_hertz) {
                  boost::test_tools::tolerance(1e-9));
       impulse = impulse + assembly.step() * c.force;
       largest = std::max(largest, overlap);
-      met[c.first][c.second - 2] = true;
+      met[first][second - 2] = true;
       ++touches;
     }
   }

@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(a_packing_turned_as_a_whole_does_the_same) {
   scenes::SmallPacking turned = packing;
   turned.around.gravity = rotate(tilt, packing.around.gravity);
   for (dem::Wall& wall : turned.around.walls) {
-    auto& plane = std::get<dem::Plane>(wall.shape);
+    auto& plane = *wall.shape.get_if<dem::Plane>();
     plane = {rotate(tilt, plane.point), rotate(tilt, plane.normal)};
   }
   for (auto& group : turned.groups) {

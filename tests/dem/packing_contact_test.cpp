@@ -12,15 +12,14 @@ using namespace scenes;
 namespace {
 
 /// Pairs that touch, by the positions alone: every sphere with every other, and with every wall.
-std::set<std::pair<std::int64_t, std::int64_t>> brute_force(const dem::Assembly& assembly,
-                                                            const dem::Domain& around) {
+std::set<dem::ContactKey> brute_force(const dem::Assembly& assembly, const dem::Domain& around) {
   const dem::PlacedSpheres spheres = assembly.placed();
   std::vector<std::int64_t> fiber;
   for (int g = 0, number = 0; g < assembly.groups(); ++g) {
     for (int f = 0; f < assembly.fibers(g); ++f, ++number)
       fiber.insert(fiber.end(), assembly.chain(g).poses.size(), number);
   }
-  std::set<std::pair<std::int64_t, std::int64_t>> pairs;
+  std::set<dem::ContactKey> pairs;
   for (std::size_t i = 0; i < spheres.radius.size(); ++i) {
     for (std::size_t j = i + 1; j < spheres.radius.size(); ++j) {
       if (j == i + 1 && fiber[i] == fiber[j]) continue;
@@ -28,13 +27,13 @@ std::set<std::pair<std::int64_t, std::int64_t>> brute_force(const dem::Assembly&
       for (int c = 0; c < 3; ++c) {
         if (around.period[c] > 0) r[c] -= around.period[c] * std::round(r[c] / around.period[c]);
       }
-      if (norm(r) < spheres.radius[i] + spheres.radius[j]) pairs.insert({i, j});
+      if (norm(r) < spheres.radius[i] + spheres.radius[j]) pairs.insert({dem::sphere_primitive(static_cast<std::int64_t>(i)), dem::sphere_primitive(static_cast<std::int64_t>(j))});
     }
     for (std::size_t w = 0; w < around.walls.size(); ++w) {
       const dem::Wall& wall = around.walls[w];
       if (dem::is_active(wall, assembly.time()) &&
           dem::gap_to(wall, spheres.position[i], assembly.time()) < spheres.radius[i]) {
-        pairs.insert({i, -1 - static_cast<std::int64_t>(w)});
+        pairs.insert({dem::sphere_primitive(static_cast<std::int64_t>(i)), dem::facet_primitive(static_cast<std::int64_t>(w))});
       }
     }
   }
@@ -48,11 +47,11 @@ void no_contact_is_missed(const SmallPacking& packing, int moments, int steps) {
   for (int n = 0; n < moments; ++n) {
     assembly.march(steps);
     const auto exact = brute_force(assembly, packing.around);
-    std::set<std::pair<std::int64_t, std::int64_t>> found;
+    std::set<dem::ContactKey> found;
     for (const dem::ContactState& c : assembly.contacts()) {
-      found.insert({c.first, c.second});
-      with_walls += c.second < 0;
-      between += c.first < second_group && c.second >= second_group;
+      found.insert(c.key);
+      with_walls += is_facet(c.key.second);
+      between += is_sphere(c.key.second) && c.key.first.number < second_group && c.key.second.number >= second_group;
     }
     BOOST_TEST(found.size() == assembly.contacts().size());
     BOOST_TEST(static_cast<std::size_t>(assembly.touching()) == exact.size());

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/contact/contact_parameters.hpp"
+#include "dem/contact/contact_rates.hpp"
 #include "dem/insertion/placement.hpp"
 #include "reference/two_spheres.hpp"
 

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 
-#include "dem/contact/hertz_mindlin.hpp"
+#include "dem/contact/laws/contact_action.hpp"
 #include "dem/contact/periodic_box.hpp"
+#include "dem/model/shapes/wall_shape.hpp"
 #include "dem/simd/storage_layout.hpp"
 #include "dem/simd/instruction_set.hpp"
 
@@ -21,11 +22,12 @@ struct ContactPhysics {
   bool accounted;    ///< accumulators what each mechanism takes
 };
 
-/// Every combination that is built.
+/// Every combination that is built, of each law.
 inline constexpr int contact_combinations = 16;
 constexpr ContactPhysics contact_physics(int n) { return {(n & 1) != 0, (n & 2) != 0, (n & 4) != 0, (n & 8) != 0}; }
-constexpr int contact_index(const ContactPhysics& p) {
-  return (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) + (p.accounted ? 8 : 0);
+/// Number of a kernel in the table of a list of laws, of which this is the law's number.
+constexpr int contact_index(const ContactPhysics& p, int law) {
+  return law * contact_combinations + (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) + (p.accounted ? 8 : 0);
 }
 
 /// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
@@ -38,10 +40,11 @@ struct ContactView {
   std::int32_t* contact;     ///< of each pair that touched a step before: its number; 0 of others
   double* histories;            ///< a row a number
   double* work;              ///< accounted: a row a number, what dissipated in the step before
-  const ContactParameters<double>* parameters;  ///< of kinds a and b at a * kinds + b
+  const double* parameters;  ///< the law's Parameters of kinds a and b, number a * kinds + b
   std::int32_t kinds;
   PeriodicBox periods;
   double step;
+  double reach;  ///< gap up to which the law acts, where it acts beyond touch [m]
 };
 
 /// Pairs that may touch soon, padded to whole vectors.
@@ -58,14 +61,12 @@ struct HaloForce {
 
 /// A wall as it is now, and the spheres of a part near it.
 struct WallView {
-  bool cylinder;
-  double point[3], direction[3];  ///< normal of a plane, axis of a cylinder
-  double radius;
+  double shape[wall_shape_size];  ///< numbers of its shape
   double velocity[3];
   const std::int32_t* slots;
   std::int32_t count;       ///< padded to whole vectors
   std::int32_t* contact;    ///< as of pairs
-  const ContactParameters<double>* parameters;  ///< of each kind
+  const double* parameters;  ///< the law's Parameters of each kind
 };
 
 /// One part of slots, its pairs, and what came of them. A part is worked on by one thread; its results do not depend
@@ -113,18 +114,22 @@ struct ContactKernel {
   /// first `found`; how many then.
   std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap, const InnerPairs&, std::int32_t found);
   void (*pairs)(const ContactView&, ContactTask&);
-  void (*wall)(const ContactView&, const WallView&, ContactTask&);
+  /// Of each shape of the kernels' list.
+  void (*const* walls)(const ContactView&, const WallView&, ContactTask&);
   /// Spheres in the runs that are near and not bonded to the asking one: written to `found`, counted.
   std::int32_t (*search)(const SortedSpheres&, const SlotRange* runs, int count, const NeighborQuery&, std::int32_t* found);
 };
 
-/// Kernels of one instruction set, in the order of contact_index().
-template <InstructionSet set>
+/// Kernels of one instruction set for a list of laws and one of wall shapes, in the order of contact_index().
+template <class Laws, class Shapes, InstructionSet set>
 struct ContactKernels {
   static const ContactKernel* table();
 };
 
-/// The loops for a scene's contacts. Throws InvalidInput when this processor lacks the instruction set.
-const ContactKernel& contact_kernel(const ContactPhysics& physics, InstructionSet set);
+template <class Laws, class Shapes>
+struct ContactKernelFamily {
+  template <InstructionSet set>
+  using Of = ContactKernels<Laws, Shapes, set>;
+};
 
 }  // namespace fiberchain::dem

@@ -1,23 +1,46 @@
 #pragma once
 
+#include <utility>
+
 #include "dem/contact/kernels/neighbor_query.hpp"
 #include "dem/contact/kernels/walls.hpp"
+#include "dem/math/type_list.hpp"
+#include "dem/model/shapes/shapes.hpp"
 
-// Included by one source file an instruction set, as dem/motion/kernels/instantiate.hpp.
+// Included by one source file an instruction set and list of laws, as dem/motion/kernels/instantiate.hpp.
 namespace fiberchain::dem {
 
-template <class Real>
-struct ContactTable {
-  ContactKernel kernels[contact_combinations];
+/// Wall loops of a law, one a shape.
+template <class Real, class Law, ContactPhysics P, class Shapes>
+struct WallKernels;
+template <class Real, class Law, ContactPhysics P, template <class> class... Shapes>
+struct WallKernels<Real, Law, P, ShapeList<Shapes...>> {
+  static constexpr void (*list[])(const ContactView&, const WallView&, ContactTask&) = {contact_wall<Law, P, Shapes, Real>...};
 };
 
-template <class Real, int... N>
-constexpr ContactTable<Real> contact_table(std::integer_sequence<int, N...>) {
-  return {{{lane_count<Real>, prune_pairs<contact_physics(N), Real>, contact_pairs<contact_physics(N), Real>, contact_wall<contact_physics(N), Real>,
-            query_neighbors<contact_physics(N).periodic, Real>}...}};
+template <class Real, class Law, ContactPhysics P, class Shapes>
+constexpr ContactKernel contact_kernel_of() {
+  return {lane_count<Real>, prune_pairs<P, Real>, contact_pairs<Law, P, Real>, WallKernels<Real, Law, P, Shapes>::list,
+          query_neighbors<P.periodic, Real>};
 }
 
-template <class Real>
-inline constexpr ContactTable<Real> contacts_of = contact_table<Real>(std::make_integer_sequence<int, contact_combinations>{});
+template <int count>
+struct ContactTable {
+  ContactKernel kernels[count * contact_combinations];
+};
+
+template <class Real, class Shapes, class... Laws>
+constexpr auto contact_table(TypeList<Laws...>) {
+  ContactTable<sizeof...(Laws)> table{};
+  ContactKernel* next = table.kernels;
+  const auto add = [&]<class Law, int... N>(const Law*, std::integer_sequence<int, N...>) {
+    ((*next++ = contact_kernel_of<Real, Law, contact_physics(N), Shapes>()), ...);
+  };
+  (add(static_cast<const Laws*>(nullptr), std::make_integer_sequence<int, contact_combinations>{}), ...);
+  return table;
+}
+
+template <class Real, class Laws, class Shapes>
+inline constexpr auto contacts_of = contact_table<Real, Shapes>(Laws{});
 
 }  // namespace fiberchain::dem

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "dem/simd/gather.hpp"
+#include "dem/contact/kernels/account.hpp"
 #include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/contact/kernels/pack_numbers.hpp"
+#include "dem/math/inverse_sqrt.hpp"
 #include "dem/simd/flatten.hpp"
 #include "dem/simd/transpose.hpp"
 
@@ -132,15 +135,22 @@ inline std::int32_t end_contact(std::int32_t contact, ContactTask& task) {
   return 0;
 }
 
+/// Gap up to which bodies are in contact [m].
+template <class Law, class Real>
+Real contact_gap(const ContactView& view) {
+  if constexpr (Law::acts_beyond_touch) return Real(view.reach);
+  return Real(0.0);
+}
+
 /// Near pairs that touch go into the task's list; those that begin or end are marked.
-template <ContactPhysics P, class Real>
+template <class Law, ContactPhysics P, class Real>
 int find_touching(const ContactView& view, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
   const InnerPairs& near = task.near;
   int count = 0;
   for (std::int32_t n = 0; n < task.near_count; n += lanes) {
     fetch_places<Real>(view, near.second, n, task.near_count);
-    const unsigned touching = closer_than<P, Real>(view, Real(0.0), near.first + n, near.second + n);
+    const unsigned touching = closer_than<P, Real>(view, contact_gap<Law, Real>(view), near.first + n, near.second + n);
     for (unsigned changed = flag_mask<Real>(near.touches + n) ^ touching; changed != 0; changed &= changed - 1) {
       const int k = n + __builtin_ctz(changed);
       near.touches[k] ^= 1;
@@ -153,94 +163,14 @@ int find_touching(const ContactView& view, ContactTask& task) {
   return count;
 }
 
-template <class Real>
-ContactParameters<Real> broadcast(const ContactParameters<double>& p) {
-  ContactParameters<Real> result;
-  const double* in = reinterpret_cast<const double*>(&p);
-  Real* out = reinterpret_cast<Real*>(&result);
-  for (std::size_t n = 0; n < sizeof(p) / sizeof(double); ++n) out[n] = Real(in[n]);
-  return result;
-}
-
-/// Parameters of the pairs' kinds.
-template <class Real>
-ContactParameters<Real> gather_parameters(const ContactParameters<double>* table, const std::int32_t* entry) {
-  constexpr int numbers = sizeof(ContactParameters<double>) / sizeof(double);
-  std::int32_t index[lane_count<Real>];
-  for (int k = 0; k < lane_count<Real>; ++k) index[k] = entry[k] * numbers;
-  ContactParameters<Real> result;
-  Real* out = reinterpret_cast<Real*>(&result);
-  const double* in = reinterpret_cast<const double*>(table);
-  for (int n = 0; n < numbers; ++n) out[n] = gather_lanes<Real>(in + n, index);
-  return result;
-}
-
 /// What one pair gives to its two spheres.
 template <class Real>
 struct PairLoads {
   Vec<Real, 3> force, first_moment, second_moment;  ///< force on the first
 };
 
-template <class Real>
-double summed(const Real& value, int count) {
-  double numbers[lane_count<Real>], sum = 0;
-  store_lanes(value, numbers);
-  for (int k = 0; k < count; ++k) sum += numbers[k];
-  return sum;
-}
-
-/// Tangential springs of a contact [J].
-template <class Real>
-Real spring_energy(const ContactParameters<Real>& p, const ContactHistory<Real>& h) {
-  using std::max;
-  const Real stiffness = max(p.tangential * h.sqrt_overlap, Real(1e-300));
-  return select(h.sqrt_overlap > Real(0.0), Real(0.5) * dot(h.spring, h.spring) / stiffness, Real(0.0));
-}
-
-/// Energies of the step. A kick with a force takes force times the mean of the velocities before and after it: the one
-/// before is at hand, the one after comes with the next step, which corrects this one by what its row keeps.
-template <class Real>
-void account(const ContactParameters<Real>& p, const TouchingPair<Real>& pair, const ContactHistory<Real>& before,
-          const ContactHistory<Real>& after, const ContactAction<Real>& action, const Real& dt, int count,
-          const RowStarts<Real>& work, ContactTask& task) {
-  using std::sqrt;
-  const Real normal_velocity = dot(pair.velocity, pair.normal);
-  const Real normal_force = Real(0.0) - dot(action.force, pair.normal);
-  const Real dashpot = p.normal * pair.overlap * sqrt(pair.overlap) - normal_force;
-  const Vec<Real, 3> slip = pair.velocity - normal_velocity * pair.normal, tangential_force = action.force + normal_force * pair.normal;
-  Real saved[contact_account_size];
-  load_rows<contact_account_size>(work, 0, saved);
-  const auto held = before.sqrt_overlap > Real(0.0);
-  const auto of_step_before = [&](const Real& power_now) { return select(held, Real(0.5) * dt * power_now, Real(0.0)); };
-  const Vec<Real, 3> last_tangential_force{saved[1], saved[2], saved[3]}, last_moment{saved[4], saved[5], saved[6]};
-  const Real normal = dashpot * normal_velocity, sliding = dot(tangential_force, slip), rolling = dot(action.moment, pair.spin);
-  task.account.normal_dashpot += summed<Real>(dt * normal + of_step_before(saved[0] * (normal_velocity - before.normal_velocity)), count);
-  task.account.sliding += summed<Real>(dt * sliding + of_step_before(dot(last_tangential_force, slip) - saved[7]) -
-                                        (spring_energy(p, after) - spring_energy(p, before)), count);
-  task.account.rolling += summed<Real>(dt * rolling + of_step_before(dot(last_moment, pair.spin) - before.rolling_power), count);
-  task.power.normal_dashpot += summed<Real>(normal, count);
-  task.power.sliding += summed<Real>(sliding, count);
-  task.power.rolling += summed<Real>(rolling, count);
-  const Real keep[contact_account_size] = {dashpot, tangential_force[0], tangential_force[1], tangential_force[2], action.moment[0], action.moment[1], action.moment[2], sliding};
-  store_rows<contact_account_size>(keep, work, 0);
-}
-
-template <class Real>
-ContactHistory<Real> remembered(const RowStarts<Real>& history_rows) {
-  Real n[contact_history_size];
-  load_rows<contact_history_size>(history_rows, 0, n);
-  return {{n[0], n[1], n[2]}, n[3], n[4], n[5]};
-}
-
-template <class Real>
-void keep(const ContactHistory<Real>& history, const RowStarts<Real>& history_rows) {
-  const Real n[contact_history_size] = {history.spring[0], history.spring[1], history.spring[2], history.sqrt_overlap, history.normal_velocity,
-                                  history.rolling_power, Real(0.0), Real(0.0)};
-  store_rows<contact_history_size>(n, history_rows, 0);
-}
-
 /// The law for pairs of the spheres i and j, of which `count` count.
-template <ContactPhysics P, class Real>
+template <class Law, ContactPhysics P, class Real>
 PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i, const Slots<Real>& j,
                            int count, ContactTask& task) {
   using std::max;
@@ -249,34 +179,35 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Vec<Real, 3> r = separation<P>(view, a, b);
   const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared), distance = squared * inverse_distance;
-  ContactParameters<Real> p;
-  Real reach, share = Real(0.5);
+  typename Law::template Parameters<Real> p;
+  Real radii, share = Real(0.5);
   if constexpr (P.uniform) {
-    p = broadcast<Real>(view.parameters[0]);
-    reach = Real(2.0 * view.radius);
+    p = broadcast<Law::template Parameters, Real>(view.parameters);
+    radii = Real(2.0 * view.radius);
   } else {
-    reach = a.radius + b.radius;
-    share = a.radius / reach;
+    radii = a.radius + b.radius;
+    share = a.radius / radii;
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.at[k]] * view.kinds + view.kind[j.at[k]];
-    p = gather_parameters<Real>(view.parameters, entry);
+    p = gather<Law::template Parameters, Real>(view.parameters, entry);
   }
   const Real arm_i = share * distance, arm_j = distance - arm_i;
   TouchingPair<Real> pair;
   pair.normal = inverse_distance * r;
-  pair.overlap = max(reach - distance, Real(1e-300));  // squares that differ may have one sqrt_overlap
+  pair.overlap = radii - distance;
+  if constexpr (!Law::acts_beyond_touch) pair.overlap = max(pair.overlap, Real(1e-300));  // squares that differ may have one root
   pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal, arm_i * motion_i.spin + arm_j * motion_j.spin);
   pair.spin = motion_j.spin - motion_i.spin;
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
   const RowStarts<Real> history_rows = rows_at<contact_history_size, Real>(view.histories, contacts.at);
-  ContactHistory<Real> history = remembered<Real>(history_rows);
-  [[maybe_unused]] const ContactHistory<Real> before = history;
-  const ContactAction<Real> action = contact_action<P.rolling>(p, pair, Real(view.step), history);
+  auto history = load_struct<contact_history_size, Law::template History, Real>(history_rows);
+  [[maybe_unused]] const auto before = history;
+  const ContactAction<Real> action = Law::template act<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.accounted) {
     const RowStarts<Real> work = rows_at<contact_account_size, Real>(view.work, contacts.at);
-    account(p, pair, before, history, action, Real(view.step), count, work, task);
+    account<Law, Real>(p, pair, before, history, action, Law::elastic_force(p, pair.overlap), Real(view.step), count, work, task);
   }
-  keep<Real>(history, history_rows);
+  store_struct<contact_history_size, Law::template History, Real>(history, history_rows);
   const Vec<Real, 3> turn = cross(pair.normal, action.force);
   return {action.force, arm_i * turn + action.moment, arm_j * turn - action.moment};
 }
@@ -339,10 +270,10 @@ void fetch_touching(const ContactView& view, const ContactTask& task, int n, int
   }
 }
 
-template <ContactPhysics P, class Real>
+template <class Law, ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
-  const int touching = find_touching<P, Real>(view, task);
+  const int touching = find_touching<Law, P, Real>(view, task);
   task.contacts += touching;
   for (int n = 0; n < touching_ahead; n += lanes) fetch_touching<Real>(view, task, n, touching);
   for (int n = 0; n < touching; n += lanes) {
@@ -352,7 +283,7 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
     const std::int32_t* chosen = task.touching + n;
     const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
     const Slots<Real> i = slots_of<Real>(task.near.first, chosen), j = slots_of<Real>(task.near.second, chosen);
-    add_loads(pair_loads<P, Real>(view, contacts, i, j, count, task), i, j, count, task);
+    add_loads(pair_loads<Law, P, Real>(view, contacts, i, j, count, task), i, j, count, task);
   }
 }
 

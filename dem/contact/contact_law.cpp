@@ -1,0 +1,58 @@
+#include "dem/contact/contact_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "dem/model/errors.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+template <class... Laws>
+std::vector<const ContactLaw*> laws_of(TypeList<Laws...>) {
+  return {&contact_law_of<Laws>...};
+}
+
+const std::vector<const ContactLaw*>& all_laws() {
+  static const std::vector<const ContactLaw*> all = laws_of(ContactLaws{});
+  return all;
+}
+
+}  // namespace
+
+const ContactLaw& contact_law(std::string_view name) {
+  std::string names;
+  for (const ContactLaw* law : all_laws()) {
+    if (law->name == name) return *law;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", law->name);
+  }
+  throw InvalidInput(fmt::format("contact law = {} is not allowed; allowed: {}", name, names));
+}
+
+const ContactLaw& law_of(const ContactProperties& properties) {
+  return properties.law != nullptr ? *properties.law : *all_laws().front();
+}
+
+void check(const ContactProperties& properties) {
+  const auto require = [](const char* key, double value) {
+    if (value >= 0 && std::isfinite(value)) return;
+    throw InvalidInput(fmt::format("{} = {} is not allowed: it must be finite and 0 or greater", key, value));
+  };
+  require("friction", properties.friction);
+  require("rolling_friction", properties.rolling_friction);
+}
+
+int shape_index(const ContactLaw& law, const Wall& wall) {
+  const auto found = std::ranges::find(law.shapes, &wall.shape.type());
+  if (found == law.shapes.end()) {
+    throw InvalidInput(fmt::format("wall shape = {} is not allowed: the loops of contact law {} are not compiled for it",
+                                   wall.shape.type().name, law.name));
+  }
+  return static_cast<int>(found - law.shapes.begin());
+}
+
+}  // namespace fiberchain::dem
