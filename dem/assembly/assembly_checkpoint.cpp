@@ -197,7 +197,7 @@ std::string_view type_of(const FieldValues& values) {
 /// Contacts of a saved state, whose pairs have been checked.
 std::size_t contacts_in(const SavedState& saved) {
   const auto found = saved.find(keys_field);
-  return found == saved.end() ? 0 : size_of(found->second.values) / 2;
+  return found == saved.end() ? 0 : size_of(found->second.values) / key_size;
 }
 
 void check_field(State& s, const FieldRule& rule, const SavedState& saved) {
@@ -214,10 +214,10 @@ void check_field(State& s, const FieldRule& rule, const SavedState& saved) {
     refuse(rule.name, fmt::format("has {} numbers; this assembly has {}", size_of(field.values), wanted));
 }
 
-void check_pairs(const State& s, const Integers& pairs) {
+void check_keys(const State& s, const Integers& keys) {
   const auto walls = static_cast<std::int64_t>(s.domain.walls.size());
-  for (std::size_t n = 0; n < pairs.size(); n += 2) {
-    const std::int64_t first = pairs[n], second = pairs[n + 1];
+  for (std::size_t n = 0; n < keys.size(); n += key_size) {
+    const std::int64_t first = keys[n], second = keys[n + 1];
     if (first < 0 || first >= s.rows.count || second < -walls || second >= s.rows.count)
       refuse(keys_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));
   }
@@ -228,7 +228,7 @@ void check_state(State& s, const SavedState& saved) {
   for (const auto& [name, field] : saved) {
     if (std::ranges::find(fields(), name, &FieldRule::name) == fields().end()) refuse(name, "is unknown");
   }
-  check_pairs(s, std::get<Integers>(saved.find(keys_field)->second.values));
+  check_keys(s, std::get<Integers>(saved.find(keys_field)->second.values));
 }
 
 }  // namespace

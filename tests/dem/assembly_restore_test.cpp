@@ -68,11 +68,11 @@ BOOST_AUTO_TEST_CASE(contacts_of_other_spheres_are_refused) {
   const dem::SavedState saved = contacts_saved();
   for (const std::int64_t number : {std::int64_t{-6}, std::int64_t{1} << 40}) {
     dem::SavedState wrong = saved;
-    std::get<std::vector<std::int64_t>>(wrong["contact_pairs"].values)[1] = number;
-    BOOST_TEST(refusal(wrong).starts_with(about("contact_pairs") + "names a pair"), number);
+    std::get<std::vector<std::int64_t>>(wrong["contact_keys"].values)[1] = number;
+    BOOST_TEST(refusal(wrong).starts_with(about("contact_keys") + "names a pair"), number);
   }
   dem::SavedState swapped = saved;
-  auto& pairs = std::get<std::vector<std::int64_t>>(swapped["contact_pairs"].values);
-  std::swap_ranges(pairs.begin(), pairs.begin() + 2, pairs.end() - 2);
-  BOOST_TEST(refusal(swapped) == about("contact_pairs") + "names pairs that are not neighbors, or in another order");
+  auto& pairs = std::get<std::vector<std::int64_t>>(swapped["contact_keys"].values);
+  std::swap_ranges(pairs.begin(), pairs.begin() + 3, pairs.end() - 3);
+  BOOST_TEST(refusal(swapped) == about("contact_keys") + "names pairs that are not neighbors, or in another order");
 }
