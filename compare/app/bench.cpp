@@ -16,7 +16,7 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, flow, skips, kernels, packing };
+enum class Case { statics, damping, history, flow, feature_costs, kernels, packing };
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -80,13 +80,13 @@ void add_problems(Report& report, const std::vector<PrecisionProblem>& problems)
 }
 
 void add_loops(Report& report, const Cases& cases, const BenchOptions& options) {
-  if (!has(cases, Case::skips) && !has(cases, Case::kernels)) return;
+  if (!has(cases, Case::feature_costs) && !has(cases, Case::kernels)) return;
   const auto times = compare::kernel_times(options);
-  if (has(cases, Case::skips)) {
-    auto skips = compare::kernel_skips(times);
-    for (auto& row : compare::answer_skips(options)) skips.push_back(std::move(row));
-    report.add("bench-skips", "What a scene saves, time with over time without", compare::skip_table(skips),
-               compare::skip_summary(skips));
+  if (has(cases, Case::feature_costs)) {
+    auto costs = compare::kernel_feature_costs(times);
+    for (auto& row : compare::answer_costs(options)) costs.push_back(std::move(row));
+    report.add("bench-skips", "What a scene saves, time with over time without", compare::feature_cost_table(costs),
+               compare::feature_cost_summary(costs));
   }
   if (has(cases, Case::kernels)) {
     const auto peaks = compare::measured_peaks(times, options);
@@ -108,12 +108,12 @@ void add_packing(Report& report, const BenchOptions& options) {
 
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::skips, Case::kernels, Case::packing};
+  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::feature_costs, Case::kernels, Case::packing};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
                       {"history", Case::history},
-                      {"skips", Case::skips},
+                      {"skips", Case::feature_costs},
                       {"kernels", Case::kernels},
                       {"flow", Case::flow},
                       {"packing", Case::packing}});

@@ -42,7 +42,7 @@ dem::MarchParameters<double, Dim> parameters_of(const SwingingChain<Dim>& swing,
 template <dem::Physics P>
 OperationCount counted_bond_step() {
   constexpr int Dim = P.dimension;
-  const SwingingChain<Dim> swing = swing_of<Dim>(P);
+  const SwingingChain<Dim> swing = swinging_chain_of<Dim>(P);
   OperationCount count;
   std::vector<dem::MovingSphere<Counted, Dim>> spheres;
   for (const auto& pose : swing.chain.poses) {

@@ -7,6 +7,7 @@
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/equilibrium/dynamic_relaxation.hpp"
 #include "dem/equilibrium/newton.hpp"
 
@@ -20,50 +21,18 @@ using dem::Physics;
 /// A feature that a physics may have, and the same physics without it.
 struct Feature {
   const char* skipped;
-  Physics (*without)(Physics);
+  void (*remove)(Physics&);
 };
 
 constexpr Feature features[] = {
-    {"planar instead of spatial",
-     [](Physics p) {
-       p.dimension = 2;
-       return p;
-     }},
-    {"no bond damping",
-     [](Physics p) {
-       p.damped = false;
-       return p;
-     }},
-    {"damping lagged instead of solved in the step",
-     [](Physics p) {
-       p.solved = false;
-       return p;
-     }},
-    {"no rolling friction",
-     [](Physics p) {
-       p.rolling = dem::Rolling::none;
-       return p;
-     }},
-    {"no fluid",
-     [](Physics p) {
-       p.fluid = false;
-       return p;
-     }},
-    {"no drag",
-     [](Physics p) {
-       p.settling_damping = false;
-       return p;
-     }},
-    {"straight at rest instead of curved",
-     [](Physics p) {
-       p.curved = false;
-       return p;
-     }},
-    {"increments instead of total strain",
-     [](Physics p) {
-       p.form = BondForm::incremental;
-       return p;
-     }},
+    {"planar instead of spatial", [](Physics& p) { p.dimension = 2; }},
+    {"no bond damping", [](Physics& p) { p.damped = false; }},
+    {"damping lagged instead of solved in the step", [](Physics& p) { p.solved = false; }},
+    {"no rolling friction", [](Physics& p) { p.rolling = dem::Rolling::none; }},
+    {"no fluid", [](Physics& p) { p.fluid = false; }},
+    {"no drag", [](Physics& p) { p.settling_damping = false; }},
+    {"straight at rest instead of curved", [](Physics& p) { p.curved = false; }},
+    {"increments instead of total strain", [](Physics& p) { p.form = BondForm::incremental; }},
 };
 
 const KernelTime* find(const std::vector<KernelTime>& times, const Physics& physics, InstructionSet set) {
@@ -106,12 +75,13 @@ Ways eigenvalue_ways() {
 
 }  // namespace
 
-std::vector<FeatureCostRow> kernel_skips(const std::vector<KernelTime>& times) {
+std::vector<FeatureCostRow> kernel_feature_costs(const std::vector<KernelTime>& times) {
   const InstructionSet best = dem::best_instruction_set();
   std::vector<FeatureCostRow> rows;
   for (const Feature& feature : features) {
     for (const Physics& physics : dem::built_physics) {
-      const Physics left = feature.without(physics);
+      Physics left = physics;
+      feature.remove(left);
       const KernelTime *with = find(times, physics, best), *without = find(times, left, best);
       if (left == physics || !with || !without) continue;
       rows.push_back({feature.skipped, text(left), with->ensemble, without->ensemble});
@@ -126,7 +96,7 @@ std::vector<FeatureCostRow> kernel_skips(const std::vector<KernelTime>& times) {
   return rows;
 }
 
-std::vector<FeatureCostRow> answer_skips(const BenchOptions& options) {
+std::vector<FeatureCostRow> answer_costs(const BenchOptions& options) {
   std::vector<Ways> ways = equilibrium_ways();
   ways.push_back(eigenvalue_ways());
   std::vector<std::function<void()>> runs;
@@ -143,19 +113,17 @@ std::vector<FeatureCostRow> answer_skips(const BenchOptions& options) {
   return rows;
 }
 
-dem::Table skip_table(const std::vector<FeatureCostRow>& rows) {
-  dem::Table table({"skipped", "scene", "time_with", "time_without", "saving"});
-  for (const FeatureCostRow& row : rows) {
-    table.append({{"skipped", row.skipped},
-                  {"scene", row.scene},
-                  {"time_with", row.with},
-                  {"time_without", row.without},
-                  {"saving", row.saving()}});
-  }
-  return table;
+dem::Table feature_cost_table(const std::vector<FeatureCostRow>& rows) {
+  return tabulate(rows, [&](const FeatureCostRow& row) -> dem::NamedRow {
+    return {{"skipped", row.skipped},
+            {"scene", row.scene},
+            {"time_with", row.with},
+            {"time_without", row.without},
+            {"saving", row.saving()}};
+  });
 }
 
-dem::Table skip_summary(const std::vector<FeatureCostRow>& rows) {
+dem::Table feature_cost_summary(const std::vector<FeatureCostRow>& rows) {
   dem::Table table({"skipped", "scenes", "saving_least", "saving", "saving_largest"});
   std::vector<std::string> names;
   for (const FeatureCostRow& row : rows) {
@@ -168,10 +136,10 @@ dem::Table skip_summary(const std::vector<FeatureCostRow>& rows) {
     std::ranges::sort(savings);
     const std::size_t n = savings.size();
     table.append({{"skipped", name},
-                  {"scenes", static_cast<std::int64_t>(n)},
-                  {"saving_least", savings.front()},
-                  {"saving", (savings[(n - 1) / 2] + savings[n / 2]) / 2},
-                  {"saving_largest", savings.back()}});
+            {"scenes", static_cast<std::int64_t>(n)},
+            {"saving_least", savings.front()},
+            {"saving", (savings[(n - 1) / 2] + savings[n / 2]) / 2},
+            {"saving_largest", savings.back()}});
   }
   return table;
 }

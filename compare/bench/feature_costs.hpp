@@ -19,15 +19,15 @@ struct FeatureCostRow {
 
 /// Every pair of inner loops that differ in one feature by the widest lanes, and one chain at a time against
 /// full lanes.
-std::vector<FeatureCostRow> kernel_skips(const std::vector<KernelTime>& times);
+std::vector<FeatureCostRow> kernel_feature_costs(const std::vector<KernelTime>& times);
 
 /// Answers found without marching: equilibrium by Newton, damping by the eigenvalue, r_f = 10.
-std::vector<FeatureCostRow> answer_skips(const BenchOptions& options);
+std::vector<FeatureCostRow> answer_costs(const BenchOptions& options);
 
 /// A row per pair.
-dem::Table skip_table(const std::vector<FeatureCostRow>& rows);
+dem::Table feature_cost_table(const std::vector<FeatureCostRow>& rows);
 
 /// A row per thing skipped: least, median and largest saving over its pairs.
-dem::Table skip_summary(const std::vector<FeatureCostRow>& rows);
+dem::Table feature_cost_summary(const std::vector<FeatureCostRow>& rows);
 
 }  // namespace fiberchain::compare

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compare/study/tabulate.hpp"
+
 namespace fiberchain::compare {
 namespace {
 
@@ -90,35 +92,30 @@ std::vector<KernelTime> widest_or_wanted(const std::vector<KernelTime>& times) {
 }
 
 dem::Table kernel_table(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
-  dem::Table table({"physics", "instruction_set", "lanes", "bond_step_ns", "bond_step_target_ns",
-               "lone_bond_step_ns", "lone_target_ns", "additions", "multiplications", "fusable", "divisions",
-               "square_roots", "sines", "arc_tangents", "arithmetic_bound_ns", "divider_bound_ns",
-               "bound_fraction"});
   const InstructionSet best = dem::best_instruction_set();
-  for (const KernelTime& t : times) {
+  return tabulate(times, [&](const KernelTime& t) -> dem::NamedRow {
     const auto peak = std::ranges::find(peaks, t.set, &MeasuredPeak::set);
     const KernelBound bound = bound_of(t.count, peak->peak);
     const auto target = t.set == best ? target_of(t.physics) : std::nullopt;
     const auto alone = is_fastest_alone(times, t) ? target_of(t.physics) : std::nullopt;
-    table.append({{"physics", text(t.physics)},
-                  {"instruction_set", std::string(dem::name(t.set))},
-                  {"lanes", std::int64_t{t.lanes}},
-                  {"bond_step_ns", 1e9 * t.ensemble},
-                  {"bond_step_target_ns", target ? dem::Cell{1e9 * target->ensemble} : dem::Cell{}},
-                  {"lone_bond_step_ns", 1e9 * t.lone},
-                  {"lone_target_ns", alone ? dem::Cell{1e9 * alone->lone} : dem::Cell{}},
-                  {"additions", t.count.additions},
-                  {"multiplications", t.count.multiplications},
-                  {"fusable", t.count.fusable},
-                  {"divisions", t.count.divisions},
-                  {"square_roots", t.count.square_roots},
-                  {"sines", t.count.sines},
-                  {"arc_tangents", t.count.arc_tangents},
-                  {"arithmetic_bound_ns", 1e9 * bound.arithmetic},
-                  {"divider_bound_ns", 1e9 * bound.divider},
-                  {"bound_fraction", bound.least() / t.ensemble}});
-  }
-  return table;
+    return {{"physics", text(t.physics)},
+            {"instruction_set", std::string(dem::name(t.set))},
+            {"lanes", std::int64_t{t.lanes}},
+            {"bond_step_ns", 1e9 * t.ensemble},
+            {"bond_step_target_ns", target ? dem::Cell{1e9 * target->ensemble} : dem::Cell{}},
+            {"lone_bond_step_ns", 1e9 * t.lone},
+            {"lone_target_ns", alone ? dem::Cell{1e9 * alone->lone} : dem::Cell{}},
+            {"additions", t.count.additions},
+            {"multiplications", t.count.multiplications},
+            {"fusable", t.count.fusable},
+            {"divisions", t.count.divisions},
+            {"square_roots", t.count.square_roots},
+            {"sines", t.count.sines},
+            {"arc_tangents", t.count.arc_tangents},
+            {"arithmetic_bound_ns", 1e9 * bound.arithmetic},
+            {"divider_bound_ns", 1e9 * bound.divider},
+            {"bound_fraction", bound.least() / t.ensemble}};
+  });
 }
 
 }  // namespace fiberchain::compare

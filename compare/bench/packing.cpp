@@ -10,6 +10,7 @@
 #endif
 
 #include "compare/bench/timing.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/run/samples.hpp"
 #include "dem/chain/sphere_storage.hpp"
 #include "dem/parallel/partition.hpp"
@@ -156,23 +157,20 @@ std::vector<PackingTime> packing_times(const PackingScene& scene, const BenchOpt
 }
 
 dem::Table packing_time_table(const std::vector<PackingTime>& times) {
-  dem::Table table({"spheres", "threads", "first_step", "steps", "coordination", "sphere_step_ns", "bonds_ns", "contacts_ns",
-               "search_ns", "motion_ns", "output_ns", "sphere_bytes"});
-  for (const PackingTime& t : times) {
-    table.append({{"spheres", t.spheres},
-                  {"threads", std::int64_t{t.threads}},
-                  {"first_step", t.from},
-                  {"steps", t.to - t.from},
-                  {"coordination", 2 * t.contacts_a_sphere},
-                  {"sphere_step_ns", t.all},
-                  {"bonds_ns", t.bonds},
-                  {"contacts_ns", t.contacts},
-                  {"search_ns", t.search},
-                  {"motion_ns", t.motion},
-                  {"output_ns", t.output},
-                  {"sphere_bytes", t.bytes_a_sphere}});
-  }
-  return table;
+  return tabulate(times, [](const PackingTime& t) -> dem::NamedRow {
+    return {{"spheres", t.spheres},
+            {"threads", std::int64_t{t.threads}},
+            {"first_step", t.from},
+            {"steps", t.to - t.from},
+            {"coordination", 2 * t.contacts_a_sphere},
+            {"sphere_step_ns", t.all},
+            {"bonds_ns", t.bonds},
+            {"contacts_ns", t.contacts},
+            {"search_ns", t.search},
+            {"motion_ns", t.motion},
+            {"output_ns", t.output},
+            {"sphere_bytes", t.bytes_a_sphere}};
+  });
 }
 
 }  // namespace fiberchain::compare

@@ -17,14 +17,14 @@ using dem::Physics;
 
 template <int Dim>
 std::function<void()> swinging(const Physics& physics, InstructionSet set, int chains, int steps) {
-  const SwingingChain<Dim> swing = swing_of<Dim>(physics);
+  const SwingingChain<Dim> timed = swinging_chain_of<Dim>(physics);
   const auto n = static_cast<std::size_t>(chains);
   const auto block = std::make_shared<dem::ChainBatch<Dim>>(
-      std::vector(n, swing.chain), dem::Clamps{true, false}, std::vector(n, swing.step),
-      std::vector(n, swing.drag), physics, set);
+      std::vector(n, timed.chain), dem::Clamps{true, false}, std::vector(n, timed.step),
+      std::vector(n, timed.drag), physics, set);
   for (int lane = 0; lane < chains; ++lane) {
-    block->set_ramp(lane, {}, {{0}, {swing.load}}, swing.ramp_steps);
-    if (physics.fluid) block->set_fluid(lane, swing.fluid);
+    block->set_ramp(lane, {}, {{0}, {timed.load}}, timed.ramp_steps);
+    if (physics.fluid) block->set_fluid(lane, timed.fluid);
   }
   return [=] {
     block->march(steps);
@@ -38,7 +38,7 @@ std::function<void()> swinging(const Physics& physics, InstructionSet set, int c
 dem::Fiber kernel_fiber() { return nominal_fiber(kernel_bonds, 0.3, dem::BondModel::paper); }
 
 template <int Dim>
-SwingingChain<Dim> swing_of(const Physics& physics) {
+SwingingChain<Dim> swinging_chain_of(const Physics& physics) {
   dem::Fiber fiber = kernel_fiber();
   fiber.bond_damping = physics.damped ? 0.5 : 0.0;
   fiber.rolling_friction = physics.rolling == dem::Rolling::none ? 0.0 : 0.5;
@@ -53,8 +53,8 @@ SwingingChain<Dim> swing_of(const Physics& physics) {
       0.5 * dem::stable_time_step(fiber, drag), drag, load, 500, fluid};
 }
 
-template SwingingChain<2> swing_of<2>(const Physics&);
-template SwingingChain<3> swing_of<3>(const Physics&);
+template SwingingChain<2> swinging_chain_of<2>(const Physics&);
+template SwingingChain<3> swinging_chain_of<3>(const Physics&);
 
 std::string text(const Physics& p) {
   std::string all = fmt::format("{} {}", p.dimension == 2 ? "planar" : "spatial", dem::name(p.form));

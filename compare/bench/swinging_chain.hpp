@@ -29,7 +29,7 @@ struct SwingingChain {
 };
 
 template <int Dim>
-SwingingChain<Dim> swing_of(const dem::Physics& physics);
+SwingingChain<Dim> swinging_chain_of(const dem::Physics& physics);
 
 /// "spatial incremental damped": the features that a physics has.
 std::string text(const dem::Physics& physics);

@@ -4,6 +4,7 @@
 
 #include "compare/flow/buckling.hpp"
 #include "compare/study/parallel.hpp"
+#include "compare/study/tabulate.hpp"
 #include "reference/compressed_chain.hpp"
 #include "reference/filament_buckling.hpp"
 
@@ -36,18 +37,15 @@ std::vector<Growth> growths(const OrbitOptions& options) {
 }
 
 dem::Table growth_table(const std::vector<Growth>& growths) {
-  dem::Table table({"aspect_ratio", "spheres", "elasto_viscous", "growth", "growth_chain", "growth_filament",
-               "growth_error"});
-  for (const Growth& g : growths) {
-    table.append({{"aspect_ratio", std::int64_t{g.asked.spheres - 1}},
-                  {"spheres", std::int64_t{g.asked.spheres}},
-                  {"elasto_viscous", g.asked.number},
-                  {"growth", g.run.growth},
-                  {"growth_chain", g.chain},
-                  {"growth_filament", g.filament},
-                  {"growth_error", g.run.growth - g.chain}});
-  }
-  return table;
+  return tabulate(growths, [&](const Growth& g) -> dem::NamedRow {
+    return {{"aspect_ratio", std::int64_t{g.asked.spheres - 1}},
+                {"spheres", std::int64_t{g.asked.spheres}},
+                {"elasto_viscous", g.asked.number},
+                {"growth", g.run.growth},
+                {"growth_chain", g.chain},
+                {"growth_filament", g.filament},
+                {"growth_error", g.run.growth - g.chain}};
+  });
 }
 
 dem::Table threshold_table(const OrbitOptions& options) {

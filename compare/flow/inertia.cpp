@@ -7,6 +7,7 @@
 
 #include "compare/flow/setup.hpp"
 #include "compare/study/parallel.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
@@ -118,8 +119,8 @@ FlowStudy inertia_study(const OrbitOptions& options) {
                         {"flow_method", std::string(name(cases[i].method))},
                         {"stokes", cases[i].stokes},
                         {"inertia_distance", distance[i]},
-                        {"order", std::isfinite(order) ? dem::Cell(order) : dem::Cell(dem::Missing{})},
-                        {"orbit_drift", std::isfinite(drift[i]) ? dem::Cell(drift[i]) : dem::Cell(dem::Missing{})},
+                        {"order", known(order)},
+                        {"orbit_drift", known(drift[i])},
                         {"orbit_drift_inertialess", without}});
     Series& places = cases[i].method == cvode ? by_cvode : by_leapfrog;
     places.x.push_back(cases[i].stokes), places.y.push_back(distance[i]);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "compare/flow/study.hpp"
+#include "compare/study/tabulate.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -81,29 +82,25 @@ Figure sphere_figure(const std::vector<JefferyRun>& runs) {
 }
 
 dem::Table table_of(const std::vector<JefferyRun>& runs) {
-  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "orbit_constant", "orbits",
-               "period", "period_jeffery", "period_error", "direction_error", "orbit_constant_drift",
-               "bending_angle", "steps", "run_time", "status"});
-  for (const JefferyRun& run : runs) {
+  return tabulate(runs, [&](const JefferyRun& run) -> dem::NamedRow {
     const OrbitCase& c = run.point.asked;
     const double period = reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
-    table.append({{"aspect_ratio", std::int64_t{c.spheres - 1}},
-                  {"spheres", std::int64_t{c.spheres}},
-                  {"hydrodynamics", std::string(name(c.hydrodynamics))},
-                  {"elasto_viscous", c.elasto_viscous},
-                  {"orbit_constant", run.constant},
-                  {"orbits", run.point.history.record.reached / period},
-                  {"period", run.point.period},
-                  {"period_jeffery", period},
-                  {"period_error", run.point.period / period - 1},
-                  {"direction_error", run.distance},
-                  {"orbit_constant_drift", run.drift},
-                  {"bending_angle", run.point.bending_angle},
-                  {"steps", static_cast<std::int64_t>(run.point.history.record.work.steps)},
-                  {"run_time", run.point.history.run_time},
-                  {"status", run.point.status}});
-  }
-  return table;
+    return {{"aspect_ratio", std::int64_t{c.spheres - 1}},
+                {"spheres", std::int64_t{c.spheres}},
+                {"hydrodynamics", std::string(name(c.hydrodynamics))},
+                {"elasto_viscous", c.elasto_viscous},
+                {"orbit_constant", run.constant},
+                {"orbits", run.point.history.record.reached / period},
+                {"period", run.point.period},
+                {"period_jeffery", period},
+                {"period_error", run.point.period / period - 1},
+                {"direction_error", run.distance},
+                {"orbit_constant_drift", run.drift},
+                {"bending_angle", run.point.bending_angle},
+                {"steps", static_cast<std::int64_t>(run.point.history.record.work.steps)},
+                {"run_time", run.point.history.run_time},
+                {"status", run.point.status}};
+  });
 }
 
 }  // namespace

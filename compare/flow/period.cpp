@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "compare/flow/study.hpp"
+#include "compare/study/tabulate.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 #include "reference/rigid_chain_mobility.hpp"
@@ -36,8 +37,6 @@ double correlated(std::string_view name, double ratio) {
   return nan;
 }
 
-dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
-
 dem::NamedRow row_of(const OrbitPoint& p) {
   const int N = p.asked.spheres;
   const double cox = correlated("Cox", N), measured = correlated("Goldsmith-Mason", N);
@@ -60,15 +59,6 @@ dem::NamedRow row_of(const OrbitPoint& p) {
           {"steps", static_cast<std::int64_t>(p.history.record.work.steps)},
           {"run_time", p.history.run_time},
           {"status", p.status}};
-}
-
-dem::Table table_of(const Points& points) {
-  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "elasto_viscous", "period", "period_rigid",
-               "period_error", "period_jeffery", "period_cox", "period_goldsmith_mason",
-               "period_harris_pittman", "period_zhang", "over_cox", "over_goldsmith_mason", "bending_angle",
-               "steps", "run_time", "status"});
-  for (const OrbitPoint& p : points) table.append(row_of(p));
-  return table;
 }
 
 using Transform = std::function<double(double period, double spheres)>;
@@ -150,7 +140,7 @@ FlowStudy period_study(const PeriodSweep& sweep, const OrbitOptions& options) {
   Points points = orbit_points(cases, options);
   std::ranges::reverse(points);
   const auto failed = std::ranges::count_if(points, [](const OrbitPoint& p) { return std::isnan(p.period); });
-  return {.table = table_of(points), .figures = figures_of(points), .failed = static_cast<int>(failed)};
+  return {.table = tabulate(points, row_of), .figures = figures_of(points), .failed = static_cast<int>(failed)};
 }
 
 }  // namespace fiberchain::compare

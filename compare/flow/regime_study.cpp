@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "compare/flow/regimes.hpp"
+#include "compare/study/tabulate.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -17,26 +18,22 @@ constexpr double kStretch = 4;
 constexpr int kFrames = 9;
 
 dem::Table table_of(const std::vector<RegimePoint>& points) {
-  dem::Table table({"aspect_ratio", "spheres", "elasto_viscous", "regime", "end_to_end_least", "gradient_extent",
-               "direction_span", "stretch", "inflections", "half_turns", "axis_half_turns", "period",
-               "run_time", "status"});
-  for (const RegimePoint& p : points) {
-    table.append({{"aspect_ratio", std::int64_t{p.asked.spheres - 1}},
-                  {"spheres", std::int64_t{p.asked.spheres}},
-                  {"elasto_viscous", p.asked.elasto_viscous},
-                  {"regime", std::string(name(p.regime))},
-                  {"end_to_end_least", p.end_to_end_least},
-                  {"gradient_extent", p.gradient_extent},
-                  {"direction_span", p.direction_span},
-                  {"stretch", p.stretch},
-                  {"inflections", std::int64_t{p.inflections}},
-                  {"half_turns", std::int64_t{p.half_turns}},
-                  {"axis_half_turns", std::int64_t{p.axis_half_turns}},
-                  {"period", std::isfinite(p.period) ? dem::Cell(p.period) : dem::Cell(dem::Missing{})},
-                  {"run_time", p.run_time},
-                  {"status", p.status}});
-  }
-  return table;
+  return tabulate(points, [&](const RegimePoint& p) -> dem::NamedRow {
+    return {{"aspect_ratio", std::int64_t{p.asked.spheres - 1}},
+                {"spheres", std::int64_t{p.asked.spheres}},
+                {"elasto_viscous", p.asked.elasto_viscous},
+                {"regime", std::string(name(p.regime))},
+                {"end_to_end_least", p.end_to_end_least},
+                {"gradient_extent", p.gradient_extent},
+                {"direction_span", p.direction_span},
+                {"stretch", p.stretch},
+                {"inflections", std::int64_t{p.inflections}},
+                {"half_turns", std::int64_t{p.half_turns}},
+                {"axis_half_turns", std::int64_t{p.axis_half_turns}},
+                {"period", known(p.period)},
+                {"run_time", p.run_time},
+                {"status", p.status}};
+  });
 }
 
 Figure extent_figure(const std::vector<RegimePoint>& points) {

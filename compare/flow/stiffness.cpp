@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "compare/flow/study.hpp"
+#include "compare/study/tabulate.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -54,7 +55,7 @@ FlowStudy stiffness_study(const OrbitOptions& options) {
                           {"viscous_ratio", p.viscous_ratio},
                           {"elasto_viscous", 192 * std::pow(p.spheres, 4) * p.viscous_ratio},
                           {"period_error", p.correction},
-                          {"order", std::isfinite(p.order) ? dem::Cell(p.order) : dem::Cell(dem::Missing{})}});
+                          {"order", known(p.order)}});
       if (std::isnan(p.correction)) ++study.failed;
       s.x.push_back(p.viscous_ratio);
       s.y.push_back(std::abs(p.correction));

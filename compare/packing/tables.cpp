@@ -4,19 +4,12 @@
 
 #include "dem/run/samples.hpp"
 #include "compare/packing/study.hpp"
+#include "compare/study/tabulate.hpp"
 
 namespace fiberchain::compare {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& rest) {
-  first.insert(first.end(), rest.begin(), rest.end());
-  return first;
-}
-
-const std::vector<std::string> kAsked = {
-    "bond_damping", "rolling_friction", "stiffness", "fibers", "side", "sides", "seed", "step_factor"};
 
 dem::NamedRow asked_row(const PackingCase& c) {
   return {{"bond_damping", c.bond_damping},
@@ -29,31 +22,30 @@ dem::NamedRow asked_row(const PackingCase& c) {
           {"step_factor", c.step_ratio}};
 }
 
-dem::NamedRow with(dem::NamedRow row, const dem::NamedRow& rest) {
-  row.insert(row.end(), rest.begin(), rest.end());
-  return row;
-}
-
-dem::NamedRow bending_row(const PackingRun& run) {
-  if (run.status != "finished") return {};
-  const BendingParts p = bending_parts(run.history);
+dem::NamedRow bending_row(const BendingParts& p) {
   return {{"bending_peak", p.peak},       {"bending_peak_time", p.peak_time},
           {"bending_trough", p.trough},   {"bending_trough_time", p.trough_time},
           {"bending_plateau", p.plateau}, {"bending_unrest", p.unrest}};
 }
 
-dem::NamedRow end_row(const PackingRun& run) {
-  if (run.status != "finished") return {};
-  const PackingSample& last = run.history.back();
+dem::NamedRow end_row(const PackingSample& last, const PackingEnd& end) {
   return {{"height", last.height},
           {"solid_fraction", last.solid_fraction},
           {"coordination", last.coordination},
-          {"contacts_per_fiber", run.end.contacts_per_fiber},
-          {"neighbors_per_fiber", run.end.neighbors_per_fiber},
-          {"wall_contacts_per_fiber", run.end.wall_contacts},
-          {"overlap_largest", run.end.largest_overlap},
-          {"order_parameter", run.end.orientation.order},
-          {"order_along_up", run.end.orientation.order_along_up}};
+          {"contacts_per_fiber", end.contacts_per_fiber},
+          {"neighbors_per_fiber", end.neighbors_per_fiber},
+          {"wall_contacts_per_fiber", end.wall_contacts},
+          {"overlap_largest", end.largest_overlap},
+          {"order_parameter", end.orientation.order},
+          {"order_along_up", end.orientation.order_along_up}};
+}
+
+dem::NamedRow march_row(const PackingRun& run) {
+  return {{"time_step", run.step},
+          {"step_set_by", run.step_set_by},
+          {"steps", run.steps},
+          {"run_time", run.run_time},
+          {"status", run.status}};
 }
 
 dem::NamedRow sample_row(const PackingSample& s) {
@@ -70,70 +62,51 @@ dem::NamedRow sample_row(const PackingSample& s) {
           {"kinetic_energy", s.energy.kinetic}};
 }
 
-const std::vector<std::string> kSample = {
-    "simulated_time", "bending_mean",   "bending_angle", "mean_height",    "height",        "vertical_speed",
-    "speed",          "solid_fraction", "coordination",  "order_along_up", "kinetic_energy"};
+using Names = std::vector<std::string>;
+
+Names asked_names(const Names& rest) { return joined(names_of(asked_row({})), rest); }
 
 }  // namespace
 
 dem::Table run_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(kAsked, {"bending_peak",
-                              "bending_peak_time",
-                              "bending_trough",
-                              "bending_trough_time",
-                              "bending_plateau",
-                              "bending_unrest",
-                              "height",
-                              "solid_fraction",
-                              "coordination",
-                              "contacts_per_fiber",
-                              "neighbors_per_fiber",
-                              "wall_contacts_per_fiber",
-                              "overlap_largest",
-                              "order_parameter",
-                              "order_along_up",
-                              "time_step",
-                              "step_set_by",
-                              "steps",
-                              "run_time",
-                              "status"}));
+  const dem::NamedRow found = joined(bending_row({}), end_row({}, {}));
+  dem::Table table(asked_names(names_of(joined(found, march_row({})))));
   for (const PackingRun& run : runs) {
-    dem::NamedRow row = with(with(asked_row(run.asked), bending_row(run)), end_row(run));
-    table.append(with(std::move(row), {{"time_step", run.step},
-                                       {"step_set_by", run.step_set_by},
-                                       {"steps", run.steps},
-                                       {"run_time", run.run_time},
-                                       {"status", run.status}}));
+    dem::NamedRow row = asked_row(run.asked);
+    if (run.status == "finished") {
+      row = joined(joined(row, bending_row(bending_parts(run.history))), end_row(run.history.back(), run.end));
+    }
+    table.append(joined(row, march_row(run)));
   }
   return table;
 }
 
 dem::Table stage_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(joined(kAsked, {"stage"}), kSample));
+  dem::Table table(asked_names(joined(Names{"stage"}, names_of(sample_row({})))));
   for (const PackingRun& run : runs) {
     for (const PackingStage stage : kPackingStages) {
       const auto found = find_stage(run.history, stage);
-      const dem::NamedRow row = with(asked_row(run.asked), {{"stage", std::string(name(stage))}});
-      table.append(found ? with(row, sample_row(run.history[*found])) : row);
+      const dem::NamedRow row = joined(asked_row(run.asked), {{"stage", std::string(name(stage))}});
+      table.append(found ? joined(row, sample_row(run.history[*found])) : row);
     }
   }
   return table;
 }
 
 dem::Table history_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(kAsked, kSample));
+  dem::Table table(asked_names(names_of(sample_row({}))));
   for (const PackingRun& run : runs) {
     for (const PackingSample& sample : run.history)
-      table.append(with(asked_row(run.asked), sample_row(sample)));
+      table.append(joined(asked_row(run.asked), sample_row(sample)));
   }
   return table;
 }
 
 dem::Table density_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(kAsked, {"slab_low", "slab_high", "solid_fraction"}));
+  dem::Table table(asked_names({"slab_low", "slab_high", "solid_fraction"}));
   for (const PackingRun& run : runs) {
     for (std::size_t k = 0; k < run.end.solid_fractions.size(); ++k) {
-      table.append(with(asked_row(run.asked), {{"slab_low", run.end.edges[k]},
+      table.append(joined(asked_row(run.asked), {{"slab_low", run.end.edges[k]},
                                                {"slab_high", run.end.edges[k + 1]},
                                                {"solid_fraction", run.end.solid_fractions[k]}}));
     }
@@ -142,14 +115,14 @@ dem::Table density_table(const std::vector<PackingRun>& runs) {
 }
 
 dem::Table orientation_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(kAsked, {"polar_low", "polar_high", "over_isotropic_start", "over_isotropic"}));
+  dem::Table table(asked_names({"polar_low", "polar_high", "over_isotropic_start", "over_isotropic"}));
   for (const PackingRun& run : runs) {
     const auto& start = run.start.against_isotropic;
     const auto& end = run.end.orientation.against_isotropic;
     const double width = std::acos(0.0) / static_cast<double>(start.size());
     for (std::size_t k = 0; k < start.size(); ++k) {
       const auto low = static_cast<double>(k) * width;
-      table.append(with(asked_row(run.asked), {{"polar_low", low},
+      table.append(joined(asked_row(run.asked), {{"polar_low", low},
                                                {"polar_high", low + width},
                                                {"over_isotropic_start", start[k]},
                                                {"over_isotropic", end.empty() ? kMissing : end[k]}}));
@@ -159,25 +132,19 @@ dem::Table orientation_table(const std::vector<PackingRun>& runs) {
 }
 
 dem::Table energy_table(const PackingRun& booked) {
-  dem::Table table(joined({"simulated_time"}, dem::energy_columns(true)));
+  dem::Table table(joined(Names{"simulated_time"}, dem::energy_columns(true)));
   for (const PackingSample& sample : booked.history) {
-    table.append(with({{"simulated_time", sample.time}}, dem::energy_cells(sample.energy, true)));
+    table.append(joined(dem::NamedRow{{"simulated_time", sample.time}}, dem::energy_cells(sample.energy, true)));
   }
   return table;
 }
 
 namespace {
 
-const std::vector<std::string> kSpread = {"seeds", "mean", "half_width", "standard_deviation",
-                                          "least", "most"};
-
 dem::NamedRow spread_row(const Spread& s) {
   return {{"seeds", static_cast<std::int64_t>(s.count)}, {"mean", s.mean},   {"half_width", half_width(s)},
           {"standard_deviation", s.deviation},           {"least", s.least}, {"most", s.most}};
 }
-
-const std::vector<std::string> kGroup = {"bond_damping", "rolling_friction", "stiffness", "fibers", "side",
-                                         "sides",        "step_factor"};
 
 dem::NamedRow group_row(const PackingCase& c) {
   dem::NamedRow row = asked_row(c);
@@ -189,32 +156,39 @@ bool any_finished(const SeedGroup& group) {
   return std::ranges::any_of(group.runs, [](const PackingRun* run) { return run->status == "finished"; });
 }
 
+dem::Table empty_spreads() {
+  const dem::NamedRow part{{"part", std::string()}};
+  return dem::Table(names_of(joined(joined(group_row({}), part), spread_row({}))));
+}
+
+void append_spread(dem::Table& table, const SeedGroup& group, const char* part, const Spread& spread) {
+  table.append(joined(joined(group_row(group.asked), {{"part", std::string(part)}}), spread_row(spread)));
+}
+
+constexpr std::pair<const char*, double BendingParts::*> kParts[] = {
+    {"peak", &BendingParts::peak}, {"trough", &BendingParts::trough}, {"plateau", &BendingParts::plateau}};
+
 }  // namespace
 
 dem::Table spread_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(joined(kGroup, {"part"}), kSpread));
+  dem::Table table = empty_spreads();
   for (const SeedGroup& group : seed_groups(runs)) {
     if (!any_finished(group)) continue;
     const BendingSpread s = bending_spread(group);
-    const std::pair<const char*, const Spread*> parts[] = {
-        {"peak", &s.peak}, {"trough", &s.trough}, {"plateau", &s.plateau}};
-    for (const auto& [part, spread] : parts) {
-      table.append(with(with(group_row(group.asked), {{"part", std::string(part)}}), spread_row(*spread)));
-    }
+    append_spread(table, group, "peak", s.peak);
+    append_spread(table, group, "trough", s.trough);
+    append_spread(table, group, "plateau", s.plateau);
   }
   return table;
 }
 
 dem::Table comparison_table(const std::vector<PackingRun>& runs) {
-  dem::Table table(joined(joined(kGroup, {"part"}), kSpread));
+  dem::Table table = empty_spreads();
   const std::vector<SeedGroup> groups = seed_groups(runs);
-  const std::pair<const char*, double BendingParts::*> parts[] = {
-      {"peak", &BendingParts::peak}, {"trough", &BendingParts::trough}, {"plateau", &BendingParts::plateau}};
   for (const SeedGroup& group : groups) {
     if (&group == &groups.front() || !any_finished(group) || !any_finished(groups.front())) continue;
-    for (const auto& [part, member] : parts) {
-      table.append(with(with(group_row(group.asked), {{"part", std::string(part)}}),
-                        spread_row(paired_difference(group, groups.front(), member))));
+    for (const auto& [part, member] : kParts) {
+      append_spread(table, group, part, paired_difference(group, groups.front(), member));
     }
   }
   return table;

@@ -194,14 +194,14 @@ BOOST_AUTO_TEST_CASE(savings_are_those_of_pairs_that_differ_in_one_thing) {
       {{2, BondForm::incremental, true, false, false}, best, 4, 3e-9, 9e-9},
       {{3, BondForm::incremental, true, false, false}, best, 4, 12e-9, 40e-9},
       {{3, BondForm::total, true, true, false}, best, 4, 50e-9, 90e-9}};
-  const auto rows = compare::kernel_skips(times);
+  const auto rows = compare::kernel_feature_costs(times);
   BOOST_REQUIRE(rows.size() == 2u);
   BOOST_TEST(rows[0].skipped == "planar instead of spatial");
   BOOST_TEST(std::abs(rows[0].saving() - 4) < 1e-12);
   BOOST_TEST(rows[1].skipped == "no bond damping");
   BOOST_TEST(std::abs(rows[1].saving() - 3) < 1e-12);
   const dem::Table summary =
-      compare::skip_summary({{"s", "", 6, 1}, {"s", "", 4, 2}, {"t", "", 5, 1}, {"s", "", 9, 3}});
+      compare::feature_cost_summary({{"s", "", 6, 1}, {"s", "", 4, 2}, {"t", "", 5, 1}, {"s", "", 9, 3}});
   BOOST_TEST(summary.number(0, "saving_least") == 2.0);
   BOOST_TEST(summary.number(0, "saving") == 3.0);
   BOOST_TEST(summary.number(0, "saving_largest") == 6.0);
