@@ -15,9 +15,7 @@ constexpr double kSlack = 0.5;
 }  // namespace
 
 NeighborList::NeighborList(SphereSet spheres, double skin, Partition parts, const ContactKernel& kernel)
-    : spheres_(std::move(spheres)), skin_(skin), parts_(std::move(parts)), searches_(parts_.count()), kernel_(&kernel) {
-  for (Search& search : searches_) search.found.resize(searches_.size());
-}
+    : spheres_(std::move(spheres)), skin_(skin), parts_(std::move(parts)), searches_(parts_.count()), incoming_(parts_.count()), kernel_(&kernel) {}
 
 void NeighborList::list(std::vector<Vec<double, 3>> position_radius, ThreadPool& pool) {
   places_ = std::move(position_radius);
@@ -89,11 +87,26 @@ void NeighborList::sort() {
 
 void NeighborList::search(ThreadPool& pool) {
   pool.each(parts_.count(), [&](int k, int) { search(k); });
+  collect_incoming();
+}
+
+/// A part has pairs of a few neighboring parts only: one pass over these runs is linear in the parts.
+void NeighborList::collect_incoming() {
+  for (auto& incoming : incoming_) incoming.clear();
+  for (int k = 0; k < parts_.count(); ++k) {
+    const std::vector<Pair>& pairs = searches_[k].earlier;
+    for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+      const int part = parts_.of(pairs[begin].first);
+      const Pair behind{parts_.end(part), 0};
+      end = static_cast<std::size_t>(std::lower_bound(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end(), behind) - pairs.begin());
+      incoming_[part].push_back({k, begin, end});
+    }
+  }
 }
 
 void NeighborList::search(int part) {
   Search& own = searches_[part];
-  for (auto& pairs : own.found) pairs.clear();
+  own.own.clear(), own.earlier.clear();
   const SortedSpheres all = sorted_->view();
   NeighborQuery asking{};
   asking.periods = periodic_box(spheres_.period);
@@ -118,17 +131,21 @@ void NeighborList::search(int part) {
     for (std::int32_t n = 0; n < found; ++n) {
       const std::int32_t j = near[n];
       if (j > i) {
-        own.found[part].push_back({i, j});
+        own.own.push_back({i, j});
       } else if (rebuilt_[j] == 0) {  // otherwise found from there
-        own.found[j >= begin ? part : parts_.of(j)].push_back({j, i});
+        (j >= begin ? own.own : own.earlier).push_back({j, i});
       }
     }
   }
+  std::ranges::sort(own.earlier);
 }
 
 std::vector<Pair> NeighborList::found(int part) const {
-  std::vector<Pair> pairs;
-  for (const Search& from : searches_) pairs.insert(pairs.end(), from.found[part].begin(), from.found[part].end());
+  std::vector<Pair> pairs = searches_[part].own;
+  for (const Incoming& from : incoming_[part]) {
+    const auto first = searches_[from.part].earlier.begin();
+    pairs.insert(pairs.end(), first + static_cast<std::ptrdiff_t>(from.begin), first + static_cast<std::ptrdiff_t>(from.end));
+  }
   std::ranges::sort(pairs);
   return pairs;
 }

@@ -52,15 +52,22 @@ class NeighborList {
   std::vector<Pair> found(int part) const;
 
  private:
-  /// What has come of a part's spheres.
+  /// Result of the search around a part's spheres.
   struct Search {
     std::vector<std::int32_t> rebuilt;
-    std::vector<std::vector<Pair>> found;  ///< by the part of the first
+    std::vector<Pair> own;      ///< whose first sphere is of the part
+    std::vector<Pair> earlier;  ///< whose first sphere is of an earlier part, in order
+  };
+  /// Pairs of a part that the search of a later part found.
+  struct Incoming {
+    int part;
+    std::size_t begin, end;  ///< in its `earlier`
   };
   void sort();
   void check_finite() const;
   void search(ThreadPool& pool);
   void search(int part);
+  void collect_incoming();
 
   SphereSet spheres_;
   double skin_ = 0;
@@ -68,6 +75,7 @@ class NeighborList {
   std::vector<std::uint8_t> rebuilt_;
   Partition parts_;
   std::vector<Search> searches_;
+  std::vector<std::vector<Incoming>> incoming_;  ///< of each part
   const ContactKernel* kernel_ = nullptr;
   std::optional<SortedCells> sorted_;
   double slack_ = 0;  ///< what spheres may move from where they were sorted [m]

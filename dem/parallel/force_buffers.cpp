@@ -7,28 +7,42 @@
 namespace fiberchain::dem {
 
 ForceBuffers::ForceBuffers(const Partition& parts, int threads)
-    : parts_(parts), rows_(parts.count(), nullptr), free_(threads), mutex_(std::make_unique<std::mutex>()) {
-  for (int k = 0; k < parts_.count(); ++k) {
+    : parts_(parts),
+      rows_(parts.count(), nullptr),
+      buffer_(parts.count(), -1),
+      free_(threads + 1, parts.count()),
+      threads_(threads),
+      arrays_(parts.count()) {
+  for (int k = parts_.count() - 1; k >= 0; --k) {
     size_ = std::max(size_, static_cast<std::size_t>(parts_.end(k) - parts_.begin(k)) * load_size);
+    free_.push(threads_, k);
+  }
+}
+
+/// From the thread's own stack, else another thread's, else a new one.
+int ForceBuffers::free_buffer(int thread) {
+  while (true) {  // there are as many buffers as parts: one is free, though it may change stacks during the search
+    for (int k = 0; k < threads_; ++k) {
+      if (const int buffer = free_.pop((thread + k) % threads_); buffer >= 0) return buffer;
+    }
+    if (const int buffer = free_.pop(threads_); buffer >= 0) {
+      arrays_[buffer] = LaneArray(size_);
+      return buffer;
+    }
   }
 }
 
 LoadRange ForceBuffers::take(int part, int thread) {
   if (rows_[part] == nullptr) {
-    const std::lock_guard lock(*mutex_);
-    std::vector<double*>* from = &free_[thread];
-    if (from->empty()) from = &*std::ranges::max_element(free_, {}, &std::vector<double*>::size);
-    if (from->empty()) from->push_back(arrays_.emplace_back(size_).data());
-    rows_[part] = from->back();
-    from->pop_back();
+    buffer_[part] = free_buffer(thread);
+    rows_[part] = arrays_[buffer_[part]].data();
   }
   return of(part);
 }
 
 void ForceBuffers::give_back(int part, int thread) {
-  const std::lock_guard lock(*mutex_);
-  free_[thread].push_back(rows_[part]);
   rows_[part] = nullptr;
+  free_.push(thread, buffer_[part]);
 }
 
 std::vector<double> ForceBuffers::all() const {
