@@ -53,12 +53,6 @@ FlowShape shape_of(const dem::Chain<Dim>& chain, double time, const dem::Poses<D
 
 }  // namespace
 
-std::vector<double> even_times(double duration, int intervals) {
-  std::vector<double> times;
-  for (int i = 0; i <= intervals; ++i) times.push_back(duration * i / intervals);
-  return times;
-}
-
 template <int Dim>
 FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
                         const dem::FlowOptions& options, int shape_interval) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem/flow/integrate_in_flow.hpp"
+#include "dem/scene/build_fiber.hpp"
 
 // What a fiber in a flow does, measured at moments of its history.
 namespace fiberchain::compare {
@@ -34,8 +35,7 @@ struct FlowHistory {
   double run_time;  ///< [s]
 };
 
-/// From 0 to `duration`, that many intervals apart.
-std::vector<double> even_times(double duration, int intervals);
+using dem::even_times;
 
 /// Follows the fiber; the shape of every `shape_interval`-th moment is kept, none with 0. L is the length of
 /// the bonds. Throws as dem::follow.

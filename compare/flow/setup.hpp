@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/flow/integrate_in_flow.hpp"
-#include "dem/scene/scene.hpp"
+#include "dem/scene/build_fiber.hpp"
 
 // Fibers in a flow by their dimensionless numbers. L = 2RN here: the spheres' whole length, which is what the
 // fluid acts on.
@@ -15,10 +15,5 @@ double elasto_viscous_number(const dem::Fiber& fiber, double viscosity, double r
 
 /// The viscosity [Pa s] that gives that number.
 double viscosity_of(const dem::Fiber& fiber, double elasto_viscous, double rate);
-
-/// The straight fiber's spheres on the start's curve, center of mass at the origin. Bonds keep their length:
-/// their angle to the line is the curve's slope, which is exact as the bend vanishes.
-template <int Dim>
-dem::Poses<Dim> start_poses(const dem::Fiber& fiber, const dem::FlowStart& start);
 
 }  // namespace fiberchain::compare

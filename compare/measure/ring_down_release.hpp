@@ -1,9 +1,10 @@
 #pragma once
 
-#include "compare/damping/case.hpp"
+#include "compare/measure/peaks.hpp"
 #include "dem/vibration/release.hpp"
+#include "reference/chain_modes.hpp"
 
-// How the cases of point.hpp are let go.
+// Cantilevers let go: their states at the release, and the history of the free end.
 namespace fiberchain::compare {
 
 /// From the chain's own first damped mode with tip deflection `amount` L: poses along the arc, so that no bond is

@@ -4,8 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "dem/equilibrium/dynamic_relaxation.hpp"
-#include "dem/equilibrium/newton.hpp"
+#include "dem/run/run_fiber.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -34,16 +33,6 @@ double along(const dem::Vec<double, Dim>& vector, const Direction& direction) {
   return sum;
 }
 
-template <int Dim>
-dem::Boundary<Dim> boundary(const CantileverScene& scene) {
-  dem::Load<Dim> load{};
-  load.sphere = scene.fiber.aspect_ratio;
-  for (int i = 0; i < Dim; ++i) {
-    load.force[i] = dem::load_force(scene.fiber, scene.load) * scene.direction[static_cast<std::size_t>(i)];
-  }
-  return {.clamped = {0}, .loads = {load}};
-}
-
 /// In the plane the angle counts full turns; in space it is that of the axis.
 double angle_of(const dem::Pose<double, 2>& pose, const Across& frame) {
   return frame.y[1] * pose.orientation;
@@ -66,24 +55,12 @@ std::vector<Station> stations(const CantileverScene& scene, const dem::Poses<Dim
 }
 
 template <int Dim>
-CantileverRest solved(const CantileverScene& scene) {
-  const auto chain = dem::straight_chain<Dim>(scene.fiber);
-  const auto found = dem::solve_equilibrium<Dim>(chain, boundary<Dim>(scene));
-  return {.spheres = stations<Dim>(scene, found.poses),
-          .residual = found.residual.moment,
-          .iterations = found.statistics.newton_iterations,
-          .steps = std::nullopt,
-          .run_time = 0};
-}
-
-template <int Dim>
-CantileverRest marched(const CantileverScene& scene) {
-  const dem::RelaxCase<Dim> only{dem::straight_chain<Dim>(scene.fiber), {boundary<Dim>(scene)}};
-  const auto found = dem::relax_to_equilibrium<Dim>({only}, scene.march).front();
-  return {.spheres = stations<Dim>(scene, found.poses),
-          .residual = found.residual.moment,
-          .iterations = std::nullopt,
-          .steps = std::llround(found.steps),
+CantileverRest rest_in(const CantileverScene& scene) {
+  const dem::RestState<Dim> rest = dem::find_rest<Dim>(scene);
+  return {.spheres = stations<Dim>(scene, rest.poses),
+          .residual = rest.residual.moment,
+          .iterations = rest.iterations,
+          .steps = rest.steps,
           .run_time = 0};
 }
 
@@ -91,10 +68,7 @@ CantileverRest marched(const CantileverScene& scene) {
 
 CantileverRest rest_of(const CantileverScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
-  const bool planar = scene.dimension == dem::Dimension::planar;
-  const bool solve = scene.method == dem::Method::solve;
-  CantileverRest rest = planar ? (solve ? solved<2>(scene) : marched<2>(scene))
-                               : (solve ? solved<3>(scene) : marched<3>(scene));
+  CantileverRest rest = scene.dimension == dem::Dimension::planar ? rest_in<2>(scene) : rest_in<3>(scene);
   rest.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return rest;
 }

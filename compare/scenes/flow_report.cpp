@@ -7,6 +7,7 @@
 
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turn_detection.hpp"
+#include "dem/scene/build_fiber.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 #include "reference/rigid_chain_mobility.hpp"
@@ -20,9 +21,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <int Dim>
 FlowHistory run_in(const FlowScene& scene) {
-  const dem::FlowCase<Dim> flow{
-      dem::straight_chain<Dim>(scene.fiber), start_poses<Dim>(scene.fiber, scene.start), scene.fluid, {}};
-  return integrate_in_flow_history<Dim>(flow, even_times(scene.duration, scene.samples), scene.motion,
+  return integrate_in_flow_history<Dim>(dem::build_flow<Dim>(scene), even_times(scene.duration, scene.samples), scene.motion,
                           std::max(1, scene.samples / scene.shapes));
 }
 

@@ -9,7 +9,7 @@
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
-#include "dem/equilibrium/newton.hpp"
+#include "dem/scene/build_fiber.hpp"
 #include "reference/chain_modes.hpp"
 
 namespace fiberchain::compare {
@@ -23,16 +23,6 @@ reference::ChainMode first_mode(const ReleaseScene& scene) {
   const reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(scene.fiber));
   if (!mode.oscillates) throw InputError("bond.damping: the first mode is overdamped, there is no vibration to watch");
   return mode;
-}
-
-template <int Dim>
-dem::Release<Dim> release_of(const ReleaseScene& scene, double period) {
-  dem::Release<Dim> release{dem::straight_chain<Dim>(scene.fiber), {}, {}, {}, period, scene.periods};
-  dem::Load<Dim> end{scene.fiber.aspect_ratio, {}, {}};
-  const double force = dem::load_force(scene.fiber, scene.pull.load);
-  for (int i = 0; i < Dim; ++i) end.force[i] = force * scene.pull.direction[i];
-  release.start = dem::solve_equilibrium(release.chain, dem::Boundary<Dim>{{0}, {end}}).poses;
-  return release;
 }
 
 /// Damping of all peaks after the release; the release itself is no free maximum.
@@ -54,7 +44,7 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   run.period = 2 * std::numbers::pi / mode.eigenvalue.imag();
   run.damping_modes = mode.damping;
   run.damping = run.frequency = nan;
-  const dem::Release<Dim> release = release_of<Dim>(scene, run.period);
+  const dem::Release<Dim> release = dem::build_release<Dim>(scene, run.period);
   dem::ReleaseOptions options = scene.motion;
   const bool leapfrog = options.integrator == dem::Integrator::leapfrog ||
                         options.integrator == dem::Integrator::leapfrog_damped;

@@ -17,9 +17,6 @@ namespace {
 using V = Vec<double, 3>;
 constexpr double pi = std::numbers::pi;
 
-/// Accurate at 0 and pi too.
-double angle_between(const V& a, const V& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 /// Contact pairs between different fibers, each pair of fibers once.
 std::int64_t distinct(std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
   std::ranges::sort(pairs);
@@ -27,20 +24,6 @@ std::int64_t distinct(std::vector<std::pair<std::int32_t, std::int32_t>>& pairs)
 }
 
 }  // namespace
-
-double bending_angle(const Chain<3>& chain, const Poses<3>& poses, int bond) {
-  Quaternion<double> first = poses[bond].orientation, second = poses[bond + 1].orientation;
-  if (!chain.natural.empty()) {
-    first = first * chain.natural[bond].first;
-    second = second * chain.natural[bond].second;
-  }
-  return angle_between(rotate(first, V{1, 0, 0}), rotate(second, V{1, 0, 0}));
-}
-
-double turning_angle(const Poses<3>& poses, int sphere) {
-  return angle_between(poses[sphere].position - poses[sphere - 1].position,
-                       poses[sphere + 1].position - poses[sphere].position);
-}
 
 Mean bending_angles(const Chain<3>& chain, FiberStates fibers) {
   Mean mean;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
+#include "dem/chain/bending.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 
 // What a packing of fibers is like at one moment: numbers from the states of its fibers and its contacts.
@@ -14,14 +15,6 @@ namespace fiberchain::dem {
 using FiberStates = std::span<const ChainState<3>>;
 
 // --- bending
-
-/// Angle [rad] of bond i: between the axes that its two spheres' orientations have, 0 at rest (also of a
-/// curved chain: each orientation is taken with the bond's rest offset). This is the bending theta_b of the
-/// bond law; twist is not in it.
-double bending_angle(const Chain<3>& chain, const Poses<3>& poses, int bond);
-
-/// Angle [rad] between the bonds before and after sphere i, 0 < i < aspect_ratio: by positions alone.
-double turning_angle(const Poses<3>& poses, int sphere);
 
 /// Sum over bonds and how many, to average over several groups.
 struct Mean {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
-#include "dem/analysis/observables.hpp"
+#include "dem/chain/bending.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {

@@ -10,7 +10,8 @@
 #include "dem/contact/contact_state.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/motion/physics.hpp"
+#include "dem/simd/instruction_set.hpp"
 
 // Many fibers that touch each other and walls, marched by the leapfrog: bonds in SIMD lanes across fibers, contacts
 // in lanes across pairs. Results do not depend on the number of threads, to the bit.

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "dem/chain/residual.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/motion/physics.hpp"
+#include "dem/simd/instruction_set.hpp"
 
 // Equilibrium as the paper finds it: a slow load ramp, strong damping, and a march until the chain is at rest by
 // measure. Chains of equal length march side by side in SIMD lanes.

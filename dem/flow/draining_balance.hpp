@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "dem/model/fluid.hpp"
+#include "dem/chain/flow_at_spheres.hpp"
 
 namespace fiberchain::dem {
 

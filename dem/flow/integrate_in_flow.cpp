@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "dem/chain/flow_at_spheres.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/flow/leapfrog_in_flow.hpp"
 #include "dem/flow/inertialess.hpp"

@@ -8,7 +8,8 @@
 #include "dem/model/fluid.hpp"
 #include "dem/chain/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/motion/physics.hpp"
+#include "dem/simd/instruction_set.hpp"
 
 // Fibers in a flow, followed in time.
 namespace fiberchain::dem {

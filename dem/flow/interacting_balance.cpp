@@ -1,5 +1,6 @@
 #include "dem/flow/interacting_balance.hpp"
 
+#include "dem/chain/flow_at_spheres.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/chain/chain_state.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "dem/chain/residual.hpp"
 #include "dem/model/fluid.hpp"
 
 // Hydrodynamic interactions between the spheres of a fiber: equal spheres without lubrication.

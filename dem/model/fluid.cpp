@@ -40,29 +40,7 @@ StokesDrag stokes_drag(const Fluid& fluid, const Fiber& fiber) {
   return {6 * std::numbers::pi * fluid.viscosity * R, 8 * std::numbers::pi * fluid.viscosity * R * R * R};
 }
 
-template <int Dim>
-SphereVector<Dim> drag_of(const Fluid& fluid, const Fiber& fiber) {
-  const StokesDrag drag = stokes_drag(fluid, fiber);
-  SphereVector<Dim> all;
-  all.template head<Dim>().setConstant(drag.translation);
-  all.template tail<spin_size<Dim>>().setConstant(drag.rotation);
-  return all;
-}
-
-template <int Dim>
-ChainVector<Dim> undisturbed(const Gradient& A, const Poses<Dim>& poses) {
-  ChainVector<Dim> motion(poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    motion[i] = motion_of<Dim>(velocity_at<Dim>(A, poses[i].position), spin_of<Dim>(A));
-  }
-  return motion;
-}
-
 template void check<2>(const Fluid&);
 template void check<3>(const Fluid&);
-template SphereVector<2> drag_of<2>(const Fluid&, const Fiber&);
-template SphereVector<3> drag_of<3>(const Fluid&, const Fiber&);
-template ChainVector<2> undisturbed<2>(const Gradient&, const Poses<2>&);
-template ChainVector<3> undisturbed<3>(const Gradient&, const Poses<3>&);
 
 }  // namespace fiberchain::dem

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "dem/chain/residual.hpp"
+#include "dem/model/fiber.hpp"
 #include "dem/model/velocity_gradient.hpp"
 
 namespace fiberchain::dem {
@@ -41,13 +41,5 @@ struct StokesDrag {
   double rotation;     ///< 8 pi mu R^3 [N m s]
 };
 StokesDrag stokes_drag(const Fluid& fluid, const Fiber& fiber);
-
-/// The same for every motion of a sphere.
-template <int Dim>
-SphereVector<Dim> drag_of(const Fluid& fluid, const Fiber& fiber);
-
-/// Velocity and spin of the undisturbed flow at every sphere.
-template <int Dim>
-ChainVector<Dim> undisturbed(const Gradient& A, const Poses<Dim>& poses);
 
 }  // namespace fiberchain::dem

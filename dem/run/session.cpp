@@ -125,6 +125,7 @@ class Session {
     if (schedule_.samples.holds(step)) {
       last_ = measure(assembly_, job_.scene);
       writer_.write_line(last_, pace_);
+      if (watchers_.sampled) watchers_.sampled(assembly_);
     }
     if (schedule_.frames.holds(step)) writer_.write_frame(assembly_);
     if (schedule_.checkpoints.holds(step)) write_checkpoint();

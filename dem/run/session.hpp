@@ -29,6 +29,7 @@ struct PackingWatchers {
   Say say;                              ///< messages
   std::ostream& terminal;               ///< shows where the run stands...
   bool watched;                         ///< ... if somebody watches
+  std::function<void(const Assembly&)> sampled = {};  ///< called at every sample of the log, where given
 };
 
 struct PackingEndState {

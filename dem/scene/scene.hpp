@@ -78,4 +78,8 @@ using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, PackingScen
 /// @throws SceneError naming file, line, key, value and what is allowed
 Scene parse_scene(const SceneText& scene);
 
+/// The scene in a file.
+/// @throws SceneError
+inline Scene read_scene(const std::filesystem::path& path) { return parse_scene(read_scene_text(path)); }
+
 }  // namespace fiberchain::dem

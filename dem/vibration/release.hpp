@@ -8,7 +8,8 @@
 #include "dem/chain/chain.hpp"
 #include "dem/chain/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/motion/physics.hpp"
+#include "dem/simd/instruction_set.hpp"
 
 // Damped vibration: chains let go from a given state, marched side by side in lanes, their free end recorded.
 namespace fiberchain::dem {

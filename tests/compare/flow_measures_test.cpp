@@ -40,7 +40,7 @@ std::vector<compare::FlowMoment> jeffery_history(double aspect_ratio, const refe
 BOOST_AUTO_TEST_CASE(a_bent_start_keeps_bonds_and_center_and_has_the_height_asked_for) {
   const dem::Fiber fiber = compare::fiber_of_spheres(41, 0.17);
   const double L = dem::fiber_length(fiber), l = dem::bond_length(fiber);
-  const auto poses = compare::start_poses<3>(fiber, bent({-0.6, 0, 0.8}, {0.8, 0, 0.6}, 0.01, 0));
+  const auto poses = dem::start_poses<3>(fiber, bent({-0.6, 0, 0.8}, {0.8, 0, 0.6}, 0.01, 0));
   dem::Vec<double, 3> sum{};
   for (std::size_t i = 0; i < poses.size(); ++i) {
     sum = sum + poses[i].position;
@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(planar_and_spatial_starts_agree_whichever_way_the_fiber_poi
     for (const double side : {1.0, -1.0}) {
       const auto start = bent({std::cos(angle), std::sin(angle), 0},
                               {-side * std::sin(angle), side * std::cos(angle), 0}, 0.03, -0.02);
-      const auto flat = compare::start_poses<2>(fiber, start);
-      const auto space = compare::start_poses<3>(fiber, start);
+      const auto flat = dem::start_poses<2>(fiber, start);
+      const auto space = dem::start_poses<3>(fiber, start);
       const double energy = dem::elastic_energy<2>(dem::straight_chain<2>(fiber), flat);
       BOOST_TEST(std::abs(dem::elastic_energy<3>(dem::straight_chain<3>(fiber), space) / energy - 1) < 1e-10);
       for (std::size_t i = 0; i < flat.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "dem/chain/flow_at_spheres.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/flow/draining_balance.hpp"
 #include "dem/flow/inertialess.hpp"

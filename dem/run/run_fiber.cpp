@@ -1,0 +1,92 @@
+#include "dem/run/run_fiber.hpp"
+
+#include <cmath>
+
+#include "dem/equilibrium/newton.hpp"
+#include "dem/scene/build_fiber.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+template <int Dim>
+Vec<double, 3> in_space(const Vec<double, Dim>& v) {
+  return {v[0], v[1], Dim == 3 ? v[Dim - 1] : 0.0};
+}
+
+template <int Dim>
+Positions positions_of(const Poses<Dim>& poses) {
+  Positions positions;
+  for (const auto& pose : poses) positions.push_back(in_space<Dim>(pose.position));
+  return positions;
+}
+
+template <int Dim>
+CantileverResult cantilever(const CantileverScene& scene) {
+  const RestState<Dim> rest = find_rest<Dim>(scene);
+  return {positions_of<Dim>(rest.poses), rest.residual};
+}
+
+/// The explicit schemes have no energy to speak of where rolling friction acts.
+bool has_energy(const ReleaseScene& scene) {
+  const Integrator integrator = scene.motion.integrator;
+  const bool leapfrog = integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped;
+  return !leapfrog || scene.fiber.rolling_friction == 0;
+}
+
+template <int Dim>
+ReleaseResult release(const ReleaseScene& scene) {
+  ReleaseResult result{};
+  result.mode = first_mode(scene.fiber);
+  ReleaseOptions options = scene.motion;
+  options.energy = has_energy(scene);
+  const ReleaseRecord<Dim> record = ring_down<Dim>({build_release<Dim>(scene, result.mode.period)}, options)[0];
+  for (const TipSample<Dim>& tip : record.samples) {
+    result.samples.push_back({tip.time, in_space<Dim>(tip.position), in_space<Dim>(tip.velocity), tip.energy});
+  }
+  result.time_step = record.time_step;
+  result.integrator = record.integrator;
+  result.failure = record.failure;
+  return result;
+}
+
+template <int Dim>
+FlowResult flow(const FlowScene& scene) {
+  FlowResult result{};
+  const std::vector<double> times = even_times(scene.duration, scene.samples);
+  result.record = follow<Dim>(build_flow<Dim>(scene), times, scene.motion,
+                              [&](double time, const ChainState<Dim>& state) {
+                                result.samples.push_back({time, positions_of<Dim>(state.poses)});
+                              });
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+RestState<Dim> find_rest(const CantileverScene& scene) {
+  const CantileverCase<Dim> cantilever = build_cantilever<Dim>(scene);
+  if (scene.method == Method::solve) {
+    const Equilibrium<Dim> found = solve_equilibrium<Dim>(cantilever.chain, cantilever.boundary);
+    return {found.poses, found.residual, found.statistics.newton_iterations, std::nullopt};
+  }
+  const RelaxCase<Dim> only{cantilever.chain, {cantilever.boundary}};
+  const RelaxResult<Dim> found = relax_to_equilibrium<Dim>({only}, scene.march).front();
+  return {found.poses, found.residual, std::nullopt, std::llround(found.steps)};
+}
+
+CantileverResult run_scene(const CantileverScene& scene) {
+  return scene.dimension == Dimension::planar ? cantilever<2>(scene) : cantilever<3>(scene);
+}
+
+ReleaseResult run_scene(const ReleaseScene& scene) {
+  return scene.dimension == Dimension::planar ? release<2>(scene) : release<3>(scene);
+}
+
+FlowResult run_scene(const FlowScene& scene) {
+  return scene.dimension == Dimension::planar ? flow<2>(scene) : flow<3>(scene);
+}
+
+template RestState<2> find_rest<2>(const CantileverScene&);
+template RestState<3> find_rest<3>(const CantileverScene&);
+
+}  // namespace fiberchain::dem
