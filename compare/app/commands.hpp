@@ -9,6 +9,7 @@ namespace fiberchain::app {
 
 Command bench_command();           ///< run time against error, and what bounds the inner loops
 Command calibrate_command();       ///< damping of the bonds for a damping of the fiber, and the reverse
+Command check_command();           ///< what a scene will take, without running it
 Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
 Command render_command();          ///< pictures of a trajectory, Fig 11
@@ -30,7 +31,7 @@ struct Group {
 
 /// All of them, in the order of the help.
 inline std::vector<Command> all_commands() {
-  return {columns_command(),        run_command(),             render_command(),       tables_static_command(),
+  return {columns_command(),        run_command(),             check_command(),             render_command(),       tables_static_command(),
           tables_damping_command(), tables_friction_command(), tables_shear_command(), tables_packing_command(), fit_command(),
           calibrate_command(),      stability_command(),       bench_command(),
           validate_command()};

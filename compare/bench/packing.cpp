@@ -40,8 +40,8 @@ double resident_at_rest() {
 /// So many copies of the scene side by side along x, in one room.
 PackingScene tiled(const PackingScene& scene, int tiles) {
   PackingScene wide = scene;
-  const double length = scene.room.high[0] - scene.room.low[0];
-  for (dem::FiberKind& kind : wide.kinds) {
+  const double length = scene.scene_box.high[0] - scene.scene_box.low[0];
+  for (dem::PackingFiberKind& kind : wide.kinds) {
     const std::vector<dem::FiberStart> once = kind.starts;
     for (int n = 1; n < tiles; ++n) {
       for (dem::FiberStart start : once) {
@@ -50,7 +50,7 @@ PackingScene tiled(const PackingScene& scene, int tiles) {
       }
     }
   }
-  wide.room.high[0] += (tiles - 1) * length;
+  wide.scene_box.high[0] += (tiles - 1) * length;
   for (dem::Wall& wall : wide.domain.walls) {
     if (auto* plane = wall.shape.get_if<dem::Plane>(); plane != nullptr && plane->normal[0] < 0) {
       plane->point[0] += (tiles - 1) * length;
@@ -62,7 +62,7 @@ PackingScene tiled(const PackingScene& scene, int tiles) {
 /// The first of its fibers.
 PackingScene part_of(const PackingScene& scene, std::size_t parts) {
   PackingScene part = scene;
-  for (dem::FiberKind& kind : part.kinds) kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
+  for (dem::PackingFiberKind& kind : part.kinds) kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
   return part;
 }
 

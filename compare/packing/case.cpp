@@ -123,7 +123,7 @@ dem::TrajectoryFrame frame_of(const PackingPicture& picture, const PackingCase& 
   const dem::Fiber& fiber = scene.kinds.front().fiber;
   dem::TrajectoryFrame frame{};
   frame.time = picture.time, frame.step = picture.step;
-  frame.low = scene.room.low, frame.high = scene.room.high;
+  frame.low = scene.scene_box.low, frame.high = scene.scene_box.high;
   frame.periodic[0] = frame.periodic[1] = asked.periodic;
   const int n = fiber.aspect_ratio + 1;
   for (std::size_t i = 0; i < picture.spheres.size(); ++i) {

@@ -62,7 +62,7 @@ dem::PackingScene packing_scene(const PackingCase& asked) {
                    .gap = 1e-4,
                    .seed = asked.seed};
   scene.domain = room_of(side, asked);
-  scene.room = {{0, 0, 0}, {side, side, highest}};
+  scene.scene_box = {{0, 0, 0}, {side, side, highest}};
   scene.duration = asked.duration;
   scene.account_energy = asked.booked;
   scene.step = asked.step_ratio * step_of(scene);
@@ -70,7 +70,7 @@ dem::PackingScene packing_scene(const PackingCase& asked) {
 }
 
 double floor_area(const dem::PackingScene& scene) {
-  return (scene.room.high[0] - scene.room.low[0]) * (scene.room.high[1] - scene.room.low[1]);
+  return (scene.scene_box.high[0] - scene.scene_box.low[0]) * (scene.scene_box.high[1] - scene.scene_box.low[1]);
 }
 
 }  // namespace fiberchain::compare

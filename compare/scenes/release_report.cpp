@@ -10,6 +10,7 @@
 #include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
 #include "dem/scene/build_fiber.hpp"
+#include "dem/vibration/choose.hpp"
 #include "reference/chain_modes.hpp"
 
 namespace fiberchain::compare {
@@ -76,12 +77,33 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   return run;
 }
 
+template <int Dim>
+ReleasePlan plan_in(const ReleaseScene& scene) {
+  const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
+  const dem::Release<Dim> release = release_of<Dim>(scene, period);
+  dem::ReleaseOptions options = scene.motion;
+  std::string reason;
+  if (options.integrator == dem::Integrator::automatic) {
+    const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
+    options.integrator = choice.integrator;
+    options.step_ratio = choice.step_ratio;
+    reason = choice.reason;
+  }
+  const double step = dem::release_step(release, options), interval = period / options.samples_per_period;
+  const double samples = std::ceil(scene.periods * options.samples_per_period);
+  return {options.integrator, reason, step, samples * std::round(interval / step)};
+}
+
 dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
 
 }  // namespace
 
 ReleaseRun run_release(const ReleaseScene& scene) {
   return scene.dimension == dem::Dimension::planar ? run_in<2>(scene) : run_in<3>(scene);
+}
+
+ReleasePlan plan_release(const ReleaseScene& scene) {
+  return scene.dimension == dem::Dimension::planar ? plan_in<2>(scene) : plan_in<3>(scene);
 }
 
 dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {

@@ -24,6 +24,17 @@ struct ReleaseRun {
   std::vector<std::array<double, 3>> last;  ///< places of the spheres in the last good state, over L
 };
 
+/// How a release will be integrated.
+struct ReleasePlan {
+  dem::Integrator integrator;
+  std::string reason;  ///< why this integrator, if it was chosen here
+  double time_step;    ///< [s]
+  double steps;
+};
+
+/// Finds the loaded equilibrium, but marches nothing. Throws as run_release().
+ReleasePlan plan_release(const dem::ReleaseScene& scene);
+
 /// Throws dem::InvalidInput, dem::NoConvergence, and InputError if the first mode is overdamped.
 ReleaseRun run_release(const dem::ReleaseScene& scene);
 

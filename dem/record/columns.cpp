@@ -378,6 +378,22 @@ constexpr Column kColumns[] = {
     {"step_rate", number, "1/s", "steps over the wall-clock time since the run was begun or resumed"},
     {"time_left", number, "s", "wall-clock time until the last step at that rate"},
 
+    // What a scene will take.
+    {"scene_kind", text, "", "kind of the scene"},
+    {"bonds", integer, "1", "number of bonds"},
+    {"step_from", text, "", "scene, limit of the stable step, or control of the error"},
+    {"steps_most", integer, "1", "most time steps of a march that ends when it is at rest"},
+    {"step_cost", number, "s", "wall-clock time of a step over the spheres"},
+    {"step_cost_from", text, "", "origin of step_cost: a short measurement, or a stated constant"},
+    {"expected_time", number, "s", "expected wall-clock time of the run, without output"},
+    {"memory", number, "B", "expected memory, at its peak"},
+    {"memory_free", number, "B", "memory that the system has available now"},
+    {"frames", integer, "1", "frames of the trajectory"},
+    {"trajectory_size", number, "B", "expected size of the trajectory before compression"},
+    {"checkpoint_size", number, "B", "expected size of both checkpoints"},
+    {"log_size", number, "B", "expected size of the log"},
+    {"vtk_size", number, "B", "expected size of all VTK files"},
+
     // Packings, Figs 11 and 12.
     {"stiffness", number, "1", "Young's modulus of fibers and walls over that of the scene"},
     {"fibers", integer, "1", "number of fibers"},

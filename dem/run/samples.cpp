@@ -15,7 +15,7 @@ using V = Vec<double, 3>;
 /// Height of the lowest corner of the scene box [m].
 double floor_of(const PackingScene& scene, const V& up) {
   double lowest = 0;
-  for (int a = 0; a < 3; ++a) lowest += std::min(up[a] * scene.room.low[a], up[a] * scene.room.high[a]);
+  for (int a = 0; a < 3; ++a) lowest += std::min(up[a] * scene.scene_box.low[a], up[a] * scene.scene_box.high[a]);
   return lowest;
 }
 
@@ -121,8 +121,8 @@ TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene) {
   TrajectoryFrame frame{};
   frame.time = assembly.time();
   frame.step = assembly.steps();
-  frame.low = scene.room.low;
-  frame.high = scene.room.high;
+  frame.low = scene.scene_box.low;
+  frame.high = scene.scene_box.high;
   for (int a = 0; a < 3; ++a) frame.periodic[a] = scene.domain.period[a] > 0;
   const auto spheres = static_cast<std::size_t>(assembly.spheres());
   frame.position.reserve(spheres), frame.velocity.reserve(spheres), frame.radius.reserve(spheres);
@@ -137,7 +137,7 @@ TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene) {
   for (int n = 1; n < scene.batches.number; ++n) {
     for (const auto& [chain, count] : batch_counts(scene, n)) {
       if (group++ < assembly.groups()) continue;
-      for (std::int64_t f = 0; f < count; ++f) add_absent(frame, chain.fiber, scene.room.low);
+      for (std::int64_t f = 0; f < count; ++f) add_absent(frame, chain.fiber, scene.scene_box.low);
     }
   }
   return frame;

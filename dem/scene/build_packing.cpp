@@ -17,13 +17,13 @@ namespace fiberchain::dem {
 namespace {
 
 /// Fibers of a kind that come before batch `n`.
-std::int64_t before_batch(const FiberKind& kind, const Batches& batches, int n) {
+std::int64_t before_batch(const PackingFiberKind& kind, const Batches& batches, int n) {
   return kind.count * n / batches.number;
 }
 
 std::vector<FiberGroup> groups_of_files(const PackingScene& scene) {
   std::vector<FiberGroup> groups;
-  for (const FiberKind& kind : scene.kinds) {
+  for (const PackingFiberKind& kind : scene.kinds) {
     if (kind.starts.empty()) continue;
     FiberGroup group{chain_of(kind), {}};
     for (const FiberStart& start : kind.starts) group.fibers.push_back(placed(group.chain, start));
@@ -35,21 +35,15 @@ std::vector<FiberGroup> groups_of_files(const PackingScene& scene) {
 /// As if all kinds were there from the start: the step stays when batches come.
 StepChoice step_choice(const PackingScene& scene) {
   std::vector<FiberGroup> kinds;
-  for (const FiberKind& kind : scene.kinds) kinds.push_back({chain_of(kind), {}});
+  for (const PackingFiberKind& kind : scene.kinds) kinds.push_back({chain_of(kind), {}});
   return assembly_time_step(kinds, scene.domain);
 }
 
 }  // namespace
 
-Chain<3> chain_of(const FiberKind& kind) { return arc_chain(kind.fiber, kind.bend); }
+Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber, kind.bend); }
 
 namespace {
-
-/// Threads that are worth waiting for each other every step.
-int useful_threads(const PackingScene& scene, int threads) {
-  constexpr std::int64_t spheres_a_thread = 5000;
-  return static_cast<int>(std::clamp<std::int64_t>(spheres_in(scene) / spheres_a_thread, 1, threads));
-}
 
 /// Fibers of files may touch, but not lie in each other: contacts would burst.
 void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
@@ -58,7 +52,7 @@ void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
   const auto [least, largest] = std::ranges::minmax(all.radius);
   InsertionGrid placed(box_around(all.position), scene.domain.period, largest, -deepest * least, std::ssize(all.radius));
   std::size_t sphere = 0;
-  for (const FiberKind& kind : scene.kinds) {
+  for (const PackingFiberKind& kind : scene.kinds) {
     for (std::size_t f = 0; f < kind.starts.size(); ++f) {
       for (int i = 0; i <= kind.fiber.aspect_ratio; ++i, ++sphere) {
         if (!placed.free(all.position[sphere], all.radius[sphere])) {
@@ -92,22 +86,33 @@ void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
 
 }  // namespace
 
+int useful_threads(const PackingScene& scene, int threads) {
+  constexpr std::int64_t spheres_a_thread = 5000;
+  return static_cast<int>(std::clamp<std::int64_t>(spheres_in(scene) / spheres_a_thread, 1, threads));
+}
+
+PackingPlan plan_of(const PackingScene& scene) {
+  PackingPlan plan{step_choice(scene), 0, scene.steps};
+  plan.step = scene.step.value_or(plan.choice.step);
+  if (plan.steps == 0) plan.steps = steps_in(scene.duration, plan.step);
+  check_batches(scene, plan.step, plan.steps);
+  return plan;
+}
+
 PackingStart packing_start(const PackingScene& scene, int threads) {
-  PackingStart start{groups_of_files(scene), scene.domain, {}, step_choice(scene), scene.steps};
+  const PackingPlan plan = plan_of(scene);
+  PackingStart start{groups_of_files(scene), scene.domain, {}, plan.choice, plan.steps};
   const PlacedSpheres of_files = spheres_of(start.groups);
   check_apart(scene, of_files);
   for (FiberGroup& group : packing_batch(scene, 0, 0, of_files)) {
     start.groups.push_back(std::move(group));
   }
-  const double step = scene.step.value_or(start.choice.step);
-  start.options = {.step = step,
+  start.options = {.step = plan.step,
                    .form = scene.form,
                    .rolling = scene.rolling,
                    .threads = useful_threads(scene, threads),
                    .account_energy = scene.account_energy,
                    .orientations = scene.orientations};
-  if (start.steps == 0) start.steps = steps_in(scene.duration, step);
-  check_batches(scene, step, start.steps);
   return start;
 }
 
@@ -125,7 +130,7 @@ std::int64_t batch_step(const PackingScene& scene, int n, double step) {
 
 std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n) {
   std::vector<InsertionCount> counts;
-  for (const FiberKind& kind : scene.kinds) {
+  for (const PackingFiberKind& kind : scene.kinds) {
     const std::int64_t count =
         before_batch(kind, scene.batches, n + 1) - before_batch(kind, scene.batches, n);
     if (count > 0) counts.push_back({chain_of(kind), count});
@@ -135,7 +140,7 @@ std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n) {
 
 int groups_at_start(const PackingScene& scene) {
   const auto of_files =
-      std::ranges::count_if(scene.kinds, [](const FiberKind& k) { return !k.starts.empty(); });
+      std::ranges::count_if(scene.kinds, [](const PackingFiberKind& k) { return !k.starts.empty(); });
   return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
 }
 
@@ -145,13 +150,13 @@ std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double t
   InsertionRules rules = scene.filling;
   rules.time = time;
   rules.first_number = 0;
-  for (const FiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
+  for (const PackingFiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
   return fill(counts, rules, scene.domain, present);
 }
 
 std::int64_t fibers_in(const PackingScene& scene) {
   std::int64_t sum = 0;
-  for (const FiberKind& kind : scene.kinds) {
+  for (const PackingFiberKind& kind : scene.kinds) {
     sum += kind.count + static_cast<std::int64_t>(kind.starts.size());
   }
   return sum;
@@ -159,7 +164,7 @@ std::int64_t fibers_in(const PackingScene& scene) {
 
 std::int64_t spheres_in(const PackingScene& scene) {
   std::int64_t sum = 0;
-  for (const FiberKind& kind : scene.kinds) {
+  for (const PackingFiberKind& kind : scene.kinds) {
     sum += (kind.count + static_cast<std::int64_t>(kind.starts.size())) * (kind.fiber.aspect_ratio + 1);
   }
   return sum;
@@ -167,7 +172,7 @@ std::int64_t spheres_in(const PackingScene& scene) {
 
 std::string scene_fingerprint(const SceneText& text, const PackingScene& scene) {
   std::string all = sha256(text.text);
-  for (const FiberKind& kind : scene.kinds) {
+  for (const PackingFiberKind& kind : scene.kinds) {
     if (kind.file) all += sha256(kind.file->text);
   }
   return sha256(all);

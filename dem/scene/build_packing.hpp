@@ -10,7 +10,20 @@
 namespace fiberchain::dem {
 
 /// The kind's rest shape.
-Chain<3> chain_of(const FiberKind& kind);
+Chain<3> chain_of(const PackingFiberKind& kind);
+
+/// Time step and length of a packing, which follow from its kinds of fibers alone.
+struct PackingPlan {
+  StepChoice choice;   ///< step taken where the scene gives none, and what sets it
+  double step;         ///< [s]
+  std::int64_t steps;  ///< of the whole run
+};
+
+/// @throws InvalidInput for a run of no steps or of too many, and for batches that would never come
+PackingPlan plan_of(const PackingScene& scene);
+
+/// Threads that are worth synchronizing every step, at most as many as given.
+int useful_threads(const PackingScene& scene, int threads);
 
 /// What an assembly starts from.
 struct PackingStart {

@@ -12,7 +12,7 @@
 namespace fiberchain::dem {
 
 /// Fibers of one kind, put in at random or where a file says.
-struct FiberKind {
+struct PackingFiberKind {
   Fiber fiber;
   double bend = 0;                      ///< angle of a bond at rest [rad]; 0: straight
   std::int64_t count = 0;               ///< at random, in all batches together
@@ -20,7 +20,7 @@ struct FiberKind {
   std::optional<SceneText> file = {};   ///< which holds the starts
 };
 
-/// Fibers at random come in so many parts, one every interval, the first at the start.
+/// Insertion of the random fibers in equal parts, one every interval, the first at the start.
 struct Batches {
   int number = 1;
   double interval = 0;  ///< [s]
@@ -36,11 +36,11 @@ struct PackingOutput {
 
 /// Many fibers that meet each other and walls.
 struct PackingScene {
-  std::vector<FiberKind> kinds;
+  std::vector<PackingFiberKind> kinds;
   InsertionRules filling = {};  ///< region, orientation, velocity, gap, seed and attempts of the fibers at random
   Batches batches = {};
   Domain domain = {};
-  Box room = {};  ///< that pictures and files show, and the cross section that densities are counted on [m]
+  Box scene_box = {};  ///< shown in pictures and files; its cross section is that of densities [m]
   BondForm form = BondForm::incremental;
   Rolling rolling = Rolling::set_valued;
   std::optional<double> step = {};  ///< [s]; left out: chosen

@@ -5,74 +5,87 @@
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
-std::array<double, 3> read_direction(const StrictMapping& section, const char* key, Dimension dimension) {
-  auto direction = section.vector(key);
-  const double length = std::hypot(direction[0], direction[1], direction[2]);
-  if (!(length > 0) || !std::isfinite(length)) section.fail(key, "must not be zero");
-  if (dimension == Dimension::planar && direction[2] != 0) {
-    section.fail(key, "must lie in the x-y plane where the scene is planar");
-  }
-  for (double& component : direction) component /= length;
-  return direction;
-}
+namespace {
 
-Fiber read_fiber(const StrictMapping& top) { return read_fiber_keys(top.section("fiber", kFiberKeys)); }
-
-Fiber read_fiber_keys(const StrictMapping& section) {
-  Fiber fiber{};
-  fiber.diameter = section.quantity("diameter", "m", kPositive);
-  fiber.aspect_ratio = section.integer("aspect_ratio", {.low = 1, .high = 1e6});
-  const double youngs_modulus = section.quantity("youngs_modulus", "Pa", kPositive);
-  const double density = section.quantity("density", "kg/m^3", kPositive);
-  if (section.one_of({"poisson_ratio", "shear_modulus"}) == "poisson_ratio") {
-    const double poisson = section.number("poisson_ratio", {.low = -1, .high = 0.5, .low_open = true});
-    fiber.material = isotropic_material(youngs_modulus, poisson, density);
-  } else {
-    fiber.material = {youngs_modulus, section.quantity("shear_modulus", "Pa", kPositive), density};
-  }
-  return fiber;
-}
-
-void check_fiber(const StrictMapping& section, const Fiber& fiber, const char* key) {
+void check_fiber(const StrictMapping& mapping, const std::string& key, const Fiber& fiber) {
   try {
     check(fiber);
   } catch (const InvalidInput& error) {
-    section.fail(key, error.what());
+    mapping.fail(key, error.what());
   }
   if (!std::isnormal(sphere_inertia(fiber)) || !std::isnormal(bending_stiffness(fiber)) ||
       !std::isnormal(load_force(fiber, 1.0))) {
-    section.fail(key, "is too small or too large for the numbers of a computer");
+    mapping.fail(key, "is too small or too large for the numbers of a computer");
   }
 }
 
-void read_bond(const StrictMapping& section, Fiber& fiber, BondForm& form) {
-  if (section.has("model")) {
-    const bool paper = section.choice("model", {"paper", "corrected"}) == 0;
-    fiber.bond_model = paper ? BondModel::paper : BondModel::corrected;
-  }
-  if (section.has("form")) {
-    const bool total = section.choice("form", {"total", "incremental"}) == 0;
-    form = total ? BondForm::total : BondForm::incremental;
-  }
-  if (section.has("damping")) fiber.bond_damping = section.number("damping", kNonNegative);
+}  // namespace
+
+Fiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {
+  Fiber fiber{};
+  fiber.diameter = keys.diameter;
+  fiber.aspect_ratio = keys.aspect_ratio;
+  fiber.material = keys.shear_modulus
+                       ? Material{keys.youngs_modulus, *keys.shear_modulus, keys.density}
+                       : isotropic_material(keys.youngs_modulus, keys.poisson_ratio.value(), keys.density);
+  check_fiber(mapping, key, fiber);
+  return fiber;
 }
 
-EndPull read_load(const StrictMapping& top, const Fiber& fiber, Dimension dimension) {
-  const StrictMapping section = top.section("load", {"reduced", "force", "direction"});
+KeyTable<BondKeys> bond_keys(const BondParts& parts) {
+  BondKeys defaults{.model = Fiber{}.bond_model,
+                    .damping = Fiber{}.bond_damping,
+                    .rolling_friction = Fiber{}.rolling_friction};
+  if (parts.form) defaults.form = *parts.form;
+  KeyTable<BondKeys> table(defaults);
+  table.choice("model", &BondKeys::model, words_of({BondModel::paper, BondModel::corrected}),
+               "stiffnesses as in Nan, Wang & Tang (2015), or of the beam's shear and the chord of its arc");
+  if (parts.form) {
+    table.choice("form", &BondKeys::form, words_of({BondForm::total, BondForm::incremental}),
+                 "strains from the poses of the spheres, or summed over the steps as the paper does");
+  }
+  table.number("damping", &BondKeys::damping, kNonNegative, "damping ratio ξ_b of the bonds' dashpots");
+  if (parts.rolling_friction) {
+    table.number("rolling_friction", &BondKeys::rolling_friction, kNonNegative,
+                 "coefficient ξ_r of rolling friction between bonded spheres (Eq 21)");
+  }
+  if (parts.rolling) {
+    table.choice("rolling", &BondKeys::rolling, words_of({Rolling::set_valued, Rolling::explicit_sign}),
+                 "rolling friction solved within the step, or by the sign of the lagged spin as the paper does")
+        .only_with("rolling_friction above 0", [](const BondKeys& keys) { return keys.rolling_friction > 0; });
+  }
+  return table;
+}
+
+void apply(const BondKeys& keys, Fiber& fiber) {
+  fiber.bond_model = keys.model;
+  fiber.bond_damping = keys.damping;
+  fiber.rolling_friction = keys.rolling_friction;
+}
+
+KeyTable<LoadKeys> load_keys() {
+  KeyTable<LoadKeys> table;
+  table.number("reduced", &LoadKeys::reduced, kNonNegative, "reduced load P L² / (E I)");
+  table.quantity("force", "N", &LoadKeys::force, kNonNegative, "load P");
+  table.direction("direction", &LoadKeys::direction, "direction of the load; the fiber lies along x");
+  table.one_of({"reduced", "force"});
+  return table;
+}
+
+EndPull pull_of(const StrictMapping& load, const LoadKeys& keys, const Fiber& fiber, Dimension dimension) {
   EndPull pull{};
-  if (section.one_of({"reduced", "force"}) == "reduced") {
-    pull.load = section.number("reduced", kNonNegative);
-  } else {
-    pull.load = section.quantity("force", "N", kNonNegative) / load_force(fiber, 1.0);
-    if (!std::isfinite(pull.load)) section.fail("force", "is too large for this fiber");
-  }
-  if (section.has("direction")) pull.direction = read_direction(section, "direction", dimension);
+  pull.load = keys.reduced ? *keys.reduced : keys.force.value() / load_force(fiber, 1.0);
+  if (!std::isfinite(pull.load)) load.fail("force", "is too large for this fiber");
+  check_planar(load, "direction", keys.direction, dimension);
+  pull.direction = keys.direction;
   return pull;
 }
 
-Dimension read_dimension(const StrictMapping& top) {
-  if (!top.has("dimension")) return Dimension::planar;
-  return static_cast<Dimension>(top.choice("dimension", {"planar", "spatial"}));
+void check_planar(const StrictMapping& mapping, const char* key, const std::array<double, 3>& direction,
+                  Dimension dimension) {
+  if (dimension == Dimension::planar && direction[2] != 0) {
+    mapping.fail(key, "must lie in the x-y plane where the scene is planar");
+  }
 }
 
 }  // namespace fiberchain::dem

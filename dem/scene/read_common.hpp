@@ -1,49 +1,158 @@
 #pragma once
 
-#include "dem/scene/scene.hpp"
-#include "dem/scene/strict_mapping.hpp"
+#include <optional>
+#include <string>
 
-// What scenes of several kinds have in common. All functions throw SceneError.
+#include "dem/scene/key_table.hpp"
+#include "dem/scene/scene.hpp"
+
+// Keys that scenes of several kinds have in common. All readers throw SceneError.
 namespace fiberchain::dem {
 
-/// Keys of a section that describes a fiber.
-inline const std::vector<std::string> kFiberKeys = {"diameter",      "aspect_ratio",  "youngs_modulus",
-                                                    "poisson_ratio", "shear_modulus", "density"};
+inline constexpr ValueRange kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
+inline constexpr ValueRange kPoissonRatio{.low = -1, .high = 0.5, .low_open = true};
+inline constexpr const char* kAxes[] = {"x", "y", "z"};
 
-/// The fiber that a section with these keys describes; the bonds are left as they are by default.
-Fiber read_fiber_keys(const StrictMapping& section);
+/// A fiber as typed.
+struct FiberKeys {
+  double diameter = 0;                  ///< [m]
+  int aspect_ratio = 0;
+  double youngs_modulus = 0;            ///< [Pa]
+  std::optional<double> poisson_ratio;  ///< this, or
+  std::optional<double> shear_modulus;  ///< this [Pa]
+  double density = 0;                   ///< [kg/m^3]
+};
 
-/// StrictMapping "fiber"; the bonds are left as they are by default.
-Fiber read_fiber(const StrictMapping& top);
+/// Declares the keys of a fiber, for a T that has them.
+template <class T>
+void declare_fiber(KeyTable<T>& table) {
+  table.quantity("diameter", "m", &T::diameter, kPositive, "diameter of the fiber and of its spheres").required();
+  table.integer("aspect_ratio", &T::aspect_ratio, {.low = 1, .high = 1e6},
+                "number of bonds: length between the centers of the end spheres over the diameter")
+      .required();
+  table.quantity("youngs_modulus", "Pa", &T::youngs_modulus, kPositive, "Young's modulus E").required();
+  table.number("poisson_ratio", &T::poisson_ratio, kPoissonRatio, "Poisson's ratio ν, for G = E / (2 (1 + ν))");
+  table.quantity("shear_modulus", "Pa", &T::shear_modulus, kPositive, "shear modulus G");
+  table.quantity("density", "kg/m^3", &T::density, kPositive, "density of the spheres").required();
+  table.one_of({"poisson_ratio", "shear_modulus"});
+}
 
-/// Refuses a fiber whose numbers make no sense together.
-void check_fiber(const StrictMapping& section, const Fiber& fiber, const char* key = "fiber");
+/// The fiber of these keys, with the default bonds.
+/// @throws SceneError at `key` of the mapping for numbers that make no sense together
+Fiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys);
 
-/// Keys model, form and damping of section "bond"; what is absent stays as it is.
-void read_bond(const StrictMapping& section, Fiber& fiber, BondForm& form);
+/// Mapping "bond" as typed.
+struct BondKeys {
+  BondModel model = BondModel::paper;
+  BondForm form = BondForm::total;
+  double damping = 0;
+  double rolling_friction = 0;
+  Rolling rolling = Rolling::set_valued;
+};
 
-/// StrictMapping "load": reduced or force, and its direction.
-EndPull read_load(const StrictMapping& top, const Fiber& fiber, Dimension dimension);
+/// Keys of a mapping "bond" that not all kinds of scenes have.
+struct BondParts {
+  std::optional<BondForm> form = {};  ///< key form, with this default
+  bool rolling_friction = false;      ///< key rolling_friction
+  bool rolling = false;               ///< key rolling, its scheme
+};
+KeyTable<BondKeys> bond_keys(const BondParts& parts);
 
-/// Unit vector along the three numbers of a key; in the x-y plane where the scene is planar.
-std::array<double, 3> read_direction(const StrictMapping& section, const char* key, Dimension dimension);
+/// Gives the fiber its bonds.
+void apply(const BondKeys& keys, Fiber& fiber);
 
-/// "dimension", planar if absent.
-Dimension read_dimension(const StrictMapping& top);
+/// Mapping "load" as typed.
+struct LoadKeys {
+  std::optional<double> reduced;  ///< P L^2 / (E I), or
+  std::optional<double> force;    ///< P [N]
+  std::array<double, 3> direction = EndPull{}.direction;
+};
+KeyTable<LoadKeys> load_keys();
 
+/// The pull at the fiber's end.
+EndPull pull_of(const StrictMapping& load, const LoadKeys& keys, const Fiber& fiber, Dimension dimension);
+
+/// Refuses a direction out of the x-y plane where the scene is planar.
+void check_planar(const StrictMapping& mapping, const char* key, const std::array<double, 3>& direction,
+                  Dimension dimension);
+
+/// Declares keys dimension, fiber and bond of a scene of one fiber. `store` gets (BondKeys, scene) for what is not of the
+/// fiber itself.
+template <class T, class Store>
+void declare_single_fiber(KeyTable<T>& table, const BondParts& parts, Store store) {
+  table.choice("dimension", &T::dimension, words_of({Dimension::planar, Dimension::spatial}),
+               "motion in the x-y plane, or in space");
+  KeyTable<FiberKeys> fiber;
+  declare_fiber(fiber);
+  const auto store_fiber = [](const StrictMapping& mapping, const FiberKeys& keys, T& scene) {
+    scene.fiber = fiber_of(mapping, "", keys);
+  };
+  table.mapping("fiber", fiber, store_fiber, "the fiber").required();
+  const auto store_bond = [store](const StrictMapping&, const BondKeys& keys, T& scene) {
+    apply(keys, scene.fiber);
+    store(keys, scene);
+  };
+  table.mapping("bond", bond_keys(parts), store_bond, "the bonds between the spheres");
+}
+
+/// Course of a flow in time as typed.
+struct CourseKeys {
+  std::optional<double> start_up;     ///< [s], or
+  std::optional<double> oscillation;  ///< [s]
+  double phase = 0;                   ///< [rad]
+};
+
+/// A named flow: u = A x with A of this rate.
+struct NamedFlow {
+  const char* name;
+  Gradient (*gradient)(double rate);
+  bool operator==(const NamedFlow&) const = default;
+};
+
+/// Mapping "fluid" as typed.
+struct FluidKeys {
+  double viscosity = 0;           ///< [Pa s]
+  std::optional<NamedFlow> flow;  ///< with its rate, or
+  double rate = 0;                ///< [1/s]
+  std::optional<std::array<std::array<double, 3>, 3>> gradient;  ///< [1/s]
+  std::optional<CourseKeys> course;
+  Hydrodynamics hydrodynamics = Hydrodynamics::free_draining;
+  bool compressible = false;
+
+  bool flows() const { return flow || gradient; }
+};
+
+/// Keys of a mapping "fluid", with these hydrodynamics; `may_rest`: flow and gradient may both be left out.
+KeyTable<FluidKeys> fluid_keys(std::initializer_list<Hydrodynamics> hydrodynamics, bool may_rest);
+
+/// A fluid with the rate that strain is counted by.
+struct FluidInFlow {
+  Fluid fluid;
+  double rate = 0;     ///< size of the named flow's rate, or the gradient's Frobenius norm [1/s]
+  bool shear = false;  ///< a simple shear, steady
+};
+FluidInFlow fluid_of(const StrictMapping& mapping, const FluidKeys& keys, Dimension dimension);
+
+// Keys and reader of each kind of scene.
+std::vector<KeyDeclaration> cantilever_declarations();
+std::vector<KeyDeclaration> release_declarations();
+std::vector<KeyDeclaration> flow_declarations();
+std::vector<KeyDeclaration> packing_declarations();
+CantileverScene read_cantilever(const StrictMapping& top);
 ReleaseScene read_release(const StrictMapping& top);
-
-/// StrictMapping "fluid": viscosity, flow and hydrodynamics of a flow scene, with its rate.
-void read_fluid(const StrictMapping& top, FlowScene& scene);
-
 FlowScene read_flow(const StrictMapping& top);
-
 PackingScene read_packing(const StrictMapping& top);
 
-/// Sections "walls", "periodic", "gravity", "fluid" and "contacts" of a packing, and the room they leave.
-void read_domain(const StrictMapping& top, PackingScene& scene);
+/// Declares keys periodic, walls, gravity, fluid and contacts of a packing.
+void declare_domain(KeyTable<PackingScene>& table);
 
-/// Gives the room the sides that neither walls nor periods give: of the region, and of what stands in it.
-void complete_domain(PackingScene& scene);
+/// Declares key walls, which is read after the periods.
+void declare_walls(KeyTable<PackingScene>& table);
+
+/// Declares key filling, which is read after the fibers and the domain.
+void declare_filling(KeyTable<PackingScene>& table);
+
+/// Gives the scene's box the sides that neither walls nor periods give: those of the region, and of fibers from files.
+void complete_scene_box(PackingScene& scene);
 
 }  // namespace fiberchain::dem

@@ -8,7 +8,29 @@ namespace {
 constexpr ValueRange kTolerance{.low = 1e-13, .high = 0.1};
 constexpr ValueRange kBend{.low = -0.2, .high = 0.2};
 
-/// Unit vector of what `across` has across the unit vector `along`; nothing is left if they are parallel.
+/// A scene, and the length of its run as typed.
+struct FlowKeys : FlowScene {
+  std::optional<double> length_in_time, length_in_strain;  ///< [s], [-]
+};
+
+/// Mapping "start" as typed.
+struct StartKeys {
+  std::array<double, 3> direction{};
+  double bend = FlowStart{}.bend, s_bend = FlowStart{}.s_bend;
+  std::optional<std::array<double, 3>> bend_direction;
+};
+
+KeyTable<StartKeys> start_keys() {
+  KeyTable<StartKeys> table;
+  table.direction("direction", &StartKeys::direction, "direction of the fiber; its center is at the origin").required();
+  table.number("bend", &StartKeys::bend, kBend, "height of a parabola through the fiber's ends, over its length");
+  table.number("s_bend", &StartKeys::s_bend, kBend, "height of the ends of a cubic over the fiber's line, over its length");
+  table.direction("bend_direction", &StartKeys::bend_direction, "direction of the bend, its part across the fiber")
+      .otherwise("across the fiber in the plane; needed for a bend in space");
+  return table;
+}
+
+/// Unit vector of the part of `across` that is across the unit vector `along`; zero where they are parallel.
 std::array<double, 3> part_across(const std::array<double, 3>& along, std::array<double, 3> across) {
   const double part = along[0] * across[0] + along[1] * across[1] + along[2] * across[2];
   for (int i = 0; i < 3; ++i) across[i] -= part * along[i];
@@ -17,56 +39,66 @@ std::array<double, 3> part_across(const std::array<double, 3>& along, std::array
   return across;
 }
 
-void read_start(const StrictMapping& top, FlowScene& scene) {
-  const StrictMapping start = top.section("start", {"direction", "bend", "s_bend", "bend_direction"});
-  FlowStart& s = scene.start;
-  s.direction = read_direction(start, "direction", scene.dimension);
-  if (start.has("bend")) s.bend = start.number("bend", kBend);
-  if (start.has("s_bend")) s.s_bend = start.number("s_bend", kBend);
-  if (start.has("bend_direction")) {
-    s.bend_direction = part_across(s.direction, read_direction(start, "bend_direction", scene.dimension));
-    if (s.bend_direction == std::array<double, 3>{})
-      start.fail("bend_direction", "must not lie along the fiber");
-  } else if (scene.dimension == Dimension::planar) {
-    s.bend_direction = {-s.direction[1], s.direction[0], 0};
-  } else if (s.bend != 0 || s.s_bend != 0) {
+std::array<double, 3> bend_direction_of(const StrictMapping& start, const StartKeys& keys, Dimension dimension) {
+  const std::array<double, 3>& along = keys.direction;
+  if (keys.bend_direction) {
+    check_planar(start, "bend_direction", *keys.bend_direction, dimension);
+    const std::array<double, 3> across = part_across(along, *keys.bend_direction);
+    if (across == std::array<double, 3>{}) start.fail("bend_direction", "must not lie along the fiber");
+    return across;
+  }
+  if (dimension == Dimension::planar) return {-along[1], along[0], 0};
+  if (keys.bend != 0 || keys.s_bend != 0) {
     start.fail("", "key 'bend_direction' is missing: in space a bend needs a direction across the fiber");
-  } else {
-    s.bend_direction =
-        part_across(s.direction, std::abs(s.direction[0]) < 0.7 ? std::array<double, 3>{1, 0, 0}
-                                                                : std::array<double, 3>{0, 1, 0});
   }
+  return part_across(along, std::abs(along[0]) < 0.7 ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 1, 0});
 }
 
-FlowMethod read_method(const StrictMapping& motion) {
-  constexpr FlowMethod all[] = {FlowMethod::inertialess, FlowMethod::cvode, FlowMethod::leapfrog};
-  std::vector<std::string> words;
-  for (const FlowMethod one : all) words.emplace_back(name(one));
-  return all[motion.choice("method", words)];
+void store_start(const StrictMapping& start, const StartKeys& keys, FlowKeys& flow) {
+  check_planar(start, "direction", keys.direction, flow.dimension);
+  flow.start = {keys.direction, keys.bend, keys.s_bend, bend_direction_of(start, keys, flow.dimension)};
 }
 
-/// A key that only some methods have a use for.
-void only_with(const StrictMapping& motion, const char* key, bool useful, const char* those) {
-  if (motion.has(key) && !useful) motion.fail(key, std::string("is of use only with method: ") + those);
+KeyTable<FlowOptions> motion_keys() {
+  KeyTable<FlowOptions> table;
+  const auto leapfrog = [](const FlowOptions& options) { return options.method == FlowMethod::leapfrog; };
+  table.choice("method", &FlowOptions::method,
+               words_of({FlowMethod::inertialess, FlowMethod::cvode, FlowMethod::leapfrog}),
+               "balance of forces without inertia, or with inertia implicit or explicit in the bonds");
+  table.number("tolerance", &FlowOptions::tolerance, kTolerance, "local error, relative to L and to 1 rad")
+      .only_with("method: inertialess or cvode", [=](const FlowOptions& options) { return !leapfrog(options); });
+  table.number("step_ratio", &FlowOptions::step_ratio, kPositive, "time step over the bond's t_b = sqrt(m / K_n)")
+      .otherwise("0.8 of the largest stable step")
+      .only_with("method: leapfrog", leapfrog);
+  table.flag("allow_unstable", &FlowOptions::allow_unstable, "march even beyond the stable step")
+      .only_with("method: leapfrog", leapfrog);
+  return table;
 }
 
-void read_motion(const StrictMapping& top, FlowOptions& options) {
-  const StrictMapping motion = top.section("motion", {"method", "tolerance", "step_ratio", "allow_unstable"});
-  if (motion.has("method")) options.method = read_method(motion);
-  const bool leapfrog = options.method == FlowMethod::leapfrog;
-  only_with(motion, "tolerance", !leapfrog, "inertialess or cvode");
-  only_with(motion, "step_ratio", leapfrog, "leapfrog");
-  only_with(motion, "allow_unstable", leapfrog, "leapfrog");
-  if (motion.has("tolerance")) options.tolerance = motion.number("tolerance", kTolerance);
-  if (motion.has("step_ratio")) options.step_ratio = motion.number("step_ratio", kPositive);
-  if (motion.has("allow_unstable")) {
-    options.allow_unstable = motion.choice("allow_unstable", {"false", "true"}) == 1;
-  }
+void store_fluid(const StrictMapping& mapping, const FluidKeys& keys, FlowKeys& flow) {
+  const FluidInFlow in = fluid_of(mapping, keys, flow.dimension);
+  flow.fluid = in.fluid;
+  flow.rate = in.rate;
+  flow.shear = in.shear;
 }
 
-double read_duration(const StrictMapping& top, double rate) {
-  if (top.one_of({"duration", "strain"}) == "duration") return top.quantity("duration", "s", kPositive);
-  return top.number("strain", kPositive) / rate;
+KeyTable<FlowKeys> flow_keys() {
+  KeyTable<FlowKeys> table;
+  const auto store_bond = [](const BondKeys& keys, FlowKeys& flow) { flow.motion.form = keys.form; };
+  const auto all = {Hydrodynamics::free_draining, Hydrodynamics::interactions, Hydrodynamics::stresslets};
+  const auto motion = [](FlowKeys& flow) -> FlowOptions& { return flow.motion; };
+  table.known("scene", "flow", "a free fiber carried, turned and bent by a creeping flow");
+  declare_single_fiber(table, {.form = table.defaults().motion.form}, store_bond);
+  table.mapping("fluid", fluid_keys(all, false), &store_fluid, "the fluid and its flow").required();
+  table.mapping("start", start_keys(), &store_start, "the fiber at the start").required();
+  table.mapping_into("motion", motion, motion_keys(), "integration in time");
+  table.quantity("duration", "s", &FlowKeys::length_in_time, kPositive, "length of the run");
+  table.number("strain", &FlowKeys::length_in_strain, kPositive,
+               "the same as a strain: time times the size of the rate, or the gradient's Frobenius norm");
+  table.one_of({"duration", "strain"});
+  table.integer("samples", &FlowKeys::samples, {.low = 2, .high = 1e6}, "intervals of the history");
+  table.integer("shapes", &FlowKeys::shapes, {.low = 1, .high = 1000}, "intervals of the recorded shapes");
+  return table;
 }
 
 /// What the method asked for cannot do.
@@ -85,24 +117,14 @@ void check_together(const StrictMapping& top, const FlowScene& scene) {
 
 }  // namespace
 
+std::vector<KeyDeclaration> flow_declarations() { return flow_keys().declarations(); }
+
 FlowScene read_flow(const StrictMapping& top) {
-  top.allow({"scene", "dimension", "fiber", "bond", "fluid", "start", "motion", "duration", "strain",
-             "samples", "shapes"});
-  FlowScene scene{};
-  scene.dimension = read_dimension(top);
-  scene.fiber = read_fiber(top);
-  if (top.has("bond"))
-    read_bond(top.section("bond", {"model", "form", "damping"}), scene.fiber, scene.motion.form);
-  check_fiber(top, scene.fiber);
-  read_fluid(top, scene);
-  read_start(top, scene);
-  if (top.has("motion")) read_motion(top, scene.motion);
-  scene.duration = read_duration(top, scene.rate);
-  if (!std::isfinite(scene.duration)) top.fail("strain", "is too large for this rate");
-  if (top.has("samples")) scene.samples = top.integer("samples", {.low = 2, .high = 1e6});
-  if (top.has("shapes")) scene.shapes = top.integer("shapes", {.low = 1, .high = 1000});
-  check_together(top, scene);
-  return scene;
+  FlowKeys keys = flow_keys().read_strictly(top);
+  keys.duration = keys.length_in_time ? *keys.length_in_time : keys.length_in_strain.value() / keys.rate;
+  if (!std::isfinite(keys.duration)) top.fail("strain", "is too large for this rate");
+  check_together(top, keys);
+  return keys;
 }
 
 }  // namespace fiberchain::dem

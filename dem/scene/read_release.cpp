@@ -3,54 +3,31 @@
 namespace fiberchain::dem {
 namespace {
 
-constexpr ValueRange kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
-
-const std::vector<std::string> kBondKeys = {"model", "form", "damping", "rolling_friction", "rolling"};
-
-void read_release_bond(const StrictMapping& top, ReleaseScene& scene) {
-  const StrictMapping section = top.section("bond", kBondKeys);
-  read_bond(section, scene.fiber, scene.motion.form);
-  if (section.has("rolling_friction")) {
-    scene.fiber.rolling_friction = section.number("rolling_friction", kNonNegative);
-  }
-  if (section.has("rolling")) {
-    const bool solved = section.choice("rolling", {"set_valued", "explicit_sign"}) == 0;
-    scene.motion.rolling = solved ? Rolling::set_valued : Rolling::explicit_sign;
-    if (scene.fiber.rolling_friction == 0) section.fail("rolling", "is of use only with rolling_friction above 0");
-  }
+bool is_leapfrog(const ReleaseOptions& motion) {
+  return motion.integrator == Integrator::leapfrog || motion.integrator == Integrator::leapfrog_damped;
 }
 
-Integrator read_integrator(const StrictMapping& time) {
-  constexpr Integrator all[] = {Integrator::automatic, Integrator::leapfrog, Integrator::leapfrog_damped,
-                                Integrator::implicit, Integrator::cvode};
-  std::vector<std::string> words;
-  for (const Integrator one : all) words.emplace_back(name(one));
-  return all[time.choice("integrator", words)];
-}
-
-/// A key that only some integrators have a use for.
-void only_with(const StrictMapping& time, const char* key, bool useful, const char* those) {
-  if (time.has(key) && !useful) time.fail(key, std::string("is of use only with integrator: ") + those);
-}
-
-void read_time(const StrictMapping& top, ReleaseOptions& motion) {
-  const StrictMapping time = top.section(
-      "time", {"integrator", "error", "step_ratio", "allow_unstable", "tolerance", "samples_per_period"});
-  if (time.has("integrator")) motion.integrator = read_integrator(time);
-  const bool automatic = motion.integrator == Integrator::automatic, cvode = motion.integrator == Integrator::cvode;
-  const bool leapfrog =
-      motion.integrator == Integrator::leapfrog || motion.integrator == Integrator::leapfrog_damped;
-  only_with(time, "error", automatic, "auto");
-  only_with(time, "tolerance", cvode, "cvode");
-  only_with(time, "step_ratio", !automatic && !cvode, "leapfrog, leapfrog-damped or implicit");
-  only_with(time, "allow_unstable", leapfrog, "leapfrog or leapfrog-damped");
-  if (time.has("error")) motion.error = time.number("error", kFraction);
-  if (time.has("tolerance")) motion.tolerance = time.number("tolerance", kFraction);
-  if (time.has("step_ratio")) motion.step_ratio = time.number("step_ratio", kPositive);
-  if (time.has("allow_unstable")) motion.allow_unstable = time.choice("allow_unstable", {"false", "true"}) == 1;
-  if (time.has("samples_per_period")) {
-    motion.samples_per_period = time.integer("samples_per_period", {.low = 4, .high = 1e5});
-  }
+KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
+  KeyTable<ReleaseOptions> table(defaults);
+  const auto is = [](Integrator one) { return [one](const ReleaseOptions& motion) { return motion.integrator == one; }; };
+  table.choice("integrator", &ReleaseOptions::integrator,
+               words_of({Integrator::automatic, Integrator::leapfrog, Integrator::leapfrog_damped,
+                         Integrator::implicit, Integrator::cvode}),
+               "integration in time; `auto`: the cheapest that keeps `error`");
+  table.number("error", &ReleaseOptions::error, kFraction, "wanted relative error of damping and frequency")
+      .only_with("integrator: auto", is(Integrator::automatic));
+  table.number("step_ratio", &ReleaseOptions::step_ratio, kPositive, "time step over the bond's t_b = sqrt(m / K_n)")
+      .otherwise("0.8 of the largest stable step; `implicit`: the sample interval")
+      .only_with("integrator: leapfrog, leapfrog-damped or implicit", [](const ReleaseOptions& motion) {
+        return is_leapfrog(motion) || motion.integrator == Integrator::implicit;
+      });
+  table.flag("allow_unstable", &ReleaseOptions::allow_unstable, "march even beyond the stable step")
+      .only_with("integrator: leapfrog or leapfrog-damped", &is_leapfrog);
+  table.number("tolerance", &ReleaseOptions::tolerance, kFraction, "local error over the first deflection")
+      .only_with("integrator: cvode", is(Integrator::cvode));
+  table.integer("samples_per_period", &ReleaseOptions::samples_per_period, {.low = 4, .high = 1e5},
+                "samples of the free end in a period of the first mode");
+  return table;
 }
 
 /// What the integrator asked for cannot do.
@@ -64,26 +41,39 @@ void check_together(const StrictMapping& top, const ReleaseScene& scene) {
     if (!incremental) top.fail("bond", "rolling friction is built for form: incremental");
   }
   const bool total_only = integrator == Integrator::implicit || integrator == Integrator::cvode;
-  if (total_only && incremental && top.has("bond") && top.section("bond", kBondKeys).has("form")) {
+  if (total_only && incremental && top.has("bond") && top.mapping("bond").has("form")) {
     top.fail("bond", "form: incremental is built for the leapfrogs; implicit and cvode have form: total");
   }
 }
 
+KeyTable<ReleaseScene> release_keys() {
+  ReleaseScene defaults{};
+  defaults.motion.integrator = Integrator::automatic;
+  KeyTable<ReleaseScene> table(defaults);
+  table.known("scene", "release", "the cantilever held under its load, then let go");
+  const auto store_bond = [](const BondKeys& keys, ReleaseScene& scene) {
+    scene.motion.form = keys.form;
+    scene.motion.rolling = keys.rolling;
+  };
+  declare_single_fiber(table, {table.defaults().motion.form, true, true}, store_bond);
+  const auto store_load = [](const StrictMapping& mapping, const LoadKeys& keys, ReleaseScene& scene) {
+    scene.pull = pull_of(mapping, keys, scene.fiber, scene.dimension);
+    if (scene.pull.load == 0) mapping.fail("", "must not be zero: there would be nothing to watch");
+    if (scene.pull.direction[1] == 0) mapping.fail("", "needs a direction with a part along y, which is what is watched");
+  };
+  table.mapping("load", load_keys(), store_load, "the load at the free end before the release").required();
+  table.number("periods", &ReleaseScene::periods, {.low = 0, .high = 1e6, .low_open = true},
+               "length of the record in periods of the first mode");
+  table.mapping_into("time", &ReleaseScene::motion, time_keys(table.defaults().motion), "integration in time");
+  return table;
+}
+
 }  // namespace
 
+std::vector<KeyDeclaration> release_declarations() { return release_keys().declarations(); }
+
 ReleaseScene read_release(const StrictMapping& top) {
-  top.allow({"scene", "dimension", "fiber", "bond", "load", "periods", "time"});
-  ReleaseScene scene{};
-  scene.motion.integrator = Integrator::automatic;
-  scene.dimension = read_dimension(top);
-  scene.fiber = read_fiber(top);
-  if (top.has("bond")) read_release_bond(top, scene);
-  check_fiber(top, scene.fiber);
-  scene.pull = read_load(top, scene.fiber, scene.dimension);
-  if (scene.pull.load == 0) top.fail("load", "must not be zero: there would be nothing to watch");
-  if (scene.pull.direction[1] == 0) top.fail("load", "needs a direction with a part along y, which is what is watched");
-  if (top.has("periods")) scene.periods = top.number("periods", {.low = 0, .high = 1e6, .low_open = true});
-  if (top.has("time")) read_time(top, scene.motion);
+  const ReleaseScene scene = release_keys().read_strictly(top);
   check_together(top, scene);
   return scene;
 }

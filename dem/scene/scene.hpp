@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "dem/equilibrium/dynamic_relaxation.hpp"
-#include "dem/model/fiber.hpp"
 #include "dem/flow/integrate_in_flow.hpp"
+#include "dem/model/fiber.hpp"
+#include "dem/scene/key_declaration.hpp"
 #include "dem/scene/packing_scene.hpp"
 #include "dem/scene/scene_error.hpp"
 #include "dem/scene/scene_text.hpp"
@@ -74,7 +76,16 @@ struct FlowScene {
 
 using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, PackingScene>;
 
-/// The scene in a text. Files that it names are snapshot for from the directory of its own.
+/// A kind of scene: the word of key `scene`, and its keys.
+struct SceneKind {
+  const char* name;
+  std::vector<KeyDeclaration> (*keys)();
+};
+
+/// All kinds, in the order of the types of a Scene.
+const std::vector<SceneKind>& scene_kinds();
+
+/// The scene in a text. Files that it names are looked for from its own directory.
 /// @throws SceneError naming file, line, key, value and what is allowed
 Scene parse_scene(const SceneText& scene);
 

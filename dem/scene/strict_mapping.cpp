@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -85,14 +86,14 @@ void StrictMapping::allow(const std::vector<std::string>& keys) const {
   }
 }
 
-StrictMapping StrictMapping::section(const std::string& key, const std::vector<std::string>& keys) const {
+StrictMapping StrictMapping::mapping(const std::string& key, const std::vector<std::string>& keys) const {
   if (!value(key).IsMap()) fail(key, fmt::format("must be a mapping with keys of {}", fmt::join(keys, ", ")));
   const StrictMapping found(*this, key);
   found.allow(keys);
   return found;
 }
 
-std::vector<StrictMapping> StrictMapping::sections(const std::string& key, const std::vector<std::string>& keys) const {
+std::vector<StrictMapping> StrictMapping::mappings(const std::string& key, const std::vector<std::string>& keys) const {
   const YAML::Node list = value(key);
   const std::string what = fmt::format("must be a list of mappings with keys of {}", fmt::join(keys, ", "));
   if (!list.IsSequence() || list.size() == 0) fail(key, what);
@@ -161,10 +162,13 @@ std::size_t StrictMapping::choice(const std::string& key, const std::vector<std:
   return static_cast<std::size_t>(found - words.begin());
 }
 
-std::array<double, 3> StrictMapping::vector(const std::string& key) const {
-  const auto components = three_numbers(value(key));
-  if (!components) fail(key, "must be three finite numbers such as [0, 1, 0]");
-  return *components;
+std::array<double, 3> StrictMapping::direction(const std::string& key) const {
+  auto direction = three_numbers(value(key));
+  if (!direction) fail(key, "must be three finite numbers such as [0, 1, 0]");
+  const double length = std::hypot((*direction)[0], (*direction)[1], (*direction)[2]);
+  if (!(length > 0) || !std::isfinite(length)) fail(key, "must not be zero");
+  for (double& component : *direction) component /= length;
+  return *direction;
 }
 
 std::array<std::array<double, 3>, 3> StrictMapping::matrix(const std::string& key) const {
@@ -191,6 +195,8 @@ void StrictMapping::fail(const std::string& key, const std::string& message) con
   fail_at(mark_of(key), path.empty() ? message : fmt::format("{}: {}", path, message));
 }
 
+void StrictMapping::fail_missing(const std::string& key) const { fail("", fmt::format("key '{}' is missing", key)); }
+
 YAML::Mark StrictMapping::mark_of(const std::string& key) const {
   if (!node_.IsMap()) return mark_;
   for (const auto& entry : node_) {
@@ -204,7 +210,7 @@ void StrictMapping::fail_at(const YAML::Mark& mark, const std::string& message) 
 }
 
 YAML::Node StrictMapping::value(const std::string& key) const {
-  if (!has(key)) fail("", fmt::format("key '{}' is missing", key));
+  if (!has(key)) fail_missing(key);
   return node_[key];
 }
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dem/scene/value_range.hpp"
 #include "dem/scene/units.hpp"
+#include "dem/scene/value_range.hpp"
 
 namespace fiberchain::dem {
 
@@ -26,10 +26,13 @@ class StrictMapping {
   bool has(const std::string& key) const { return static_cast<bool>(node_[key]); }
 
   /// The mapping under this key, only `keys` allowed in it.
-  StrictMapping section(const std::string& key, const std::vector<std::string>& keys) const;
+  StrictMapping mapping(const std::string& key, const std::vector<std::string>& keys) const;
+
+  /// The same of a mapping whose keys have been checked.
+  StrictMapping mapping(const std::string& key) const { return {*this, key}; }
 
   /// The mappings of the sequence under this key, at least one, only `keys` allowed in each.
-  std::vector<StrictMapping> sections(const std::string& key, const std::vector<std::string>& keys) const;
+  std::vector<StrictMapping> mappings(const std::string& key, const std::vector<std::string>& keys) const;
 
   /// A number, alone or with a unit, in the SI unit `unit`.
   double quantity(const std::string& key, std::string_view unit, const ValueRange& allowed) const;
@@ -42,7 +45,7 @@ class StrictMapping {
 
   int integer(const std::string& key, const ValueRange& allowed) const;
 
-  /// One of the words; its place among them.
+  /// One of the words; its index among them.
   std::size_t choice(const std::string& key, const std::vector<std::string>& words) const;
 
   /// A text that is not empty.
@@ -51,8 +54,8 @@ class StrictMapping {
   /// true or false.
   bool flag(const std::string& key) const { return choice(key, {"false", "true"}) == 1; }
 
-  /// Three finite numbers.
-  std::array<double, 3> vector(const std::string& key) const;
+  /// Unit vector along three finite numbers that are not all zero.
+  std::array<double, 3> direction(const std::string& key) const;
 
   /// Three rows of three finite numbers.
   std::array<std::array<double, 3>, 3> matrix(const std::string& key) const;
@@ -63,8 +66,11 @@ class StrictMapping {
   /// What messages call the file.
   const std::string& file() const { return name_; }
 
-  /// A SceneError about a key of this section ("" for the section itself).
+  /// A SceneError about a key of this mapping ("" for the mapping itself).
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+
+  /// A SceneError for a key that is not there but must be.
+  [[noreturn]] void fail_missing(const std::string& key) const;
 
  private:
   StrictMapping(const StrictMapping& parent, const std::string& key);
@@ -72,11 +78,11 @@ class StrictMapping {
   double to_si(const std::string& key, const std::string& typed, std::string_view unit) const;
   std::string text(const std::string& key) const;
   YAML::Node value(const std::string& key) const;
-  YAML::Mark mark_of(const std::string& key) const;  ///< of the key; of the section if it has none such
+  YAML::Mark mark_of(const std::string& key) const;  ///< of the key; of the mapping where the key is absent
   [[noreturn]] void fail_at(const YAML::Mark& mark, const std::string& message) const;
 
   YAML::Node node_;
-  YAML::Mark mark_;   ///< where the section begins: its key
+  YAML::Mark mark_;   ///< where the mapping begins: its key
   std::string path_;  ///< keys that lead here, each with a dot behind it
   std::string name_;
   std::shared_ptr<const Units> units_;

@@ -13,8 +13,8 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Takes a document's events and does nothing with them.
-struct FeatureCost : YAML::EventHandler {
+/// Handler that discards the events of a document.
+struct DiscardEvents : YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
@@ -29,11 +29,11 @@ struct FeatureCost : YAML::EventHandler {
 };
 
 /// YAML::Load ignores what follows the first document, and YAML::LoadAll of yaml-cpp 0.7 never ends on
-/// some texts (", a"), so what follows is snapshot for here.
+/// some texts (", a"), so that text is looked for here.
 void check_single(const std::string& text, const std::string& name) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
-  FeatureCost skip;
+  DiscardEvents skip;
   parser.HandleNextDocument(skip);
   if (parser) throw SceneError(name + ": holds more than one document, or text after its end");
 }

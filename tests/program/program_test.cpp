@@ -20,6 +20,7 @@ const std::string kScenes = std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/"
 using Command = std::vector<std::string>;
 
 const Command kCommands[] = {{},         {"columns"},          {"run"},
+                             {"check"},
                              {"tables"}, {"tables", "static"}, {"tables", "damping"},
                              {"tables", "friction"},           {"tables", "shear"},
                              {"tables", "packing"},            {"fit"},
@@ -28,6 +29,8 @@ const Command kCommands[] = {{},         {"columns"},          {"run"},
 
 const Command kJsonCommands[] = {
     {"columns"},
+    {"check", kScenes + "packing.yaml"},
+    {"check", kScenes + "release.yaml"},
     {"run", kScenes + "cantilever.yaml"},
     {"run", kScenes + "cantilever-march.yaml"},
     {"run", kScenes + "cantilever-spatial.yaml"},

@@ -59,7 +59,7 @@ struct Fault {
 std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.says; }
 
 const Fault kFaults[] = {
-    {kScene + "colour: red\n", "test.yaml:14: unknown key 'colour'; allowed: scene, fibers, filling"},
+    {kScene + "colour: red\n", "test.yaml:14: unknown key 'colour'; allowed: scene, fibers, periodic"},
     {with("fibers:", "fibres:"), "test.yaml:2: unknown key 'fibres'; did you mean 'fibers'?"},
     {less("count: 11"), "test.yaml:3: fibers[0]: must have exactly one of count, starts"},
     {less("count: 11", "count: 0"),
@@ -138,9 +138,9 @@ const Fault kFaults[] = {
      "test.yaml:8: gravity: '9.81 m' has a unit of another dimension"},
     {with("gravity:", "gravity: 9.81"), "test.yaml:8: gravity: must be a list of 3 finite numbers in m/s^2"},
     {less("rate: 2 1/s", "rate: 0"), "test.yaml:9: fluid.rate: must not be zero"},
-    {less("flow: shear, rate", "rate"), "test.yaml:9: fluid.rate: is of use only with flow or gradient"},
+    {less("flow: shear, rate", "rate"), "test.yaml:9: fluid.rate: is of use only with flow"},
     {less("rate: 2 1/s", "rate: 2 1/s, hydrodynamics: interactions"),
-     "test.yaml:9: fluid.hydrodynamics: interactions and stresslets are not built for packings"},
+     "test.yaml:9: fluid.hydrodynamics: 'interactions' is not allowed; allowed: free_draining"},
     {with("contacts:", "contacts: {restitution: 0}"),
      "test.yaml:10: contacts.restitution: '0' is out of range"},
     {with("contacts:", "contacts: {restitution: 1.1}"),
@@ -165,7 +165,7 @@ const Fault kFaults[] = {
 BOOST_AUTO_TEST_CASE(everything_is_read) {
   const dem::PackingScene scene = parse(kScene);
   BOOST_REQUIRE_EQUAL(scene.kinds.size(), 2u);
-  const dem::FiberKind &straight = scene.kinds[0], &curved = scene.kinds[1];
+  const dem::PackingFiberKind &straight = scene.kinds[0], &curved = scene.kinds[1];
   BOOST_TEST(straight.count == 11);
   BOOST_TEST(straight.bend == 0);
   BOOST_TEST(straight.fiber.material.density == 1200, boost::test_tools::tolerance(1e-14));
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_TEST((scene.duration == 0.3 && scene.steps == 0));
   BOOST_TEST((scene.output.samples == 17 && scene.output.frames == 6 && scene.output.checkpoints == 4));
   BOOST_TEST(scene.output.vtk);
-  BOOST_TEST((scene.room.low[1] == 0 && scene.room.high[1] == 0.05 && scene.room.high[2] == 0.16));
+  BOOST_TEST((scene.scene_box.low[1] == 0 && scene.scene_box.high[1] == 0.05 && scene.scene_box.high[2] == 0.16));
 }
 
 BOOST_DATA_TEST_CASE(bad_input_is_refused_with_its_place, kFaults, fault) {
@@ -231,14 +231,14 @@ BOOST_AUTO_TEST_CASE(what_is_left_out_is_as_documented) {
   BOOST_TEST((scene.filling.seed == 1 && scene.filling.gap == 0 && scene.batches.number == 1));
   BOOST_TEST((scene.filling.orientation.alignment == dem::Alignment::isotropic));
   BOOST_TEST((scene.domain.contacts.restitution == 1 && scene.domain.contacts.friction == 0));
-  BOOST_TEST((scene.room.low[0] == -0.01 && scene.room.low[2] == 0.01 && scene.room.high[2] == 0.09));
+  BOOST_TEST((scene.scene_box.low[0] == -0.01 && scene.scene_box.low[2] == 0.01 && scene.scene_box.high[2] == 0.09));
   BOOST_TEST(dem::largest_rate(scene.domain.fluid->flow.gradient) == 0);  // at rest
 }
 
 BOOST_AUTO_TEST_CASE(an_open_box_reaches_from_its_floor_to_the_top_of_the_filling) {
   const dem::PackingScene scene = parse(walls("box: {x: 7 cm, lid: open}"));
   BOOST_TEST(scene.domain.walls.size() == 3u);
-  BOOST_TEST((scene.room.low[2] == 0 && scene.room.high[2] == 0.15));
+  BOOST_TEST((scene.scene_box.low[2] == 0 && scene.scene_box.high[2] == 0.15));
 }
 
 BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(batches_that_would_never_come_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(arcs_are_stress_free_and_of_their_radius) {
-  const dem::FiberKind kind = parse(kScene).kinds[1];
+  const dem::PackingFiberKind kind = parse(kScene).kinds[1];
   const dem::Chain<3> chain = dem::chain_of(kind);
   BOOST_TEST(dem::elastic_energy(chain, chain.poses) < 1e-25);
   const auto a = chain.poses[0].position, b = chain.poses[12].position;

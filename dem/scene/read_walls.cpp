@@ -1,0 +1,106 @@
+#include <string>
+
+#include "dem/scene/read_common.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+/// Mapping "box" as typed.
+struct BoxKeys {
+  std::array<std::optional<double>, 3> side;  ///< [m]
+  bool open = false;
+};
+
+KeyTable<BoxKeys> box_keys() {
+  KeyTable<BoxKeys> table;
+  for (int a = 0; a < 3; ++a) {
+    table.quantity(kAxes[a], "m", [a](BoxKeys& box) -> auto& { return box.side[a]; }, kPositive,
+                   std::string("walls across ") + kAxes[a] + " at 0 and here; not where this side is periodic")
+        .otherwise(a == 2 ? "required, unless periodic or open" : "required, unless periodic");
+  }
+  table.choice("lid", &BoxKeys::open, Words<bool>{{"closed", false}, {"open", true}}, "wall at the top, across z");
+  return table;
+}
+
+Wall wall_across(int axis, double position, double into) {
+  Plane plane{};
+  plane.point[axis] = position;
+  plane.normal[axis] = into;
+  return {plane};
+}
+
+/// Walls at 0 and the length of every side given; no wall at the top of an open box.
+void store_box(const StrictMapping& mapping, const BoxKeys& box, PackingScene& scene) {
+  for (int a = 0; a < 3; ++a) {
+    const bool floor_alone = a == 2 && box.open;
+    if (scene.domain.period[a] > 0) {
+      if (box.side[a]) mapping.fail(kAxes[a], "has no walls: this side is periodic");
+      continue;
+    }
+    if (!box.side[a] && !floor_alone) mapping.fail_missing(kAxes[a]);
+    if (box.side[a]) scene.scene_box.high[a] = *box.side[a];
+    scene.domain.walls.push_back(wall_across(a, 0, 1));
+    if (!floor_alone) scene.domain.walls.push_back(wall_across(a, scene.scene_box.high[a], -1));
+  }
+}
+
+void declare_wall_motion(KeyTable<Wall>& table) {
+  table.vector("velocity", "m/s", &Wall::velocity, "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a time, and one at rest `from` then");
+  table.quantity("from", "s", &Wall::from, kFinite, "the wall is there from this time on");
+  table.quantity("until", "s", &Wall::until, kFinite, "and gone from this time on").otherwise("always there");
+}
+
+KeyTable<Wall> plane_keys() {
+  KeyTable<Wall> table(Wall{Plane{}});
+  const auto plane = [](Wall& wall) -> Plane& { return std::get<Plane>(wall.shape); };
+  table.vector("point", "m", [=](Wall& wall) -> auto& { return plane(wall).point; }, "a point of the wall").required();
+  table.direction("normal", [=](Wall& wall) -> auto& { return plane(wall).normal; }, "normal, to the side of the fibers")
+      .required();
+  declare_wall_motion(table);
+  return table;
+}
+
+KeyTable<Wall> cylinder_keys() {
+  KeyTable<Wall> table(Wall{Cylinder{}});
+  const auto cylinder = [](Wall& wall) -> Cylinder& { return std::get<Cylinder>(wall.shape); };
+  table.vector("point", "m", [=](Wall& wall) -> auto& { return cylinder(wall).point; }, "a point of the axis").required();
+  table.direction("axis", [=](Wall& wall) -> auto& { return cylinder(wall).axis; }, "direction of the axis").required();
+  table.quantity("radius", "m", [=](Wall& wall) -> auto& { return cylinder(wall).radius; }, kPositive, "radius")
+      .required();
+  declare_wall_motion(table);
+  return table;
+}
+
+/// Stores a wall whose key `along` says how it lies.
+auto store_wall(const char* along) {
+  return [along](const StrictMapping& mapping, const Wall& wall, PackingScene& scene) {
+    if (!(wall.from < wall.until)) mapping.fail("until", "must be later than from");
+    for (int a = 0; a < 3; ++a) {
+      if (scene.domain.period[a] > 0 && !is_invariant_along(wall, a)) {
+        mapping.fail(along, std::string("must leave the wall the same all along ") + kAxes[a] + ", which is periodic");
+      }
+    }
+    scene.domain.walls.push_back(wall);
+  };
+}
+
+KeyTable<PackingScene> wall_keys() {
+  KeyTable<PackingScene> table;
+  const auto youngs_modulus = [](PackingScene& scene) -> auto& { return scene.domain.wall_youngs_modulus; };
+  const auto poisson_ratio = [](PackingScene& scene) -> auto& { return scene.domain.wall_poisson_ratio; };
+  table.quantity("youngs_modulus", "Pa", youngs_modulus, kPositive, "Young's modulus of all walls").otherwise("rigid");
+  table.number("poisson_ratio", poisson_ratio, kPoissonRatio, "Poisson's ratio of all walls")
+      .only_with("youngs_modulus", [](const PackingScene& scene) { return scene.domain.wall_youngs_modulus > 0; });
+  table.mapping("box", box_keys(), &store_box, "walls from 0 to the length of each side").otherwise("none");
+  table.list("planes", plane_keys(), store_wall("normal"), "plane walls").otherwise("none");
+  table.list("cylinders", cylinder_keys(), store_wall("axis"), "cylindrical walls, fibers are inside").otherwise("none");
+  return table;
+}
+
+}  // namespace
+
+void declare_walls(KeyTable<PackingScene>& table) {
+  table.mapping_into("walls", std::identity{}, wall_keys(), "walls, which may move").otherwise("none");
+}
+
+}  // namespace fiberchain::dem
