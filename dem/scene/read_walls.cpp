@@ -52,7 +52,7 @@ void declare_wall_motion(KeyTable<Wall>& table) {
 
 KeyTable<Wall> plane_keys() {
   KeyTable<Wall> table(Wall{Plane{}});
-  const auto plane = [](Wall& wall) -> Plane& { return std::get<Plane>(wall.shape); };
+  const auto plane = [](Wall& wall) -> Plane& { return *wall.shape.get_if<Plane>(); };
   table.vector("point", "m", [=](Wall& wall) -> auto& { return plane(wall).point; }, "a point of the wall").required();
   table.direction("normal", [=](Wall& wall) -> auto& { return plane(wall).normal; }, "normal, to the side of the fibers")
       .required();
@@ -62,7 +62,7 @@ KeyTable<Wall> plane_keys() {
 
 KeyTable<Wall> cylinder_keys() {
   KeyTable<Wall> table(Wall{Cylinder{}});
-  const auto cylinder = [](Wall& wall) -> Cylinder& { return std::get<Cylinder>(wall.shape); };
+  const auto cylinder = [](Wall& wall) -> Cylinder& { return *wall.shape.get_if<Cylinder>(); };
   table.vector("point", "m", [=](Wall& wall) -> auto& { return cylinder(wall).point; }, "a point of the axis").required();
   table.direction("axis", [=](Wall& wall) -> auto& { return cylinder(wall).axis; }, "direction of the axis").required();
   table.quantity("radius", "m", [=](Wall& wall) -> auto& { return cylinder(wall).radius; }, kPositive, "radius")
