@@ -17,8 +17,10 @@ function(fiberchain_add_kernels target)
     target_include_directories(${copy} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${copy} SYSTEM PRIVATE ${FIBERCHAIN_XSIMD_INCLUDE})
     target_compile_features(${copy} PRIVATE cxx_std_20)
-    target_link_libraries(${copy} PRIVATE fiberchain_flags Eigen3::Eigen)
-    target_compile_options(${copy} PRIVATE ${options} ${options_${set}})
+    target_link_libraries(${copy} PRIVATE Eigen3::Eigen)
+    # Those of every target first: the last one that says whether to fuse wins.
+    target_compile_options(${copy} PRIVATE
+      $<TARGET_PROPERTY:fiberchain_flags,INTERFACE_COMPILE_OPTIONS> ${options} ${options_${set}})
     if(FIBERCHAIN_SANITIZE)
       # The sanitizers check the scalar copy, which is the same source; the wide ones would take the compiler minutes.
       if(set STREQUAL scalar)
