@@ -3,7 +3,6 @@
 #include "reference/reissner.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -140,13 +139,4 @@ BOOST_AUTO_TEST_CASE(shape_ends_at_the_tip) {
     BOOST_TEST(std::abs(shape.theta.back() - tip.angle) < 1e-10);
     BOOST_TEST(std::abs(shape.y[0]) + std::abs(shape.theta[0]) == 0);
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_call_takes_about_a_millisecond) {
-  const auto start = std::chrono::steady_clock::now();
-  double sum = 0;
-  for (int i = 1; i <= 50; ++i) sum += ref::reissner_tip(0.2 * i, 400, 100).y;
-  const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 50;
-  BOOST_TEST_MESSAGE("Reissner: " << each * 1e6 << " us a call (sum " << sum << ")");
-  BOOST_TEST(each < 0.1);  // wide: other work may share the machine
 }
