@@ -18,10 +18,10 @@ constexpr int steps_counted = 100;
 template <class To, class From>
 To counted(const From& from, OperationCount* count) {
   To to;
-  const double* source = reinterpret_cast<const double*>(&from);
-  Counted* target = reinterpret_cast<Counted*>(&to);
-  static_assert(sizeof(To) / sizeof(Counted) == sizeof(From) / sizeof(double));
-  for (std::size_t i = 0; i < sizeof(From) / sizeof(double); ++i) target[i] = Counted(source[i], count);
+  const double* source = dem::as_numbers<double>(from);
+  Counted* target = dem::as_numbers<Counted>(to);
+  static_assert(dem::numbers_of<To, Counted> == dem::numbers_of<From>);
+  for (std::size_t i = 0; i < dem::numbers_of<From>; ++i) target[i] = Counted(source[i], count);
   return to;
 }
 
@@ -50,8 +50,8 @@ OperationCount counted_bond_step() {
     sphere.pose = pose;
     spheres.push_back(counted<dem::MovingSphere<Counted, Dim>>(sphere, &count));
   }
-  std::vector<dem::BondHistory<Counted, Dim>> history(
-      kernel_bonds, counted<dem::BondHistory<Counted, Dim>>(dem::BondHistory<double, Dim>{}, &count));
+  std::vector<dem::HistoryOf<P, Counted>> history(
+      kernel_bonds, counted<dem::HistoryOf<P, Counted>>(dem::HistoryOf<P, double>{}, &count));
   std::vector<dem::NaturalEnds<Counted, Dim>> natural;
   for (const auto& ends : swing.chain.natural)
     natural.push_back(counted<dem::NaturalEnds<Counted, Dim>>(ends, &count));

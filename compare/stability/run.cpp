@@ -5,20 +5,17 @@
 #include <random>
 
 #include "dem/motion/kernels/chain_batch.hpp"
+#include "dem/motion/physics_of.hpp"
 
 namespace fiberchain::compare {
 namespace {
 
 constexpr int together = 8;  // steps tried at once
 
+template <int Dim>
 dem::Physics physics_of(const StabilityRun& run) {
-  const bool damped = dem::damped(run.fiber);
-  return {.dimension = run.dimension,
-          .form = run.form,
-          .damped = damped,
-          .settling_damping = false,
-          .curved = false,
-          .solved = damped && run.scheme == dem::Integrator::leapfrog_damped};
+  return dem::physics_of(dem::straight_chain<Dim>(run.fiber),
+                         {.form = run.form, .centered_dashpots = run.scheme == dem::Integrator::leapfrog_damped});
 }
 
 template <int Dim>
@@ -53,7 +50,7 @@ std::vector<bool> block_grows(const StabilityRun& run, const std::vector<double>
   const std::vector<dem::Chain<Dim>> chains(time_steps.size(), dem::straight_chain<Dim>(run.fiber));
   const dem::Clamps clamps{run.ends == reference::ChainEnds::clamped_free, false};
   dem::ChainBatch<Dim> block(chains, clamps, time_steps, std::vector<double>(time_steps.size(), 0.0),
-                                physics_of(run), dem::best_instruction_set());
+                                physics_of<Dim>(run), dem::best_instruction_set());
   for (int lane = 0; lane < lanes; ++lane) stir(block, run.fiber, lane);
   const double start = speed(block, run.fiber, 0);
   std::vector<bool> grew(time_steps.size(), false);
@@ -68,7 +65,8 @@ std::vector<bool> block_grows(const StabilityRun& run, const std::vector<double>
 }
 
 int lanes_of_block(const StabilityRun& run) {
-  return dem::chain_kernel(physics_of(run), dem::best_instruction_set()).width;
+  const dem::Physics physics = run.dimension == 2 ? physics_of<2>(run) : physics_of<3>(run);
+  return dem::chain_kernel(physics, dem::best_instruction_set()).width;
 }
 
 /// Narrows to the last that was stable before the first that grew. If the lowest grew that was stable before,

@@ -76,7 +76,10 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   check_periods(domain);
   if (!options.placed_anywhere) check_places(groups, domain, 0);
   if (options.threads < 1) throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
-  const StepChoice choice = assembly_time_step(groups, domain);
+  if (options.account_energy && packing_law(options).intact_place >= 0) {
+    throw InvalidInput("account_energy is not allowed: what a breaking bond takes is not accounted");
+  }
+  const StepChoice choice = assembly_time_step(groups, domain, options);
   const double step = options.step ? *options.step : choice.step;
   if (!(step > 0) || !std::isfinite(step)) {
     throw InvalidInput(fmt::format("step = {} s is not allowed: it must be finite and greater than 0", step));
@@ -100,7 +103,7 @@ void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
   check_places({group}, s.domain, s.time());
-  const double largest = largest_step(assembly_time_step({group}, s.domain));
+  const double largest = largest_step(assembly_time_step({group}, s.domain, s.options));
   if (s.step > largest) {
     throw InvalidInput(fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear", s.step,
                                    largest));
@@ -156,20 +159,7 @@ struct GroupSnapshot {
   }
 
   BondState bond(const ChainState<3>& state, int lane, int i) const {
-    const BondParameters<double>& law = kind.parameters.bond;
-    const RelativeMotion<double, 3> motion{state.velocity[i + 1] - state.velocity[i],
-                                           0.5 * (state.spin[i] + state.spin[i + 1]), state.spin[i + 1] - state.spin[i]};
-    const auto line = bond_vector<double, 3>(state.poses[i + 1].position - state.poses[i].position,
-                                             kind.parameters.inverse_length);
-    const Vec<double, 3> e = line.inverse_length * line.vector;
-    if (all.options.form == BondForm::total) {
-      const auto k = bond_kinematics(kind.chain, state.poses, i);
-      const Vec<double, 3> spring = bond_loads(k, bond_stress(law, k.separation, k.rotation)).force_on_first;
-      return {spring + dashpot_action(law, line.vector, e, motion).force, bending_angle(kind.chain, state.poses, i)};
-    }
-    const BondHistory<double, 3> history = block.history(kind, now, lane, i);
-    return {incremental_action<true>(law, history, line, motion).force,
-            norm(history.rotation - dot(history.rotation, e) * e)};
+    return kind.law->state(kind.chain, state, i, kind.history_of(now.history.data(), lane, i), kind.kernel->width);
   }
 
   std::vector<BondState> bonds(int lane) const { return bonds(state(lane), lane); }
@@ -200,6 +190,16 @@ ChainState<3> Assembly::state(int group, int fiber) const {
 std::vector<BondState> Assembly::bonds(int group, int fiber) const {
   const State::Slot at = state_->slot(group, fiber);
   return GroupSnapshot(*state_, at.block).bonds(at.lane);
+}
+
+bool Assembly::is_broken(int group, int fiber, int bond) const {
+  const State::Slot at = state_->slot(group, fiber);
+  return state_->blocks[at.block].is_broken(state_->kinds[group], at.lane, bond);
+}
+
+void Assembly::break_bond(int group, int fiber, int bond) {
+  const State::Slot at = state_->slot(group, fiber);
+  state_->blocks[at.block].break_bond(state_->kinds[group], at.lane, bond);
 }
 
 std::vector<ChainState<3>> Assembly::states(int group) const {

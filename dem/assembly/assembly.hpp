@@ -20,9 +20,12 @@
 // contacts in lanes across pairs. Results do not depend on the number of threads, to the bit.
 namespace fiberchain::dem {
 
+struct PackingLaw;
+
 struct AssemblyOptions {
   std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
   BondForm form = BondForm::incremental;
+  const PackingLaw* law = nullptr;  ///< of the bonds, from outside of the library (packing_law.hpp), in place of `form`
   Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
   int threads = 1;
   bool time_parts = false;                ///< measure the parts of a step (StepTimes)
@@ -71,6 +74,11 @@ class Assembly {
   ChainState<3> state(int group, int fiber) const;
   /// Of a fiber, from its first bond on.
   std::vector<BondState> bonds(int group, int fiber) const;
+  /// Bonds that can break (a law with the flag `intact`, laws/breakable.hpp); no others are ever broken. Spheres beside a
+  /// broken bond may touch.
+  bool is_broken(int group, int fiber, int bond) const;
+  /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
+  void break_bond(int group, int fiber, int bond);
   /// Of all fibers of a group, at a fraction of the cost of one after the other.
   std::vector<ChainState<3>> states(int group) const;
   std::vector<std::vector<BondState>> bonds(int group) const;
@@ -104,6 +112,6 @@ struct StepChoice {
   std::string_view set_by;  ///< "bonds", "bond damping" or "contacts"
   double bonds, damped_bonds, contacts;  ///< largest steps each allows [s]
 };
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain);
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain, const AssemblyOptions& options = {});
 
 }  // namespace fiberchain::dem

@@ -11,14 +11,6 @@
 namespace fiberchain::dem {
 namespace {
 
-Physics physics_of(const Chain<3>& chain, const Domain& domain, const AssemblyOptions& options) {
-  Physics physics{.dimension = 3, .form = options.form, .damped = damped(chain.fiber), .settling_damping = false,
-                  .curved = options.form == BondForm::total && !chain.natural.empty()};
-  physics.fluid = domain.fluid.has_value();
-  if (chain.fiber.rolling_friction > 0) physics.rolling = options.rolling, physics.damped = true;
-  return physics;
-}
-
 /// Larger storage that begins with the rows of `from`.
 SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented) {
   SphereStorage rows(count, oriented);
@@ -57,15 +49,14 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   for (const FiberGroup& group : groups) count += static_cast<std::int64_t>(group.fibers.size()) * group.chain.poses.size();
   if (count > most_spheres) throw InvalidInput(fmt::format("spheres = {} is not allowed: at most {}", count, most_spheres));
   contacts.check_periods(groups);
-  const bool oriented = options.orientations || options.form == BondForm::total;
+  const bool oriented = options.orientations || packing_law(options).from_poses;
   std::int64_t row = rows.count;
   rows = grown(rows, count, oriented);
   const int first_new = static_cast<int>(blocks.size());
   std::size_t scratch_size = scratch.empty() ? 0 : scratch[0].size();
   for (const FiberGroup& group : groups) {
-    const Physics physics = physics_of(group.chain, domain, options);
     const int number = static_cast<int>(kinds.size());
-    kinds.push_back(group_kind(group.chain, group.fibers.size(), physics, domain, step, options.instruction_set));
+    kinds.push_back(group_kind(group.chain, group.fibers.size(), options, domain, step));
     GroupKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
@@ -145,7 +136,9 @@ std::int64_t Assembly::State::broken() const {
       for (std::int64_t i = block.first(lane); i < block.first(lane) + kind.spheres(); ++i) {
         const Vec<double, 3> v = rows.velocity(i), w = rows.spin(i);
         const double sum = v[0] + v[1] + v[2] + w[0] + w[1] + w[2];
-        const double length = i > block.first(lane) ? norm(rows.position(i) - rows.position(i - 1)) : l + 0 * norm(rows.position(i));
+        const int bond = static_cast<int>(i - block.first(lane)) - 1;  // to the sphere before
+        const bool bonded = bond >= 0 && !block.is_broken(kind, lane, bond);
+        const double length = bonded ? norm(rows.position(i) - rows.position(i - 1)) : l + 0 * norm(rows.position(i));
         if (!std::isfinite(sum) || blown_up(length, l)) return i;
       }
     }
@@ -176,24 +169,23 @@ EnergyBalance Assembly::State::energy() const {
     const GroupKind& kind = kinds[block.group()];
     const BlockSnapshot now = snapshot(block);
     for (int lane = 0; lane < block.lanes(); ++lane) {
-      Poses<3> poses;
+      ChainState<3> state;
       MovingSphere<double, 3> before{};
       for (int i = 0; i < kind.spheres(); ++i) {
         const MovingSphere<double, 3> s = sphere_now(block, now, lane, i);
         sum.kinetic += 0.5 * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
         sum.gravity -= dot(kind.weight, s.pose.position);
-        poses.push_back(s.pose);
+        state.poses.push_back(s.pose), state.velocity.push_back(s.velocity), state.spin.push_back(s.spin);
         // half of the work of the kick that is centered on this moment
         if (options.account_energy && block.moved() && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
         before = s;
       }
-      if (options.form == BondForm::total) {
-        sum.bonds += elastic_energy(kind.chain, poses);
-        continue;
-      }
-      for (int i = 0; i + 1 < kind.spheres(); ++i) {
-        sum.bonds += stored_energy(kind.parameters.bond, block.history(kind, now, lane, i),
-                                   unit(poses[i + 1].position - poses[i].position));
+      kind.law->add_stored_energy(kind.chain, state, kind.history_of(now.history.data(), lane, 0), kind.kernel->width,
+                                  kind.kernel->history * kind.kernel->width, sum.bonds);
+      if (!options.account_energy || !block.moved() || kind.law->dissipated == nullptr) continue;
+      for (int i = 0; i + 1 < kind.spheres(); ++i) {  // in the last step, which is not accounted yet
+        sum.bond_damping += kind.law->dissipated(kind.chain, state, i, kind.history_of(block.histories(), lane, i),
+                                                 kind.kernel->width, step);
       }
     }
     sum.bond_damping += block.bond_damping();

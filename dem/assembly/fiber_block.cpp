@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "dem/model/errors.hpp"
 #include "dem/motion/half_step.hpp"
-#include "dem/motion/kernels/chain_lane.hpp"
+#include "dem/motion/physics_of.hpp"
+#include "dem/motion/relaxation.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -38,10 +40,23 @@ void put_rows(SphereStorage& rows, std::int64_t row, const ChainState<3>& state,
 
 }  // namespace
 
-GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Domain& domain, double step,
-                     InstructionSet set) {
+GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options, const Domain& domain,
+                     double step) {
   const Fiber& fiber = chain.fiber;
-  GroupKind kind{chain, physics, &packing_kernel(physics, set), {}, {}, {}, {}, {}, {}, sphere_mass(fiber), sphere_inertia(fiber)};
+  const PackingLaw& law = packing_law(options);
+  const Physics physics =
+      physics_of(chain, {.form = law.form, .rolling = options.rolling, .fluid = domain.fluid.has_value()});
+  GroupKind kind{.chain = chain,
+                 .law = &law,
+                 .kernel = &law.kernel(physics, options.instruction_set),
+                 .parameters = {},
+                 .histories = {},
+                 .lane_parameters = {},
+                 .lane_natural = {},
+                 .drag = {},
+                 .weight = {},
+                 .mass = sphere_mass(fiber),
+                 .inertia = sphere_inertia(fiber)};
   kind.weight = kind.mass * domain.gravity;
   if (domain.fluid) kind.drag = stokes_drag(*domain.fluid, fiber);
   kind.parameters = march_parameters<3>(fiber, kind.drag, step);
@@ -70,31 +85,30 @@ FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t firs
     const int fiber = std::min(lane, lanes_ - 1);
     first_.push_back(first + static_cast<std::int64_t>(fiber) * kind.spheres());
     for (int i = 0; i < bonds; ++i) {
-      kind.histories.put(strain_of(kind.chain, fibers[fiber].poses, i),
-                         number * history_size_ + i * numbers_of<BondHistory<double, 3>> * width + lane, width);
+      kind.law->start(kind.chain, fibers[fiber], i, kind.history_of(history_, lane, i), width);
     }
   }
   for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
 }
 
 PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient) {
-  return {kind.chain.fiber.aspect_ratio,
-          first_.data(),
-          rows.position_radius.data(),
-          rows.motions.data(),
-          loads.rows,
-          loads.first,
-          rows.oriented() ? rows.orientation.data() : nullptr,
-          history_,
-          kind.lane_natural.data(),
-          kind.lane_parameters.data(),
-          workspace_.data(),
-          scratch.data(),
-          {kind.weight[0], kind.weight[1], kind.weight[2]},
-          gradient,
-          nullptr,
-          0,
-          previous_step_};
+  return {.bonds = kind.chain.fiber.aspect_ratio,
+          .first = first_.data(),
+          .position_radius = rows.position_radius.data(),
+          .motions = rows.motions.data(),
+          .loads = loads.rows,
+          .first_loaded = loads.first,
+          .orientation = rows.oriented() ? rows.orientation.data() : nullptr,
+          .history = history_,
+          .natural = kind.lane_natural.data(),
+          .parameters = kind.lane_parameters.data(),
+          .workspace = workspace_.data(),
+          .scratch = scratch.data(),
+          .weight = {kind.weight[0], kind.weight[1], kind.weight[2]},
+          .gradient = gradient,
+          .next_history = nullptr,
+          .rows_ahead = 0,
+          .previous_step = previous_step_};
 }
 
 double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
@@ -132,13 +146,6 @@ Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, 
   return sphere;
 }
 
-BondHistory<double, 3> FiberBlock::history(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int bond) const {
-  const std::size_t width = kind.kernel->width;
-  BondHistory<double, 3> history{};
-  snapshot.history.get(history, bond * numbers_of<BondHistory<double, 3>> * width + lane, width);
-  return history;
-}
-
 void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient, const Gradient& A) {
   const BlockSnapshot now = snapshot(kind, rows, loads, gradient);
   for (int lane = 0; lane < lanes_; ++lane) {
@@ -148,6 +155,13 @@ void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loa
       double* own = rows.velocity_row(first_[lane] + i);
       for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];
     }
+  }
+}
+
+void FiberBlock::break_bond(const GroupKind& kind, int lane, int bond) {
+  if (kind.law->intact_place < 0) throw InvalidInput("a broken bond is not allowed: this bond law has none");
+  for (int k = lane; k < (lane + 1 == lanes_ ? kind.kernel->width : lane + 1); ++k) {  // unused lanes repeat the last fiber
+    *intact(kind, kind.history_of(history_, k, bond)) = 0;
   }
 }
 

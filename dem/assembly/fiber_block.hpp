@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "dem/assembly/packing_law.hpp"
 #include "dem/chain/sphere_storage.hpp"
 #include "dem/parallel/force_buffers.hpp"
 #include "dem/model/domain.hpp"
@@ -16,7 +17,7 @@ namespace fiberchain::dem {
 /// Shared by all blocks of a group: physics, kernel and parameters.
 struct GroupKind {
   Chain<3> chain;
-  Physics physics;
+  const PackingLaw* law;  ///< of its bonds
   const PackingKernel* kernel;
   MarchParameters<double, 3> parameters;
   LaneArray histories;  ///< of the bonds, block after block
@@ -28,12 +29,18 @@ struct GroupKind {
   int spheres() const { return chain.fiber.aspect_ratio + 1; }
   /// Numbers of a block's history.
   std::size_t history_size() const {
-    return chain.fiber.aspect_ratio * numbers_of<BondHistory<double, 3>> * static_cast<std::size_t>(kernel->width);
+    return chain.fiber.aspect_ratio * kernel->history * static_cast<std::size_t>(kernel->width);
+  }
+  /// The history of a bond in a block's histories, its numbers `kernel->width` apart.
+  template <class Number>
+  Number* history_of(Number* block, int lane, int bond) const {
+    return block + bond * kernel->history * static_cast<std::size_t>(kernel->width) + lane;
   }
 };
 
-GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const Physics& physics, const Domain& domain, double step,
-                     InstructionSet set);
+/// Throws InvalidInput where the physics of these fibers is not built.
+GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options, const Domain& domain,
+                     double step);
 
 /// A block's spheres at this moment: forces of bonds, contacts and weight with them, the bonds' strains moved on to now.
 struct BlockSnapshot {
@@ -65,7 +72,16 @@ class FiberBlock {
 
   BlockSnapshot snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient) const;
   MovingSphere<double, 3> sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const;
-  BondHistory<double, 3> history(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int bond) const;
+
+  /// Histories of its bonds at the last step.
+  const double* histories() const { return history_; }
+  double* histories() { return history_; }
+  /// Whether a bond is broken; never where the law has no broken bonds.
+  bool is_broken(const GroupKind& kind, int lane, int bond) const {
+    return kind.law->intact_place >= 0 && *intact(kind, kind.history_of(history_, lane, bond)) == 0;
+  }
+  /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
+  void break_bond(const GroupKind& kind, int lane, int bond);
 
   double bond_damping() const;   ///< dissipated so far [J]
   double bond_friction() const;  ///< dissipated so far [J]
@@ -77,6 +93,9 @@ class FiberBlock {
   std::array<std::span<double>, 6> saved_arrays();
 
  private:
+  static double* intact(const GroupKind& kind, double* history) {
+    return history + kind.law->intact_place * static_cast<std::size_t>(kind.kernel->width);
+  }
   PackingBlock view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient);
 
   int group_, lanes_;

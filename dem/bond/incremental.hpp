@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/bond/dashpot.hpp"
+#include "dem/bond/configuration.hpp"
 
 // The paper's incremental form (Eqs 3-6): strains summed over the steps, turned with the bond. Increments are taken
 // at the middle of the step, so that the sum is second order in the step.
@@ -27,22 +27,7 @@ Vec<Real, Dim> unit(const Vec<Real, Dim>& u) {
   return (Real(1.0) / norm(u)) * u;
 }
 
-/// A bond's vector with its length, for one square root a step.
-template <class Real, int Dim>
-struct BondVector {
-  Vec<Real, Dim> vector;  ///< from sphere 1 to sphere 2 [m]
-  Real length_squared;
-  Real inverse_length;
-};
-
-/// `scale` is 1 / l_0: bonds keep their length within a few percent.
-template <class Real, int Dim>
-BondVector<Real, Dim> bond_vector(const Vec<Real, Dim>& vector, const Real& scale) {
-  const Real squared = dot(vector, vector);
-  return {vector, squared, scale * inverse_sqrt_near_one(squared * (scale * scale))};
-}
-
-/// The same for the bond's vector at an earlier moment of the step.
+/// The bond's vector at an earlier moment of the step, by the length at its end.
 template <class Real, int Dim>
 BondVector<Real, Dim> earlier(const BondVector<Real, Dim>& end, const Vec<Real, Dim>& vector) {
   const Real squared = dot(vector, vector);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "dem/bond/kinematics.hpp"
 #include "dem/model/fiber.hpp"
 
@@ -14,13 +16,19 @@ struct BondParameters {
   Real rest_length;                          ///< l_0 = 2R [m]
   Real chord;                                ///< 0 or 1/24 [-]
   Real dash_stretch, dash_shear, dash_twist, dash_bend;  ///< dashpots, Eqs 7-10
+  Real own[law_parameter_count];             ///< parameters that one law alone knows
 };
 
 inline BondParameters<double> bond_parameters(const Fiber& fiber) {
   const BondStiffness K = bond_stiffness(fiber);
   const BondDashpot c = bond_dashpot(fiber);
   const double chord = fiber.bond_model == BondModel::corrected ? 1.0 / 24.0 : 0.0;
-  return {K.stretch, K.shear, K.twist, K.bend, bond_length(fiber), chord, c.stretch, c.shear, c.twist, c.bend};
+  BondParameters<double> bond{.stretch = K.stretch, .shear = K.shear, .twist = K.twist, .bend = K.bend,
+                              .rest_length = bond_length(fiber), .chord = chord,
+                              .dash_stretch = c.stretch, .dash_shear = c.shear, .dash_twist = c.twist, .dash_bend = c.bend,
+                              .own = {}};
+  std::copy_n(fiber.law_parameters.begin(), law_parameter_count, bond.own);
+  return bond;
 }
 
 /// theta_b^2: the rotation about the axes across the bond.

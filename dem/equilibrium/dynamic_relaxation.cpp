@@ -10,6 +10,7 @@
 
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_batch.hpp"
+#include "dem/motion/physics_of.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -117,8 +118,7 @@ void march_block(std::vector<Lane<Dim>>& lanes, const RelaxOptions& options) {
     steps.push_back(lane.time_step);
     steps_per_period = std::max(steps_per_period, 2 * std::numbers::pi / (omega * lane.time_step));
   }
-  const Physics physics{Dim, options.form, options.bond_damping > 0, options.drag > 0,
-                        options.form == BondForm::total && !chains[0].natural.empty()};
+  const Physics physics = physics_of<Dim>(chains, {.form = options.form, .settling_damping = options.drag > 0});
   ChainBatch<Dim> block(chains, end_clamps(*lanes[0].job), steps, drag, physics, options.instruction_set);
   const int check_every = std::max(static_cast<int>(steps_per_period / 20), 1);
   const double ramp_steps = options.ramp_periods * steps_per_period;

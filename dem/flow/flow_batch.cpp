@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "dem/motion/physics_of.hpp"
 #include "dem/motion/kernels/chain_lane.hpp"
 
 namespace fiberchain::dem {
@@ -26,8 +27,7 @@ ChainBatch<Dim> block_of(const std::vector<typename FlowBatch<Dim>::Member>& mem
     chains.push_back(member.flow->chain);
     steps.push_back(first_step(member.plan));
   }
-  const Physics physics{.dimension = Dim, .form = options.form, .damped = damped(chains[0].fiber), .settling_damping = false,
-                        .curved = !chains[0].natural.empty(), .fluid = true};
+  const Physics physics = physics_of<Dim>(chains, {.form = options.form, .fluid = true});
   return {chains, members[0].plan.clamps, steps, std::vector<double>(chains.size(), 0.0), physics, options.instruction_set};
 }
 

@@ -60,6 +60,7 @@ void check(const Fiber& fiber) {
           fiber.retardation_time, "it must be finite and 0 or more");
   require(std::isfinite(fiber.rolling_friction) && fiber.rolling_friction >= 0, "rolling_friction",
           fiber.rolling_friction, "it must be finite and 0 or more");
+  for (const double own : fiber.law_parameters) require(std::isfinite(own), "law_parameters", own, "they must be finite");
   if (fiber.dashpots == DashpotLaw::retardation_time) {
     require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping, "dashpots set by a retardation time take no xi_b");
   } else {

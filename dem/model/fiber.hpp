@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace fiberchain::dem {
@@ -34,6 +35,9 @@ enum class DashpotLaw {
 
 std::string_view name(DashpotLaw law);
 
+/// Most parameters that one bond law alone may have.
+inline constexpr int law_parameter_count = 3;
+
 /// A straight fiber: aspect_ratio bonds of length 2R join aspect_ratio + 1 touching spheres.
 struct Fiber {
   Material material;
@@ -44,6 +48,7 @@ struct Fiber {
   DashpotLaw dashpots = DashpotLaw::bond_damping;
   double retardation_time = 0.0;         ///< tau [s]; 0 unless DashpotLaw::retardation_time
   double rolling_friction = 0.0;         ///< xi_r of Eq 21 [-]
+  std::array<double, law_parameter_count> law_parameters{};  ///< of a bond law that has its own, in its units
 };
 
 /// Whether any dashpot of the bonds does anything.

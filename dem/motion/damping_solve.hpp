@@ -2,6 +2,7 @@
 
 #include "dem/bond/dashpot_matrix.hpp"
 #include "dem/motion/bond_step.hpp"
+#include "dem/simd/as_numbers.hpp"
 
 // Leapfrog with the dashpots centered in the step: (M + dt/2 C) (v+ - v-) = dt (F - C v-), F - C v- being the forces
 // of the lagged scheme. Block-tridiagonal along the chain: eliminated from the first sphere to the last.
@@ -78,7 +79,7 @@ void eliminate(const ChainBlock<P, Real>& chain, EliminationSlot<Real, P.dimensi
 template <Physics P, class Real>
 void kick_with_damping(const ChainBlock<P, Real>& chain) {
   constexpr int Dim = P.dimension;
-  auto* slots = reinterpret_cast<EliminationSlot<Real, Dim>*>(chain.workspace);
+  auto* slots = as_values<EliminationSlot<Real, Dim>>(chain.workspace);
   eliminate(chain, slots);
   Vec<Real, motions<Dim>> change;
   for (Real& c : change.c) c = Real(0.0);

@@ -140,8 +140,8 @@ void march_step(const ChainBlock<P, Real>& chain, double steps_before, const Loc
 /// Reals that solving along the chain needs.
 template <Physics P, class Real>
 constexpr std::size_t workspace_reals(int bonds) {
-  if (P.solved) return (bonds + 1) * (sizeof(EliminationSlot<Real, P.dimension>) / sizeof(Real));
-  if (P.rolling == Rolling::set_valued) return bonds * (sizeof(RollingSlot<Real, P.dimension>) / sizeof(Real));
+  if (P.solved) return (bonds + 1) * numbers_of<EliminationSlot<Real, P.dimension>, Real>;
+  if (P.rolling == Rolling::set_valued) return bonds * numbers_of<RollingSlot<Real, P.dimension>, Real>;
   return 0;
 }
 

@@ -1,17 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
+#include <utility>
+
+#include "dem/bond/laws/laws.hpp"
 
 namespace fiberchain::dem {
-
-/// How the strain of a bond is known.
-enum class BondForm {
-  total,       ///< from the poses of its spheres: forces are derivatives of an energy, no history
-  incremental  ///< summed over the steps, as the paper does
-};
-
-constexpr std::string_view name(BondForm form) { return form == BondForm::total ? "total" : "incremental"; }
 
 /// Rolling friction of the bonds (Eq 21).
 enum class Rolling {
@@ -42,30 +38,78 @@ struct Physics {
   constexpr bool operator==(const Physics&) const = default;
 };
 
-/// Every combination that is built, for every lane width, and no other.
-inline constexpr auto built_physics = [] {
-  std::array<Physics, 44> list{};
-  int n = 0;
+/// The bond law of a physics.
+template <Physics P>
+using BondLaw = BondLawType<P.form>;
+
+namespace physics_detail {
+
+/// A straight rest shape and, where it matters, a curved one.
+template <BondForm form, class Emit>
+constexpr void rest_shapes(Physics physics, const Emit& emit) {
+  physics.form = form;
+  emit(physics);
+  if constexpr (BondLawType<form>::from_poses) {
+    physics.curved = true;
+    emit(physics);
+  }
+}
+
+/// Calls emit(physics) for every combination that is built of these laws.
+template <BondForm... forms, class Emit>
+constexpr void each_physics(std::integer_sequence<BondForm, forms...>, const Emit& emit) {
   for (const int dimension : {2, 3}) {
+    Physics plain{.dimension = dimension, .form = {}, .damped = false, .settling_damping = false, .curved = false};
     for (const bool damped : {false, true}) {
       for (const bool settling_damping : {false, true}) {
-        list[n++] = {dimension, BondForm::incremental, damped, settling_damping, false};
-        list[n++] = {dimension, BondForm::total, damped, settling_damping, false};
-        list[n++] = {dimension, BondForm::total, damped, settling_damping, true};
+        plain.damped = damped, plain.settling_damping = settling_damping;
+        (rest_shapes<forms>(plain, emit), ...);
       }
     }
-    list[n++] = {dimension, BondForm::incremental, true, false, false, true};
-    list[n++] = {dimension, BondForm::total, true, false, false, true};
-    list[n++] = {dimension, BondForm::incremental, true, false, false, false, Rolling::set_valued};
-    list[n++] = {dimension, BondForm::incremental, true, false, false, false, Rolling::explicit_sign};
+    plain.settling_damping = false;  // and damped
+    const auto with = [&](BondForm form, bool solved, Rolling rolling) {
+      Physics physics = plain;
+      physics.form = form, physics.solved = solved, physics.rolling = rolling;
+      emit(physics);
+    };
+    (with(forms, true, Rolling::none), ...);
+    ((BondLawType<forms>::rolls ? with(forms, false, Rolling::set_valued) : void()), ...);
+    ((BondLawType<forms>::rolls ? with(forms, false, Rolling::explicit_sign) : void()), ...);
     for (const bool damped : {false, true}) {
-      list[n++] = {dimension, BondForm::incremental, damped, false, false, false, Rolling::none, true};
-      list[n++] = {dimension, BondForm::total, damped, false, false, false, Rolling::none, true};
-      list[n++] = {dimension, BondForm::total, damped, false, true, false, Rolling::none, true};
+      plain.damped = damped, plain.fluid = true;
+      (rest_shapes<forms>(plain, emit), ...);
     }
   }
+}
+
+template <BondForm... forms>
+constexpr auto list_physics(std::integer_sequence<BondForm, forms...> laws) {
+  constexpr std::size_t count = [] {
+    std::size_t n = 0;
+    each_physics(std::integer_sequence<BondForm, forms...>{}, [&](const Physics&) { ++n; });
+    return n;
+  }();
+  std::array<Physics, count> list{};
+  std::size_t n = 0;
+  each_physics(laws, [&](const Physics& physics) { list[n++] = physics; });
   return list;
-}();
+}
+
+/// Last law first.
+template <std::size_t... I>
+constexpr auto library_forms(std::index_sequence<I...>) {
+  return std::integer_sequence<BondForm, static_cast<BondForm>(sizeof...(I) - 1 - I)...>{};
+}
+
+}  // namespace physics_detail
+
+/// Every combination that is built, for every lane width, and no other.
+inline constexpr auto built_physics =
+    physics_detail::list_physics(physics_detail::library_forms(std::make_index_sequence<bond_law_count>{}));
+
+/// The same of one law, which may be from outside of the library.
+template <BondForm form>
+inline constexpr auto built_physics_of = physics_detail::list_physics(std::integer_sequence<BondForm, form>{});
 
 /// What is also built for one chain along the lanes: no settling_damping, straight at rest, nothing to solve along the chain.
 constexpr bool built_for_single_chain(const Physics& p) {

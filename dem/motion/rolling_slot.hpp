@@ -2,8 +2,9 @@
 
 #include "dem/math/near_one.hpp"
 #include "dem/math/small_matrix.hpp"
+#include "dem/simd/as_numbers.hpp"
 
-// What the rolling friction of a bond keeps from step to step, and its explicit form.
+// Rolling friction of a bond: its slot in the workspace, kept from step to step, and its explicit form.
 namespace fiberchain::dem {
 
 /// Of one bond.
@@ -25,7 +26,7 @@ Vec<Real, S> sliding_moment(const Real& largest, const Vec<Real, S>& spin) {
 
 template <class Chain>
 auto* rolling_slots(const Chain& chain) {
-  return reinterpret_cast<RollingSlot<typename Chain::Number, Chain::Dim>*>(chain.workspace);
+  return as_values<RollingSlot<typename Chain::Number, Chain::Dim>>(chain.workspace);
 }
 
 }  // namespace fiberchain::dem

@@ -9,15 +9,12 @@
 #include <sys/mman.h>
 #endif
 
+#include "dem/simd/as_numbers.hpp"
 
 namespace fiberchain::dem {
 
 /// Alignment of the arrays that suits every instruction set [bytes].
 inline constexpr int lane_alignment = 64;
-
-/// Doubles that a value type consists of.
-template <class Value>
-inline constexpr std::size_t numbers_of = sizeof(Value) / sizeof(double);
 
 /// Array of doubles, aligned for every instruction set.
 class LaneArray {
@@ -32,14 +29,12 @@ class LaneArray {
   /// Copies the doubles of `value` to every `stride`th place from `first` on.
   template <class Value>
   void put(const Value& value, std::size_t first, std::size_t stride) {
-    const double* source = reinterpret_cast<const double*>(&value);
-    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) data_[first + n * stride] = source[n];
+    put_strided(value, data() + first, stride);
   }
 
   template <class Value>
   void get(Value& value, std::size_t first, std::size_t stride) const {
-    double* target = reinterpret_cast<double*>(&value);
-    for (std::size_t n = 0; n < sizeof(Value) / sizeof(double); ++n) target[n] = data_[first + n * stride];
+    value = get_strided<Value>(data() + first, stride);
   }
 
  private:

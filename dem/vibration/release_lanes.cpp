@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dem/motion/kernels/chain_lane.hpp"
+#include "dem/motion/physics_of.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -112,16 +113,10 @@ struct March {
 };
 
 template <int Dim>
-Physics physics_of(const std::vector<Chain<Dim>>& chains, const ReleaseOptions& options) {
-  bool any_damped = false, any_rolling = false;
-  for (const Chain<Dim>& chain : chains) {
-    any_damped = any_damped || damped(chain.fiber);
-    any_rolling = any_rolling || chain.fiber.rolling_friction > 0;
-  }
-  Physics physics{Dim, options.form, any_damped, false, options.form == BondForm::total && !chains[0].natural.empty()};
-  physics.solved = any_damped && options.integrator == Integrator::leapfrog_damped;
-  if (any_rolling) physics.rolling = options.rolling, physics.damped = true;
-  return physics;
+Physics release_physics(const std::vector<Chain<Dim>>& chains, const ReleaseOptions& options) {
+  return physics_of<Dim>(chains, {.form = options.form,
+                                  .centered_dashpots = options.integrator == Integrator::leapfrog_damped,
+                                  .rolling = options.rolling});
 }
 
 /// Samples between two looks at the whole chain: long enough that looking costs little.
@@ -140,7 +135,7 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
   }
   March<Dim> march{all, members, options, records, steps,
                    ChainBatch<Dim>(chains, {true, false}, steps, std::vector<double>(chains.size(), 0.0),
-                                      physics_of(chains, options), options.instruction_set)};
+                                      release_physics(chains, options), options.instruction_set)};
   for (std::size_t lane = 0; lane < members.size(); ++lane) place(march.block, static_cast<int>(lane), all[members[lane]]);
   march.block.synchronize();
   march.record(0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "dem/chain/chain_bond.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/relaxation.hpp"
 
@@ -39,13 +40,13 @@ template <int Dim>
 ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps,
                                   const std::vector<double>& steps, const std::vector<double>& drag,
                                   const Physics& physics, InstructionSet set)
-    : kernel_(chain_kernel(physics, set)), lanes_(static_cast<int>(chains.size())), clamps_(clamps), fluid_(physics.fluid) {
+    : kernel_(chain_kernel(physics, set)), form_(physics.form), lanes_(static_cast<int>(chains.size())), clamps_(clamps), fluid_(physics.fluid) {
   check_chains(chains, kernel_.width);
   bonds_ = chains[0].fiber.aspect_ratio;
   along_ = lanes_ == 1 && kernel_.march_single_chain != nullptr && bonds_ >= kernel_.width;
   const std::size_t width = kernel_.width, column = along_ ? bonds_ + 2 : width * (bonds_ + 1);
   spheres_ = LaneArray(column * numbers_of<MovingSphere<double, Dim>>);
-  history_ = LaneArray(column * numbers_of<BondHistory<double, Dim>>);
+  history_ = LaneArray(column * kernel_.history);
   workspace_ = LaneArray(kernel_.workspace(bonds_) * width);
   dead_ = LaneArray(fluid_ ? column * numbers_of<EndLoad<double, Dim>> : 0);
   gradients_ = LaneArray(fluid_ ? steps_a_chunk * Dim * Dim * width : 0);
@@ -85,9 +86,19 @@ void ChainBatch<Dim>::start() {
 
 template <int Dim>
 ChainBatchView ChainBatch<Dim>::view() {
-  return {bonds_, clamps_, spheres_.data(), history_.data(), natural_.data(), parameters_.data(),
-          static_cast<int>(stride()), mobile_.data(), workspace_.data(), loads_.data(),
-          loaded_ ? dead_.data() : nullptr, gradients_.data(), steady_ ? 0 : Dim * Dim * kernel_.width};
+  return {.bonds = bonds_,
+          .clamps = clamps_,
+          .spheres = spheres_.data(),
+          .history = history_.data(),
+          .natural = natural_.data(),
+          .parameters = parameters_.data(),
+          .stride = static_cast<int>(stride()),
+          .mobile = mobile_.data(),
+          .workspace = workspace_.data(),
+          .loads = loads_.data(),
+          .dead = loaded_ ? dead_.data() : nullptr,
+          .gradients = gradients_.data(),
+          .gradient_stride = steady_ ? 0 : Dim * Dim * kernel_.width};
 }
 
 template <int Dim>
@@ -133,13 +144,22 @@ void ChainBatch<Dim>::set_sphere(int lane, int index, const MovingSphere<double,
 template <int Dim>
 BondHistory<double, Dim> ChainBatch<Dim>::history(int lane, int bond) const {
   BondHistory<double, Dim> history{};
-  history_.get(history, place(lane, bond, numbers_of<BondHistory<double, Dim>>), stride());
+  if (form_ == BondForm::incremental) history_.get(history, place(lane, bond, kernel_.history), stride());
   return history;
 }
 
 template <int Dim>
 void ChainBatch<Dim>::set_history(int lane, int bond, const BondHistory<double, Dim>& history) {
-  history_.put(history, place(lane, bond, numbers_of<BondHistory<double, Dim>>), stride());
+  if (form_ == BondForm::incremental) history_.put(history, place(lane, bond, kernel_.history), stride());
+}
+
+template <int Dim>
+void ChainBatch<Dim>::start_histories(int lane, const Chain<Dim>& chain, const ChainState<Dim>& state) {
+  with_bond_form(form_, [&]<BondForm form>() {
+    for (int i = 0; i < bonds_; ++i) {
+      history_.put(start_history<BondLawType<form>>(chain, state, i), place(lane, i, kernel_.history), stride());
+    }
+  });
 }
 
 template <int Dim>

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dem/model/loads.hpp"
-#include "dem/chain/chain.hpp"
+#include "dem/chain/chain_state.hpp"
 #include "dem/model/fluid.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/simd/lane_array.hpp"
@@ -44,8 +44,11 @@ class ChainBatch {
   MovingSphere<double, Dim> sphere_now(int lane, int index) const;
   /// Sets pose, velocity and forces of a sphere; a clamped one gets no velocity.
   void set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere);
+  /// Summed strain of a bond, its history in the incremental form; zero in another.
   BondHistory<double, Dim> history(int lane, int bond) const;
   void set_history(int lane, int bond, const BondHistory<double, Dim>& history);
+  /// Histories of bonds that start in this state, whatever their law.
+  void start_histories(int lane, const Chain<Dim>& chain, const ChainState<Dim>& state);
 
   /// Forces at the states now; then, with the loads of this moment and the velocities taken as those of this moment,
   /// moves the velocities half a step back, where the leapfrog wants them.
@@ -80,6 +83,7 @@ class ChainBatch {
   std::size_t stride() const { return along_ ? bonds_ + 2 : kernel_.width; }
 
   ChainKernel kernel_;
+  BondForm form_;
   int lanes_;
   int bonds_;
   Clamps clamps_;

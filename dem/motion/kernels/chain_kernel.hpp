@@ -16,7 +16,7 @@ struct ChainBatchView {
   int bonds;
   Clamps clamps;
   double* spheres;           ///< MovingSphere, bonds + 1
-  double* history;           ///< BondHistory, bonds (incremental form)
+  double* history;           ///< of the bond law, bonds; null size where it has none
   const double* natural;     ///< NaturalEnds, bonds (curved chains)
   const double* parameters;  ///< MarchParameters, one
   int stride = 0;            ///< along only
@@ -30,6 +30,7 @@ struct ChainBatchView {
 
 struct ChainKernel {
   int width;                                                  ///< lanes: doubles in a vector
+  std::size_t history;                                        ///< doubles of a bond's history in a lane
   std::size_t (*workspace)(int bonds);                        ///< doubles a lane that solving along the chain needs
   void (*start)(const ChainBatchView&);                            ///< forces before the first step
   void (*march)(const ChainBatchView&, double steps_before, int steps);

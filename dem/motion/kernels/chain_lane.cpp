@@ -4,14 +4,6 @@
 
 namespace fiberchain::dem {
 
-template <int Dim>
-BondHistory<double, Dim> strain_of(const Chain<Dim>& chain, const Poses<Dim>& poses, int bond) {
-  const auto k = bond_kinematics(chain, poses, bond);
-  const BondParameters<double> law = bond_parameters(chain.fiber);
-  return history_of(law, poses[bond + 1].position - poses[bond].position,
-                    bond_loads(k, bond_stress(law, k.separation, k.rotation)));
-}
-
 bool blown_up(double length, double rest_length) {
   return !(length <= 10 * rest_length && length >= 0.1 * rest_length);
 }
@@ -25,7 +17,7 @@ void put_state(ChainBatch<Dim>& block, int lane, const Chain<Dim>& chain, const 
     sphere.spin = state.spin[i];
     block.set_sphere(lane, static_cast<int>(i), sphere);
   }
-  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) block.set_history(lane, i, strain_of(chain, state.poses, i));
+  block.start_histories(lane, chain, state);
 }
 
 namespace {
@@ -69,7 +61,6 @@ int broken_sphere(const ChainBatch<Dim>& block, int lane, const Fiber& fiber) {
 }
 
 #define FIBERCHAIN_INSTANTIATE(Dim)                                                                            \
-  template BondHistory<double, Dim> strain_of<Dim>(const Chain<Dim>&, const Poses<Dim>&, int);                 \
   template void put_state<Dim>(ChainBatch<Dim>&, int, const Chain<Dim>&, const ChainState<Dim>&);           \
   template ChainState<Dim> lagged_state<Dim>(const ChainBatch<Dim>&, int, int);                             \
   template ChainState<Dim> state_now<Dim>(const ChainBatch<Dim>&, int, int);                                \

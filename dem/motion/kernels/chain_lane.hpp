@@ -3,14 +3,10 @@
 #include "dem/chain/chain_state.hpp"
 #include "dem/motion/kernels/chain_batch.hpp"
 
-// A chain's state into its lane and out of it, and whether it is still in one piece.
+// A chain's state into its lane and out of it, and the check for a chain that has blown up.
 namespace fiberchain::dem {
 
-/// The strain of a bond, summed, that the poses stand for.
-template <int Dim>
-BondHistory<double, Dim> strain_of(const Chain<Dim>& chain, const Poses<Dim>& poses, int bond);
-
-/// Poses, velocities (half a step before, until synchronize()) and, for the incremental form, the strain they stand for.
+/// Poses, velocities (half a step before, until synchronize()) and the history of bonds that start there.
 template <int Dim>
 void put_state(ChainBatch<Dim>& block, int lane, const Chain<Dim>& chain, const ChainState<Dim>& state);
 

@@ -9,6 +9,7 @@
 #include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/simd/lane_count.hpp"
 #include "dem/motion/leapfrog.hpp"
+#include "dem/simd/as_numbers.hpp"
 
 // Included by one source file an instruction set. Everything compiled there is a template on that set's number type:
 // its symbols are its own, and no function of another file can be replaced by one with foreign instructions.
@@ -17,14 +18,14 @@ namespace fiberchain::dem {
 template <Physics P, class Real>
 ChainBlock<P, Real> typed(const ChainBatchView& block) {
   constexpr int Dim = P.dimension;
-  return {block.bonds,
-          block.clamps,
-          reinterpret_cast<MovingSphere<Real, Dim>*>(block.spheres),
-          reinterpret_cast<BondHistory<Real, Dim>*>(block.history),
-          reinterpret_cast<const NaturalEnds<Real, Dim>*>(block.natural),
-          *reinterpret_cast<const MarchParameters<Real, Dim>*>(block.parameters),
-          reinterpret_cast<Real*>(block.workspace),
-          reinterpret_cast<const EndLoad<Real, Dim>*>(block.dead)};
+  return {.bonds = block.bonds,
+          .clamps = block.clamps,
+          .spheres = as_values<MovingSphere<Real, Dim>>(block.spheres),
+          .history = as_values<HistoryOf<P, Real>>(block.history),
+          .natural = as_values<NaturalEnds<Real, Dim>>(block.natural),
+          .parameters = *as_values<MarchParameters<Real, Dim>>(block.parameters),
+          .workspace = as_values<Real>(block.workspace),
+          .dead = as_values<EndLoad<Real, Dim>>(block.dead)};
 }
 
 template <Physics P, class Real>
@@ -46,10 +47,12 @@ struct KernelTable {
 template <Physics P, class Real>
 constexpr ChainKernel lane_kernel_of() {
   if constexpr (built_for_single_chain(P) && lane_count<Real> > 1) {
-    return {lane_count<Real>, workspace_reals<P, Real>, start_block<P, Real>, march_block<P, Real>,
-            start_single_chain<P, Real>, march_single_chain<P, Real>};
+    return {.width = lane_count<Real>, .history = numbers_of<HistoryOf<P, double>>, .workspace = workspace_reals<P, Real>, .start = start_block<P, Real>,
+            .march = march_block<P, Real>, .start_single_chain = start_single_chain<P, Real>,
+            .march_single_chain = march_single_chain<P, Real>};
   } else {
-    return {lane_count<Real>, workspace_reals<P, Real>, start_block<P, Real>, march_block<P, Real>, nullptr, nullptr};
+    return {.width = lane_count<Real>, .history = numbers_of<HistoryOf<P, double>>, .workspace = workspace_reals<P, Real>, .start = start_block<P, Real>,
+            .march = march_block<P, Real>, .start_single_chain = nullptr, .march_single_chain = nullptr};
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/simd/storage_layout.hpp"
@@ -28,7 +29,7 @@ struct PackingBlock {
   double* loads;              ///< of the rows from `first_loaded` on
   std::int64_t first_loaded;
   double* orientation;        ///< null where it is not followed
-  double* history;            ///< BondHistory, lane by lane
+  double* history;            ///< of the bond law, lane by lane
   const double* natural;      ///< NaturalEnds, lane by lane (curved fibers)
   const double* parameters;   ///< MarchParameters, lane by lane
   double* workspace;          ///< `workspace` of the kernel
@@ -42,7 +43,8 @@ struct PackingBlock {
 
 struct PackingKernel {
   int width;
-  std::size_t (*workspace)(int bonds);  ///< doubles a lane that solving along the chain needs, previous from step to step
+  std::size_t history;                  ///< doubles of a bond's history in a lane
+  std::size_t (*workspace)(int bonds);  ///< doubles a lane that solving along the chain needs, kept from step to step
   std::size_t (*scratch)(int bonds);    ///< doubles in all
   /// One step, after which the loads are zero; the square of the largest speed after it.
   double (*step)(const PackingBlock&);
@@ -63,5 +65,25 @@ struct PackingKernels {
 
 /// As chain_kernel().
 const PackingKernel& packing_kernel(const Physics& physics, InstructionSet set);
+
+/// Kernels of a law from outside of the library, in the order of built_physics_of<form>. Their tables are defined by one
+/// source, which fiberchain_add_kernels() compiles for each instruction set: law_kernels_of<form, CompiledReal>.
+template <BondForm form>
+struct LawKernels {
+  template <InstructionSet set>
+  struct Of {
+    static const PackingKernel* table();
+  };
+};
+
+/// Index of a physics in a list. Throws InvalidInput, with the physics in words, where it is not in it or not built for
+/// packings.
+std::ptrdiff_t packing_index(const Physics& physics, std::span<const Physics> list);
+
+/// As packing_kernel(), of a law from outside of the library.
+template <BondForm form>
+const PackingKernel& law_kernel(const Physics& physics, InstructionSet set) {
+  return kernel_of<LawKernels<form>::template Of>(set, packing_index(physics, built_physics_of<form>));
+}
 
 }  // namespace fiberchain::dem

@@ -4,20 +4,20 @@
 #include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/simd/transpose.hpp"
 #include "dem/motion/leapfrog.hpp"
+#include "dem/simd/as_numbers.hpp"
 
 // Included by one source file an instruction set, as instantiate.hpp.
 namespace fiberchain::dem {
 
 template <Physics P, class Real>
 ChainBlock<P, Real> chain_of(const PackingBlock& block) {
-  return {block.bonds,
-          {false, false},
-          reinterpret_cast<MovingSphere<Real, 3>*>(block.scratch),
-          reinterpret_cast<BondHistory<Real, 3>*>(block.history),
-          reinterpret_cast<const NaturalEnds<Real, 3>*>(block.natural),
-          *reinterpret_cast<const MarchParameters<Real, 3>*>(block.parameters),
-          reinterpret_cast<Real*>(block.workspace),
-          nullptr};
+  return {.bonds = block.bonds,
+          .clamps = {false, false},
+          .spheres = as_values<MovingSphere<Real, 3>>(block.scratch),
+          .history = as_values<HistoryOf<P, Real>>(block.history),
+          .natural = as_values<NaturalEnds<Real, 3>>(block.natural),
+          .parameters = *as_values<MarchParameters<Real, 3>>(block.parameters),
+          .workspace = as_values<Real>(block.workspace)};
 }
 
 template <int N, class Real>
@@ -99,14 +99,14 @@ inline __attribute__((always_inline)) void fetch_lines(const double* from, std::
 
 /// Fetches, a part with every sphere, the rows of a later block and the history of the next one: the rows are larger than the
 /// caches, and the processor does not see them coming.
-template <class Real>
+template <Physics P, class Real>
 inline __attribute__((always_inline)) void fetch_ahead(const PackingBlock& block, std::ptrdiff_t i) {
   constexpr std::ptrdiff_t lanes = lane_count<Real>;
   if (block.rows_ahead == 0) return;
   const std::ptrdiff_t row = block.first[0] + block.rows_ahead + i * lanes;
   fetch_lines(block.position_radius + row * position_radius_size, lanes * position_radius_size);
   fetch_lines(block.motions + row * velocity_spin_size, lanes * velocity_spin_size);
-  constexpr std::ptrdiff_t history = sizeof(BondHistory<Real, 3>) / sizeof(double);
+  constexpr std::ptrdiff_t history = numbers_of<HistoryOf<P, Real>>;
   if (block.next_history != nullptr) fetch_lines(block.next_history + i * history, history);
 }
 
@@ -135,7 +135,7 @@ template <Physics P, class Real>
 Real sweep_packing(const PackingBlock& block) {
   using std::max;
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
-  const auto flow = local_flow<P, Real>(reinterpret_cast<const Real*>(block.gradient));
+  const auto flow = local_flow<P, Real>(as_values<Real>(block.gradient));
   const BlockStorage<Real> rows(block);
   const Real previous_step(block.previous_step), dt = chain.parameters.step;
   Real fastest(0.0);
@@ -147,7 +147,7 @@ Real sweep_packing(const PackingBlock& block) {
   };
   MovingSphere<Real, 3> before = rows.read(0);
   for (int i = 1; i <= block.bonds; ++i) {
-    fetch_ahead<Real>(block, i - 1);
+    fetch_ahead<P, Real>(block, i - 1);
     MovingSphere<Real, 3> sphere = rows.read(i);
     add_bond<P, Real>(chain, i - 1, before, sphere, previous_step);
     move(i - 1, before);
@@ -196,6 +196,7 @@ void snapshot_packing(const PackingBlock& block) {
   }
 }
 
+/// Loads of one bond that take energy, at the step before.
 template <class Real>
 struct PreviousLoads {
   BondLoads<Real, 3> loads;
@@ -205,39 +206,56 @@ struct PreviousLoads {
   Vec<Real, 3> spin;     ///< relative, half a step before the kick [1/s]
 };
 
-/// A kick with a force takes force times the mean of the velocities before and after it, exactly: those of this step and of
-/// the one before, whose loads are previous.
-template <Physics P, class Real>
-void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, int bond, const MovingSphere<Real, 3>& a,
-               const MovingSphere<Real, 3>& b, const BondAccount& account) {
-  const MarchParameters<Real, 3>& p = chain.parameters;
-  PreviousLoads<Real>& previous = reinterpret_cast<PreviousLoads<Real>*>(account.previous)[bond];
-  Real& damping = *reinterpret_cast<Real*>(account.bond_damping);
-  Real& friction = *reinterpret_cast<Real*>(account.bond_friction);
+/// Energy taken by the dashpots [J]. A kick with a force takes force times the mean of the velocities before and after it,
+/// exactly: those of this step and of the one before, whose loads are `previous`.
+template <class Real>
+void account_dashpots(const PackingBlock& block, const MarchParameters<Real, 3>& p, const MovingSphere<Real, 3>& a,
+                      const MovingSphere<Real, 3>& b, const BondConfiguration<Real, 3>& now, PreviousLoads<Real>& previous,
+                      Real& damping) {
   const Real half = Real(0.5) * Real(block.previous_step);
-  const RelativeMotion<Real, 3> motion{b.velocity - a.velocity, Real(0.5) * (a.spin + b.spin), b.spin - a.spin};
-  const BondVector<Real, 3> line = bond_vector<Real, 3>(b.pose.position - a.pose.position, p.inverse_length);
-  damping = damping + half * (previous.power + power_taken(previous.loads, motion.velocity, a.spin, b.spin));
-  previous.loads = act_at_middle(line.vector, dashpot_action(p.bond, line.vector, line.inverse_length * line.vector, motion));
-  previous.power = power_taken(previous.loads, motion.velocity, a.spin, b.spin);
-  if (block.previous_step == 0) damping = damping - Real(0.5) * p.step * previous.power;  // the first kick began half a step before the start
+  damping = damping + half * (previous.power + power_taken(previous.loads, now.motion.velocity, a.spin, b.spin));
+  previous.loads = dashpot_loads(p.bond, now);
+  previous.power = power_taken(previous.loads, now.motion.velocity, a.spin, b.spin);
+  // the first kick began half a step before the start
+  if (block.previous_step == 0) damping = damping - Real(0.5) * p.step * previous.power;
+}
+
+/// Energy taken by the rolling friction [J], likewise.
+template <Physics P, class Real>
+void account_rolling(const PackingBlock& block, const ChainBlock<P, Real>& chain, int bond,
+                     const BondConfiguration<Real, 3>& now, PreviousLoads<Real>& previous, Real& friction) {
+  const MarchParameters<Real, 3>& p = chain.parameters;
+  const Vec<Real, 3>& spin = now.motion.relative_spin;
   if constexpr (P.rolling == Rolling::set_valued) {  // the impulse l over J went from one sphere to the other
     const Real inertia = p.step / p.angular_impulse;
     const Vec<Real, 3> impulse = rolling_slots(chain)[bond].impulse;
-    if (block.previous_step > 0) friction = friction + Real(0.5) * inertia * dot(impulse, previous.spin + motion.relative_spin);
-    previous.spin = motion.relative_spin;
+    if (block.previous_step > 0) friction = friction + Real(0.5) * inertia * dot(impulse, previous.spin + spin);
+    previous.spin = spin;
   } else if constexpr (P.rolling == Rolling::explicit_sign) {
-    friction = friction + half * (previous.rolling_power + dot(previous.moment, motion.relative_spin));
-    BondHistory<Real, 3> history = chain.history[bond];
-    advance(history, line, motion, Real(block.previous_step));
-    previous.moment = sliding_moment(p.rolling_arm * abs(spring_tension(p.bond, history, line)), motion.relative_spin);
-    previous.rolling_power = dot(previous.moment, motion.relative_spin);
+    friction = friction + Real(0.5) * Real(block.previous_step) * (previous.rolling_power + dot(previous.moment, spin));
+    const HistoryOf<P, Real> history = advanced_history<P, Real>(chain, bond, now, Real(block.previous_step));
+    previous.moment = sliding_moment(largest_rolling_moment<P, Real>(chain, history, now), spin);
+    previous.rolling_power = dot(previous.moment, spin);
   }
 }
 
 template <Physics P, class Real>
+void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, int bond, const MovingSphere<Real, 3>& a,
+                  const MovingSphere<Real, 3>& b, const BondAccount& account) {
+  PreviousLoads<Real>& previous = as_values<PreviousLoads<Real>>(account.previous)[bond];
+  Real& damping = *as_values<Real>(account.bond_damping);
+  const BondConfiguration<Real, 3> now = configuration<P, Real>(chain, bond, a, b);
+  if constexpr (P.damped) account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
+  if constexpr (BondLaw<P>::dissipates) {
+    const Real dt = Real(block.previous_step);
+    damping = damping + BondLaw<P>::dissipated(chain.parameters.bond, chain.history[bond], now, dt);
+  }
+  account_rolling<P, Real>(block, chain, bond, now, previous, *as_values<Real>(account.bond_friction));
+}
+
+template <Physics P, class Real>
 FIBERCHAIN_FLATTEN void account_packing(const PackingBlock& block, const BondAccount& account) {
-  static_assert(sizeof(PreviousLoads<Real>) == bond_account_size * sizeof(Real));
+  static_assert(numbers_of<PreviousLoads<Real>, Real> == bond_account_size);
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
   const BlockStorage<Real> rows(block);
   MovingSphere<Real, 3> before = rows.read_unloaded(0);
@@ -253,9 +271,9 @@ std::size_t packing_scratch(int bonds) {
   return (bonds + 1) * sizeof(MovingSphere<Real, 3>) / sizeof(double);
 }
 
-template <class Real>
+template <std::size_t count>
 struct PackingTable {
-  PackingKernel kernels[built_physics.size()];
+  PackingKernel kernels[count];
 };
 
 template <Physics P, class Real>
@@ -263,20 +281,29 @@ constexpr PackingKernel packing_kernel_of() {
   if constexpr (!built_for_packings(P)) {
     return {};
   } else {
-    PackingKernel kernel{lane_count<Real>, workspace_reals<P, Real>, packing_scratch<P, Real>, step_packing<P, Real>,
-                     snapshot_packing<P, Real>, nullptr};
-    if constexpr (P.damped) kernel.account = account_packing<P, Real>;
+    PackingKernel kernel{.width = lane_count<Real>, .history = numbers_of<HistoryOf<P, double>>,
+                         .workspace = workspace_reals<P, Real>, .scratch = packing_scratch<P, Real>, .step = step_packing<P, Real>,
+                         .snapshot = snapshot_packing<P, Real>, .account = nullptr};
+    if constexpr (P.damped || BondLaw<P>::dissipates) kernel.account = account_packing<P, Real>;
     return kernel;
   }
 }
 
-template <class Real, std::size_t... I>
-constexpr PackingTable<Real> packing_table(std::index_sequence<I...>) {
-  return {{packing_kernel_of<built_physics[I], Real>()...}};
+template <const auto& list, class Real, std::size_t... I>
+constexpr PackingTable<sizeof...(I)> packing_table(std::index_sequence<I...>) {
+  return {{packing_kernel_of<list[I], Real>()...}};
 }
 
-/// In the order of built_physics; what is not built in rows is empty.
+/// Kernels in the order of a list of physics; empty where a physics is not built for packings.
+template <const auto& list, class Real>
+inline constexpr auto packing_table_of = packing_table<list, Real>(std::make_index_sequence<list.size()>{});
+
+/// In the order of built_physics.
 template <class Real>
-inline constexpr PackingTable<Real> packing_kernels_of = packing_table<Real>(std::make_index_sequence<built_physics.size()>{});
+inline constexpr const auto& packing_kernels_of = packing_table_of<built_physics, Real>;
+
+/// In the order of built_physics_of<form>: of a law from outside of the library.
+template <BondForm form, class Real>
+inline constexpr const auto& law_kernels_of = packing_table_of<built_physics_of<form>, Real>;
 
 }  // namespace fiberchain::dem

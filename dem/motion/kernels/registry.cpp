@@ -9,27 +9,28 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Index of a physics among those that are built.
-std::ptrdiff_t index_of(const Physics& physics, bool for_packings) {
-  const auto found = std::find(built_physics.begin(), built_physics.end(), physics);
-  if (found == built_physics.end() || (for_packings && !built_for_packings(physics))) {
+std::ptrdiff_t index_of(const Physics& physics, std::span<const Physics> list, bool for_packings) {
+  const auto found = std::ranges::find(list, physics);
+  if (found == list.end() || (for_packings && !built_for_packings(physics))) {
     throw InvalidInput(fmt::format(
         "dimension = {}, form = {}, damped = {}, drag = {}, curved = {}, solved = {}, rolling = {}, fluid = {} is not among the "
         "combinations that are built{}",
         physics.dimension, name(physics.form), physics.damped, physics.settling_damping, physics.curved, physics.solved,
         name(physics.rolling), physics.fluid, for_packings ? " for fibers among others" : ""));
   }
-  return found - built_physics.begin();
+  return found - list.begin();
 }
 
 }  // namespace
 
+std::ptrdiff_t packing_index(const Physics& physics, std::span<const Physics> list) { return index_of(physics, list, true); }
+
 const ChainKernel& chain_kernel(const Physics& physics, InstructionSet set) {
-  return kernel_of<ChainKernels>(set, index_of(physics, false));
+  return kernel_of<ChainKernels>(set, index_of(physics, built_physics, false));
 }
 
 const PackingKernel& packing_kernel(const Physics& physics, InstructionSet set) {
-  return kernel_of<PackingKernels>(set, index_of(physics, true));
+  return kernel_of<PackingKernels>(set, packing_index(physics, built_physics));
 }
 
 }  // namespace fiberchain::dem

@@ -3,6 +3,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "dem/motion/leapfrog.hpp"
+#include "dem/simd/as_numbers.hpp"
 #include "dem/simd/flatten.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 
@@ -14,15 +15,15 @@ namespace fiberchain::dem {
 template <class Value, class Real>
 Value load_along(const double* source, int stride, int i) {
   Value value;
-  Real* numbers = reinterpret_cast<Real*>(&value);
-  for (std::size_t n = 0; n < sizeof(Value) / sizeof(Real); ++n) numbers[n] = Real::load_unaligned(source + n * stride + i);
+  Real* numbers = as_numbers<Real>(value);
+  for (std::size_t n = 0; n < numbers_of<Value, Real>; ++n) numbers[n] = Real::load_unaligned(source + n * stride + i);
   return value;
 }
 
 template <class Real, class Value>
 void store_along(const Value& value, double* target, int stride, int i) {
-  const Real* numbers = reinterpret_cast<const Real*>(&value);
-  for (std::size_t n = 0; n < sizeof(Value) / sizeof(Real); ++n) numbers[n].store_unaligned(target + n * stride + i);
+  const Real* numbers = as_numbers<Real>(value);
+  for (std::size_t n = 0; n < numbers_of<Value, Real>; ++n) numbers[n].store_unaligned(target + n * stride + i);
 }
 
 /// Calls store(i, make(i)) for vectors that cover 0 ... count - 1; count is at least the width.
@@ -36,7 +37,7 @@ void cover(int count, const Make& make, const Store& store) {
 
 template <Physics P, class Real>
 struct BondSlot {
-  BondHistory<Real, P.dimension> history;
+  HistoryOf<P, Real> history;
   BondLoads<Real, P.dimension> loads;
 };
 
@@ -44,7 +45,7 @@ struct BondSlot {
 template <Physics P, class Real>
 LocalFlow<P, Real> flow_of_step(const ChainBatchView& block, int n) {
   return local_flow<P, Real>(
-      reinterpret_cast<const Real*>(block.gradients + static_cast<std::ptrdiff_t>(n) * block.gradient_stride));
+      as_values<Real>(block.gradients + static_cast<std::ptrdiff_t>(n) * block.gradient_stride));
 }
 
 template <Physics P, class Real>
@@ -73,19 +74,20 @@ void move_spheres_along(const ChainBatchView& block, const MarchParameters<Real,
 template <Physics P, class Real>
 void evaluate_bonds_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p, const Real& dt) {
   using Sphere = MovingSphere<Real, P.dimension>;
-  using History = BondHistory<Real, P.dimension>;
+  using History = HistoryOf<P, Real>;
   const int stride = block.stride;
   cover<Real>(
       block.bonds,
       [&](int i) {
         BondSlot<P, Real> slot{load_along<History, Real>(block.history, stride, i), {}};
-        const ChainBlock<P, Real> one{1, {}, nullptr, &slot.history, nullptr, p, nullptr};
+        const ChainBlock<P, Real> one{.bonds = 1, .clamps = {}, .spheres = nullptr, .history = &slot.history,
+                                      .natural = nullptr, .parameters = p};
         slot.loads = bond_step<P, Real>(one, 0, load_along<Sphere, Real>(block.spheres, stride, i),
                                         load_along<Sphere, Real>(block.spheres, stride, i + 1), dt);
         return slot;
       },
       [&](int i, const BondSlot<P, Real>& slot) {
-        if constexpr (P.form != BondForm::total) store_along<Real>(slot.history, block.history, stride, i);
+        if constexpr (has_history<BondLaw<P>>) store_along<Real>(slot.history, block.history, stride, i);
         store_along<Real>(slot.loads, block.loads, stride, i + 1);
       });
 }
@@ -98,7 +100,7 @@ void reduce_bond_loads_along(const ChainBatchView& block) {
     Vec<Real, Dim> force;
     Spin<Real, Dim> moment;
   };
-  constexpr int first = sizeof(MovingSphere<Real, Dim>) / sizeof(Real) - sizeof(Forces) / sizeof(Real);
+  constexpr int first = numbers_of<MovingSphere<Real, Dim>, Real> - numbers_of<Forces, Real>;
   const int stride = block.stride;
   cover<Real>(
       block.bonds + 1,
@@ -114,11 +116,11 @@ void reduce_bond_loads_along(const ChainBatchView& block) {
 template <Physics P, class Real>
 void load_ends_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p, double steps_before) {
   constexpr int Dim = P.dimension;
-  constexpr int first = (sizeof(MovingSphere<Real, Dim>) - sizeof(EndLoad<Real, Dim>)) / sizeof(Real);
+  constexpr int first = numbers_of<MovingSphere<Real, Dim>, Real> - numbers_of<EndLoad<Real, Dim>, Real>;
   const Real factor = ramp_factor(p.ramp.rate, steps_before);
   const auto add = [&](const EndLoad<Real, Dim>& load, int sphere) {
-    const Real* numbers = reinterpret_cast<const Real*>(&load);
-    for (std::size_t n = 0; n < sizeof(load) / sizeof(Real); ++n) {
+    const Real* numbers = as_numbers<Real>(load);
+    for (std::size_t n = 0; n < numbers_of<EndLoad<Real, Dim>, Real>; ++n) {
       block.spheres[(first + n) * block.stride + sphere] += numbers[n].get(0);
     }
   };
@@ -128,14 +130,14 @@ void load_ends_along(const ChainBatchView& block, const MarchParameters<Real, P.
 
 template <Physics P, class Real>
 void start_single_chain(const ChainBatchView& block) {
-  const auto p = *reinterpret_cast<const MarchParameters<Real, P.dimension>*>(block.parameters);
+  const auto p = *as_values<MarchParameters<Real, P.dimension>>(block.parameters);
   evaluate_bonds_along<P, Real>(block, p, Real(0.0));
   reduce_bond_loads_along<P, Real>(block);
 }
 
 template <Physics P, class Real>
 FIBERCHAIN_FLATTEN void march_single_chain(const ChainBatchView& block, double steps_before, int steps) {
-  const auto p = *reinterpret_cast<const MarchParameters<Real, P.dimension>*>(block.parameters);
+  const auto p = *as_values<MarchParameters<Real, P.dimension>>(block.parameters);
   for (int n = 0; n < steps; ++n) {
     load_ends_along<P, Real>(block, p, steps_before + n);
     move_spheres_along<P, Real>(block, p, flow_of_step<P, Real>(block, n));

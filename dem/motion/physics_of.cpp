@@ -1,0 +1,26 @@
+#include "dem/motion/physics_of.hpp"
+
+#include <algorithm>
+
+namespace fiberchain::dem {
+
+template <int Dim>
+Physics physics_of(std::span<const Chain<Dim>> chains, const MarchOptions& options) {
+  const bool any_damped = std::ranges::any_of(chains, [](const Chain<Dim>& c) { return damped(c.fiber); });
+  const bool any_curved = std::ranges::any_of(chains, [](const Chain<Dim>& c) { return !c.natural.empty(); });
+  const bool any_rolls = options.rolling != Rolling::none &&
+                         std::ranges::any_of(chains, [](const Chain<Dim>& c) { return c.fiber.rolling_friction > 0; });
+  return {.dimension = Dim,
+          .form = options.form,
+          .damped = any_damped || any_rolls,  // rolling friction is built with dashpots only
+          .settling_damping = options.settling_damping,
+          .curved = from_poses(options.form) && any_curved,
+          .solved = any_damped && options.centered_dashpots,
+          .rolling = any_rolls ? options.rolling : Rolling::none,
+          .fluid = options.fluid};
+}
+
+template Physics physics_of<2>(std::span<const Chain<2>>, const MarchOptions&);
+template Physics physics_of<3>(std::span<const Chain<3>>, const MarchOptions&);
+
+}  // namespace fiberchain::dem
