@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/contact/effective_body.hpp"
 #include "dem/model/domain.hpp"
 #include "dem/model/fiber.hpp"
 
@@ -16,12 +17,7 @@ struct ContactBody {
 ContactBody sphere_body(const Fiber& fiber);
 ContactBody wall_body(const Domain& domain);
 
-/// Two bodies as one: 1/E* = sum (1 - nu^2)/E, 1/G* = sum (2 - nu)/G, 1/R* = sum 1/R, 1/m* = sum 1/m, 1/J* = sum 1/J.
-struct EffectiveBody {
-  double youngs_modulus, shear_modulus;  ///< E*, G* [Pa]
-  double radius, mass, inertia;          ///< R*, m*, J* [m], [kg], [kg m^2]
-};
-
+/// The two as one.
 EffectiveBody effective_body(const ContactBody& a, const ContactBody& b);
 
 }  // namespace fiberchain::dem
