@@ -2,9 +2,9 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/bench/feature_costs.hpp"
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
-#include "compare/bench/feature_costs.hpp"
 #include "compare/bench/tables.hpp"
 #include "compare/study/markdown.hpp"
 #include "compare/study/published.hpp"
@@ -85,13 +85,13 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
   if (has(cases, Case::feature_costs)) {
     auto costs = compare::kernel_feature_costs(times);
     for (auto& row : compare::answer_costs(options)) costs.push_back(std::move(row));
-    report.add("bench-skips", "What a scene saves, time with over time without", compare::feature_cost_table(costs),
-               compare::feature_cost_summary(costs));
+    report.add("bench-skips", "What a scene saves, time with over time without",
+               compare::feature_cost_table(costs), compare::feature_cost_summary(costs));
   }
   if (has(cases, Case::kernels)) {
     const auto peaks = compare::measured_peaks(times, options);
     const dem::Table shown = compare::kernel_table(compare::widest_or_wanted(times), peaks),
-                         peak = compare::peak_table(peaks);
+                     peak = compare::peak_table(peaks);
     report.add("bench-kernels", "A bond-step of each inner loop, chains of 11 spheres, and what bounds it",
                compare::kernel_table(times, peaks), shown.select(kShownKernels));
     report.add("bench-peaks", "The core's peak", peak, peak);
@@ -103,12 +103,15 @@ void add_packing(Report& report, const BenchOptions& options) {
   const auto path = compare::find_data_directory(std::nullopt) / "scenes" / "crossed-layers.yaml";
   const auto scene = std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(path)));
   const dem::Table times = compare::packing_time_table(compare::packing_times(scene, options));
-  report.add("bench-packing", "A sphere-step of a packing, on one thread and two, and of more and fewer spheres", times, times);
+  report.add("bench-packing",
+             "A sphere-step of a packing, on one thread and two, and of more and fewer spheres", times,
+             times);
 }
 
 int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::feature_costs, Case::kernels, Case::packing};
+  Cases cases{Case::statics,       Case::damping, Case::history, Case::flow,
+              Case::feature_costs, Case::kernels, Case::packing};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -131,20 +134,21 @@ int run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command bench_command() {
-  return {.name = "bench",
-          .description =
-              "run time against error of every method, what each skip saves, what bounds the inner loops",
-          .footer = std::string("One thread, but for packings; a method that fails keeps its row with its status.\n"
-                                "Example:\n  fiberchain bench --quick --case static\n") +
-                    kListHelp,
-          .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight",
-                       OptionKind::flag},
-                      {"--case", "LIST", "static, damping, history, skips, kernels, flow, packing [all]"},
-                      {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
-                      json_option(),
-                      {"--out", "DIR",
-                       "directory for the results; with --json none are written unless given [results]"}},
-          .run = &run};
+  return {
+      .name = "bench",
+      .description =
+          "run time against error of every method, what each skip saves, what bounds the inner loops",
+      .footer =
+          std::string("One thread, but for packings; a method that fails keeps its row with its status.\n"
+                      "Example:\n  fiberchain bench --quick --case static\n") +
+          kListHelp,
+      .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
+                  {"--case", "LIST", "static, damping, history, skips, kernels, flow, packing [all]"},
+                  {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
+                  json_option(),
+                  {"--out", "DIR",
+                   "directory for the results; with --json none are written unless given [results]"}},
+      .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -5,8 +5,8 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/calibration/table.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/files/numbers.hpp"
 #include "dem/scene/units.hpp"
 

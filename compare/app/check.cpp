@@ -31,12 +31,14 @@ void print(const dem::Table& table, std::ostream& out) {
 /// The system kills a run that exceeds its memory without a message.
 void warn_of_memory(const dem::Table& table, Context& context) {
   const double needed = table.number(0, "memory"), free = table.number(0, "memory_free");
-  if (needed > free) context.log->warn("warning: the scene needs {:.3g} B of memory, {:.3g} B are free", needed, free);
+  if (needed > free)
+    context.log->warn("warning: the scene needs {:.3g} B of memory, {:.3g} B are free", needed, free);
 }
 
 int run(const Arguments& arguments, Context& context) {
   if (arguments.has("--keys")) {
-    if (arguments.has("SCENE")) throw compare::InputError("--keys is not allowed with a scene: it lists the keys of all kinds");
+    if (arguments.has("SCENE"))
+      throw compare::InputError("--keys is not allowed with a scene: it lists the keys of all kinds");
     context.out << dem::key_reference();
     return kSuccess;
   }
@@ -60,10 +62,13 @@ int run(const Arguments& arguments, Context& context) {
 Command check_command() {
   return {.name = "check",
           .description = "read a scene and say what it will take, without running it",
-          .footer = "Example:\n  fiberchain check data/scenes/packing.yaml\n"
-                    "Memory of a packing is that of a dense one: 4 pairs and 1.5 contacts a sphere. The cost of a step is measured\n"
-                    "for some 50 ms on a dense stack of the scene's fibers; a chain alone has a stated one. No fiber is inserted:\n"
-                    "whether they fit, the run tells.",
+          .footer =
+              "Example:\n  fiberchain check data/scenes/packing.yaml\n"
+              "Memory of a packing is that of a dense one: 4 pairs and 1.5 contacts a sphere. The cost of a "
+              "step is measured\n"
+              "for some 50 ms on a dense stack of the scene's fibers; a chain alone has a stated one. No "
+              "fiber is inserted:\n"
+              "whether they fit, the run tells.",
           .options = {{"SCENE", "", "scene file (YAML)"},
                       json_option(),
                       {"--keys", "", "print all keys of all kinds of scenes, in Markdown", OptionKind::flag},

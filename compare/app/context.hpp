@@ -29,6 +29,7 @@ inline constexpr int kSuccess = 0;
 inline constexpr int kCheckFailed = 1;  ///< a row that must hold does not
 inline constexpr int kBadInput = 2;     ///< usage, scene or data
 inline constexpr int kRunFailed = 3;    ///< divergence, no convergence, files that cannot be written
-inline constexpr int kSignaled = 128;   ///< and the number of the signal that stopped a run: 130 SIGINT, 143 SIGTERM
+inline constexpr int kSignaled =
+    128;  ///< and the number of the signal that stopped a run: 130 SIGINT, 143 SIGTERM
 
 }  // namespace fiberchain::app

@@ -38,7 +38,8 @@ class Portions {
 /// Exit status, with an error in the log if a point's damping could not be measured.
 template <class Point>
 int status_of(const std::vector<Point>& points, const Context& context) {
-  const auto failed = std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
+  const auto failed =
+      std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
   if (failed == 0) return kSuccess;
   context.log->error("error: {} of {} cases could not be measured, see column status", failed, points.size());
   return kRunFailed;

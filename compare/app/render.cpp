@@ -2,8 +2,8 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/render/picture.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/record/output.hpp"
 #include "dem/trajectory/h5md.hpp"
 
@@ -85,24 +85,24 @@ int run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command render_command() {
-  return {
-      .name = "render",
-      .description = "draw a frame of a trajectory to PNG, without a display",
-      .footer =
-          "Example:\n  fiberchain render packing/packing.h5 --frame last --color vertical_speed --range -0.5,0.5",
-      .options = {{"FILE", "", "trajectory (H5MD), also of a run in progress", OptionKind::required},
-                  {"--frame", "N", "number of the frame from 0, or last [last]"},
-                  {"--color", "NAME", "vertical_speed or bending_angle [vertical_speed]"},
-                  {"--range", "LOW,HIGH",
-                   "ends of the color scale, m/s or rad [those of the data, without their "
-                   "lowest and highest half percent]"},
-                  {"--azimuth", "DEGREES", "of the camera about the vertical, from the x axis [-60]"},
-                  {"--elevation", "DEGREES", "of the camera above the horizontal [18]"},
-                  {"--width", "PIXELS", "of the picture [1280]"},
-                  {"--height", "PIXELS", "of the picture [800]"},
-                  {"--out", "DIR", "directory for the picture [results]"},
-                  {"--jobs", "N", "threads [all cores]"}},
-      .run = &run};
+  return {.name = "render",
+          .description = "draw a frame of a trajectory to PNG, without a display",
+          .footer =
+              "Example:\n  fiberchain render packing/packing.h5 --frame last --color vertical_speed --range "
+              "-0.5,0.5",
+          .options = {{"FILE", "", "trajectory (H5MD), also of a run in progress", OptionKind::required},
+                      {"--frame", "N", "number of the frame from 0, or last [last]"},
+                      {"--color", "NAME", "vertical_speed or bending_angle [vertical_speed]"},
+                      {"--range", "LOW,HIGH",
+                       "ends of the color scale, m/s or rad [those of the data, without their "
+                       "lowest and highest half percent]"},
+                      {"--azimuth", "DEGREES", "of the camera about the vertical, from the x axis [-60]"},
+                      {"--elevation", "DEGREES", "of the camera above the horizontal [18]"},
+                      {"--width", "PIXELS", "of the picture [1280]"},
+                      {"--height", "PIXELS", "of the picture [800]"},
+                      {"--out", "DIR", "directory for the picture [results]"},
+                      {"--jobs", "N", "threads [all cores]"}},
+          .run = &run};
 }
 
 }  // namespace fiberchain::app

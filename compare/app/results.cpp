@@ -1,8 +1,8 @@
 #include "compare/app/results.hpp"
 
-#include "dem/record/csv.hpp"
 #include "compare/study/json.hpp"
 #include "compare/study/markdown.hpp"
+#include "dem/record/csv.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -16,7 +16,8 @@ nlohmann::ordered_json json_of(const Results& results, const dem::Provenance& pr
   auto document = dem::to_json(results.table, provenance);
   for (const auto& [name, table] : results.more_tables) {
     const bool of_these = name.starts_with(results.name + "-");
-    document[of_these ? name.substr(results.name.size() + 1) : name] = dem::to_json(table, provenance)["rows"];
+    document[of_these ? name.substr(results.name.size() + 1) : name] =
+        dem::to_json(table, provenance)["rows"];
   }
   return document;
 }

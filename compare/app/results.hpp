@@ -19,9 +19,10 @@ struct Results {
   std::string heading;  ///< of the Markdown
   dem::Table table;
   std::string notes = {};  ///< paragraphs of Markdown that go with the table
-  std::vector<std::pair<std::string, dem::Table>> more_tables = {};  ///< as NAME.csv and key of the JSON, by name
-  std::vector<std::pair<std::string, compare::Figure>> figures = {};     ///< by name: NAME.svg, NAME.png
-  std::vector<dem::OutputFile> more_files = {};  ///< pictures, as they are
+  std::vector<std::pair<std::string, dem::Table>> more_tables =
+      {};  ///< as NAME.csv and key of the JSON, by name
+  std::vector<std::pair<std::string, compare::Figure>> figures = {};  ///< by name: NAME.svg, NAME.png
+  std::vector<dem::OutputFile> more_files = {};                       ///< pictures, as they are
 };
 
 /// The directory the results will go to, made now so that a run does not end in vain; nothing if the

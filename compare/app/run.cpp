@@ -1,12 +1,12 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/run_packing.hpp"
+#include "compare/scenes/cantilever.hpp"
+#include "compare/scenes/flow_report.hpp"
 #include "compare/scenes/release_report.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/scenes/flow_report.hpp"
-#include "dem/record/csv.hpp"
-#include "compare/scenes/cantilever.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/record/csv.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -38,8 +38,8 @@ struct Outcome {
 
 Outcome outcome_of(const dem::CantileverScene& scene, const std::string& name) {
   Results results = run_cantilever(scene, name);
-  dem::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle", "departure_y",
-                                               "departure_distance", "residual", "run_time"});
+  dem::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle",
+                                           "departure_y", "departure_distance", "residual", "run_time"});
   return {std::move(results), std::move(shown), ""};
 }
 
@@ -47,7 +47,7 @@ Outcome outcome_of(const dem::ReleaseScene& scene, const std::string& name) {
   const compare::ReleaseRun run = compare::run_release(scene);
   Results results = run_release(scene, run, name);
   dem::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
-                                               "fiber_damping", "fiber_damping_modes", "run_time", "status"});
+                                           "fiber_damping", "fiber_damping_modes", "run_time", "status"});
   return {std::move(results), std::move(shown), run.failure};
 }
 
@@ -61,15 +61,16 @@ Outcome outcome_of(const dem::FlowScene& scene, const std::string& name) {
   for (auto& [end, figure] : compare::flow_scene_figures(scene, history)) {
     results.figures.emplace_back(name + end, std::move(figure));
   }
-  dem::Table shown = results.table.select({"aspect_ratio", "hydrodynamics", "flow_method", "elasto_viscous", "strain",
-                                               "period", "orbit_constant", "end_to_end_least", "bending_angle",
-                                               "run_time", "status"});
+  dem::Table shown = results.table.select({"aspect_ratio", "hydrodynamics", "flow_method", "elasto_viscous",
+                                           "strain", "period", "orbit_constant", "end_to_end_least",
+                                           "bending_angle", "run_time", "status"});
   return {std::move(results), std::move(shown), history.record.failure};
 }
 
 /// Of a scene that is one fiber.
 Outcome outcome_of(const dem::Scene& scene, const std::string& name) {
-  if (const auto* cantilever = std::get_if<dem::CantileverScene>(&scene)) return outcome_of(*cantilever, name);
+  if (const auto* cantilever = std::get_if<dem::CantileverScene>(&scene))
+    return outcome_of(*cantilever, name);
   if (const auto* release = std::get_if<dem::ReleaseScene>(&scene)) return outcome_of(*release, name);
   return outcome_of(std::get<dem::FlowScene>(scene), name);
 }
@@ -84,7 +85,8 @@ int run(const Arguments& arguments, Context& context) {
     return run_packing(text, *packing, arguments, context);
   }
   for (const char* option : {"--resume", "--force"}) {
-    if (arguments.has(option)) throw compare::InputError(std::string(option) + ": is of use only with scene: packing");
+    if (arguments.has(option))
+      throw compare::InputError(std::string(option) + ": is of use only with scene: packing");
   }
   const auto directory = open_output(output);
   const Outcome outcome = outcome_of(scene, path.stem().string());
@@ -96,18 +98,21 @@ int run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command run_command() {
-  return {.name = "run",
-          .description = "run one scene",
-          .footer =
-              "Example:\n  fiberchain run data/scenes/cantilever.yaml --out results\n"
-              "Packings (data/scenes/packing.yaml, packing-small.yaml) write as they go. SIGINT (Ctrl-C) and SIGTERM\n"
-              "stop them at a checkpoint, with status 130 and 143; --resume goes on from there, as after a crash, and\n"
-              "ends in the same state. One run at a time in a directory.",
-          .options = with_output(
-              {{"SCENE", "", "scene file (YAML)", OptionKind::required},
-               {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
-               {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag}}),
-          .run = &run};
+  return {
+      .name = "run",
+      .description = "run one scene",
+      .footer =
+          "Example:\n  fiberchain run data/scenes/cantilever.yaml --out results\n"
+          "Packings (data/scenes/packing.yaml, packing-small.yaml) write as they go. SIGINT (Ctrl-C) and "
+          "SIGTERM\n"
+          "stop them at a checkpoint, with status 130 and 143; --resume goes on from there, as after a "
+          "crash, and\n"
+          "ends in the same state. One run at a time in a directory.",
+      .options = with_output(
+          {{"SCENE", "", "scene file (YAML)", OptionKind::required},
+           {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
+           {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag}}),
+      .run = &run};
 }
 
 }  // namespace fiberchain::app

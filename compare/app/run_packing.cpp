@@ -7,10 +7,10 @@
 
 #include "compare/app/results.hpp"
 #include "compare/app/stop_signals.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/scenes/packing_report.hpp"
-#include "dem/record/csv.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/record/csv.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -39,13 +39,13 @@ Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) 
 
 }  // namespace
 
-int run_packing(const dem::SceneText& text, const dem::PackingScene& scene,
-                const Arguments& arguments, Context& context) {
+int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, const Arguments& arguments,
+                Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = text.name, out = output.out.value_or("results");
   const bool resume = arguments.has("--resume");
   const dem::PackingJob job{text,        scene,  {out, path.stem().string()},
-                                output.jobs, resume, context.provenance};
+                            output.jobs, resume, context.provenance};
   const auto say = [&](const std::string& words) { context.log->info(words); };
   std::optional<dem::RunBegin> begin;
   if (!resume) begin.emplace(dem::begin_run(job, say));  // what cannot begin leaves nothing behind
@@ -65,9 +65,8 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene,
     return kSignaled + signals.received();
   }
   const Results results = results_of(job, end);
-  const dem::Table shown =
-      results.table.select({"fibers", "time_step", "step_set_by", "simulated_time", "contacts", "height",
-                            "bending_mean", "run_time", "status"});
+  const dem::Table shown = results.table.select({"fibers", "time_step", "step_set_by", "simulated_time",
+                                                 "contacts", "height", "bending_mean", "run_time", "status"});
   deliver(results, shown, output, directory, context);
   if (!end.failure.empty()) throw dem::Diverged(end.failure);
   return kSuccess;

@@ -63,7 +63,9 @@ Points measure(const Cases& cases, int jobs, const Context& context) {
 compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
                                              const Context& context, Points& all) {
   const compare::DampingFigureCases wanted = compare::damping_figure_cases(peaks);
-  all = measure(joined<Cases::value_type>({wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}), jobs, context);
+  all = measure(
+      joined<Cases::value_type>({wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}),
+      jobs, context);
   Portions portions(all);
   compare::DampingFigurePoints figures;
   figures.bond_damping = portions.next(wanted.bond_damping.size());

@@ -6,8 +6,8 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/friction/table.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -40,7 +40,8 @@ compare::RollingSweep sweep_of(const Arguments& arguments) {
   read_choices<Rolling>(arguments, "--law", sweep.law,
                         {{"set_valued", Rolling::set_valued}, {"explicit_sign", Rolling::explicit_sign}});
   if (arguments.has("--load") && arguments.has("--amplitude")) {
-    throw compare::InputError("--amplitude is not allowed with --load: give what the fiber is let go with once");
+    throw compare::InputError(
+        "--amplitude is not allowed with --load: give what the fiber is let go with once");
   }
   sweep.peaks = peak_range(arguments, sweep.peaks);
   return sweep;
@@ -62,7 +63,8 @@ Points measure(const Cases& cases, int jobs, const Context& context) {
 compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
                                              const Context& context, Points& all) {
   const compare::RollingFigureCases wanted = compare::rolling_figure_cases(peaks);
-  all = measure(joined<Cases::value_type>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}), jobs, context);
+  all = measure(joined<Cases::value_type>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}),
+                jobs, context);
   Portions portions(all);
   compare::RollingFigurePoints figures;
   figures.friction = portions.next(wanted.friction.size());
@@ -98,7 +100,8 @@ int run(const Arguments& arguments, Context& context) {
 Command tables_friction_command() {
   return {
       .name = "tables friction",
-      .description = "damping of the fiber by rolling friction of its bonds, by step, load and amplitude (Fig 10)",
+      .description =
+          "damping of the fiber by rolling friction of its bonds, by step, load and amplitude (Fig 10)",
       .footer = std::string("Without a choice of cases those of the figures are run.\n"
                             "Example:\n  fiberchain tables friction --aspect-ratio 13 --poisson-ratio 0.17 "
                             "--load 0.7 --rolling-friction 0,3 --law set_valued,explicit_sign --json\n") +

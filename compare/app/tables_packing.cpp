@@ -4,9 +4,9 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/packing/study.hpp"
-#include "compare/packing/pictures.hpp"
 #include "compare/packing/checks.hpp"
+#include "compare/packing/pictures.hpp"
+#include "compare/packing/study.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -115,28 +115,27 @@ int run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command tables_packing_command() {
-  return {
-      .name = "tables packing",
-      .description =
-          "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
-      .footer =
-          std::string("The packings of one seed are run with --fibers, those of several seeds with "
-                      "--seed-fibers on a\n"
-                      "smaller floor with periodic sides, as deep.\n"
-                      "With --fibers 0 --seeds 5 there are spreads alone, of five seeds.\n"
-                      "Example:\n  fiberchain tables packing --fibers 500 --seeds 0 --duration 0.005 --samples 20\n") +
-          kListHelp,
-      .options =
-          with_output({{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
-                       {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
-                       {"--seed-fibers", "N", "of each packing of these [500]"},
-                       {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
-                       {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
-                       {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
-                       {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
-                       {"--duration", "SECONDS", "simulated [0.6]"},
-                       {"--samples", "N", "intervals of the histories [140]"}}),
-      .run = &run};
+  return {.name = "tables packing",
+          .description =
+              "2000 fibers fall and pack: stages (Fig 11), bending against time (Fig 12), densities, energy",
+          .footer = std::string("The packings of one seed are run with --fibers, those of several seeds with "
+                                "--seed-fibers on a\n"
+                                "smaller floor with periodic sides, as deep.\n"
+                                "With --fibers 0 --seeds 5 there are spreads alone, of five seeds.\n"
+                                "Example:\n  fiberchain tables packing --fibers 500 --seeds 0 --duration "
+                                "0.005 --samples 20\n") +
+                    kListHelp,
+          .options = with_output(
+              {{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
+               {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
+               {"--seed-fibers", "N", "of each packing of these [500]"},
+               {"--bond-damping", "LIST", "xi_b without rolling friction [0.1,1,5]"},
+               {"--friction", "LIST", "xi_r, at the first xi_b [1,2]"},
+               {"--stiffness", "LIST", "factors to Young's modulus, at the first xi_b [20]"},
+               {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
+               {"--duration", "SECONDS", "simulated [0.6]"},
+               {"--samples", "N", "intervals of the histories [140]"}}),
+          .run = &run};
 }
 
 }  // namespace fiberchain::app

@@ -2,10 +2,10 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/inertia.hpp"
 #include "compare/flow/regimes.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {

@@ -2,9 +2,9 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
-#include "compare/study/validation_report.hpp"
 #include "compare/study/published.hpp"
 #include "compare/study/validation.hpp"
+#include "compare/study/validation_report.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -45,7 +45,8 @@ int run(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
-  const compare::ValidationInput input{compare::read_all_published(compare::find_data_directory(data)), output.jobs};
+  const compare::ValidationInput input{compare::read_all_published(compare::find_data_directory(data)),
+                                       output.jobs};
   const Subjects subjects = subjects_of(arguments);
   const auto directory = open_output(output);
   const std::vector<compare::MatrixRow> rows = rows_of(subjects, input, context);

@@ -63,7 +63,8 @@ OperationCount counted_bond_step() {
       natural.data(),  counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing, P.fluid), nullptr),
       workspace.data()};
   std::vector<Counted> gradient;  // steady: without a count too
-  for (int c = 0; c < Dim * Dim; ++c) gradient.emplace_back(swing.fluid.flow.gradient[c / Dim][c % Dim], nullptr);
+  for (int c = 0; c < Dim * Dim; ++c)
+    gradient.emplace_back(swing.fluid.flow.gradient[c / Dim][c % Dim], nullptr);
   const auto flow = dem::local_flow<P>(gradient.data());
   dem::start_march<P, Counted>(block);
   for (int n = 0; n < steps_before; ++n) dem::march_step<P, Counted>(block, n, flow);

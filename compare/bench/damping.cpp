@@ -6,9 +6,9 @@
 
 #include "compare/bench/problems.hpp"
 #include "compare/bench/ring_down.hpp"
+#include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/measure/ring_down_release.hpp"
-#include "compare/measure/linear_chain_of.hpp"
 #include "compare/static/case.hpp"
 
 namespace fiberchain::compare {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "compare/measure/ring_down_release.hpp"
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/tabulate.hpp"
 #include "dem/equilibrium/dynamic_relaxation.hpp"
@@ -70,7 +70,8 @@ Ways eigenvalue_ways() {
   const dem::Release<2> release =
       mode_release(fiber, reference::first_bending_mode(linear_chain_of(fiber)), 1e-3, 2.2);
   return {"eigenvalue instead of marching", "planar incremental damped, r_f = 10, two periods",
-          [=] { dem::ring_down<2>({release}); }, [=] { reference::first_bending_mode(linear_chain_of(fiber)); }};
+          [=] { dem::ring_down<2>({release}); },
+          [=] { reference::first_bending_mode(linear_chain_of(fiber)); }};
 }
 
 }  // namespace
@@ -136,10 +137,10 @@ dem::Table feature_cost_summary(const std::vector<FeatureCostRow>& rows) {
     std::ranges::sort(savings);
     const std::size_t n = savings.size();
     table.append({{"skipped", name},
-            {"scenes", static_cast<std::int64_t>(n)},
-            {"saving_least", savings.front()},
-            {"saving", (savings[(n - 1) / 2] + savings[n / 2]) / 2},
-            {"saving_largest", savings.back()}});
+                  {"scenes", static_cast<std::int64_t>(n)},
+                  {"saving_least", savings.front()},
+                  {"saving", (savings[(n - 1) / 2] + savings[n / 2]) / 2},
+                  {"saving_largest", savings.back()}});
   }
   return table;
 }

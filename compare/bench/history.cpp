@@ -6,8 +6,8 @@
 #include "compare/bench/history_reference.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/ring_down.hpp"
-#include "compare/measure/ring_down_release.hpp"
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "compare/static/case.hpp"
 
 namespace fiberchain::compare {

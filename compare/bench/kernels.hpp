@@ -40,8 +40,8 @@ struct KernelBound {
 
 KernelBound bound_of(const OperationCount& count, const CorePeak& peak);
 
-/// Largest time wanted of the damped incremental loop by the widest lanes, and of a lone chain [s]: planar 2 and 15 ns,
-/// spatial 10 and 60 ns; nothing for the other loops.
+/// Largest time wanted of the damped incremental loop by the widest lanes, and of a lone chain [s]: planar 2
+/// and 15 ns, spatial 10 and 60 ns; nothing for the other loops.
 struct KernelTarget {
   double ensemble, lone;
 };

@@ -1,21 +1,21 @@
 #include "compare/bench/packing.hpp"
 
+#include <unistd.h>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 #include "compare/bench/timing.hpp"
 #include "compare/study/tabulate.hpp"
-#include "dem/run/samples.hpp"
 #include "dem/chain/sphere_storage.hpp"
 #include "dem/parallel/partition.hpp"
-#include "dem/trajectory/h5md.hpp"
+#include "dem/run/samples.hpp"
 #include "dem/scene/build_packing.hpp"
+#include "dem/trajectory/h5md.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -62,12 +62,14 @@ PackingScene tiled(const PackingScene& scene, int tiles) {
 /// The first of its fibers.
 PackingScene part_of(const PackingScene& scene, std::size_t parts) {
   PackingScene part = scene;
-  for (dem::PackingFiberKind& kind : part.kinds) kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
+  for (dem::PackingFiberKind& kind : part.kinds)
+    kind.starts.resize(std::max<std::size_t>(kind.starts.size() / parts, 1));
   return part;
 }
 
-/// Kicking and moving so many spheres without bonds [ns a sphere], as the assembly keeps them: loads in an array that stays in
-/// the inner cache, one thread. A loop of its own: an assembly's does it together with the bonds.
+/// Kicking and moving so many spheres without bonds [ns a sphere], as the assembly keeps them: loads in an
+/// array that stays in the inner cache, one thread. A loop of its own: an assembly's does it together with
+/// the bonds.
 double motion_alone(std::int64_t spheres, const BenchOptions& options) {
   constexpr std::int64_t part = dem::cache_sized_part;
   dem::SphereStorage rows(spheres, false);
@@ -76,8 +78,10 @@ double motion_alone(std::int64_t spheres, const BenchOptions& options) {
   double* motions = rows.motions.data();
   const auto step = [&] {
     for (std::int64_t i = 0; i < spheres; ++i) {
-      double *x = places + i * dem::position_radius_size, *v = motions + i * dem::velocity_spin_size, *w = v + dem::spin_offset;
-      const double *force = &loads[static_cast<std::size_t>(i % part) * dem::load_size], *moment = force + dem::moment_offset;
+      double *x = places + i * dem::position_radius_size, *v = motions + i * dem::velocity_spin_size,
+             *w = v + dem::spin_offset;
+      const double *force = &loads[static_cast<std::size_t>(i % part) * dem::load_size],
+                   *moment = force + dem::moment_offset;
       for (int c = 0; c < 3; ++c) v[c] += 1e-6 * force[c], w[c] += 1e-5 * moment[c], x[c] += 1e-6 * v[c];
     }
   };
@@ -88,7 +92,8 @@ double motion_alone(std::int64_t spheres, const BenchOptions& options) {
 
 /// Time of writing one frame [s].
 double frame_time(const dem::Assembly& assembly, const PackingScene& scene) {
-  const auto directory = std::filesystem::temp_directory_path() / ("fiberchain-bench-" + std::to_string(getpid()));
+  const auto directory =
+      std::filesystem::temp_directory_path() / ("fiberchain-bench-" + std::to_string(getpid()));
   std::filesystem::create_directory(directory);
   dem::TrajectoryWriter writer(directory / "frame.h5", {"bench", "", {}});
   const double time = time_once([&] { writer.append(frame_of(assembly, scene)); });
@@ -101,7 +106,8 @@ struct Windows {
   int count;
 };
 
-std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const Windows& windows, double motion) {
+std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const Windows& windows,
+                                  double motion) {
   const double before = resident_at_rest();
   dem::PackingStart start = dem::packing_start(scene, threads);
   const double frames_a_step = static_cast<double>(scene.output.frames) / static_cast<double>(start.steps);
@@ -116,16 +122,19 @@ std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const 
     const auto spheres = static_cast<double>(assembly.spheres());
     const double unit = 1e9 / (spheres * static_cast<double>(windows.steps));
     const double own_motion = motion / threads, both = unit * (now.bonds_and_motion - last.bonds_and_motion);
-    times.push_back({assembly.spheres(), threads, from, assembly.steps(), static_cast<double>(assembly.touching()) / spheres,
-                     unit * seconds, both - own_motion, own_motion, unit * (now.contacts - last.contacts), unit * (now.search - last.search),
-                     1e9 * frame_time(assembly, scene) * frames_a_step / spheres, (resident() - before) / spheres});
+    times.push_back({assembly.spheres(), threads, from, assembly.steps(),
+                     static_cast<double>(assembly.touching()) / spheres, unit * seconds, both - own_motion,
+                     own_motion, unit * (now.contacts - last.contacts), unit * (now.search - last.search),
+                     1e9 * frame_time(assembly, scene) * frames_a_step / spheres,
+                     (resident() - before) / spheres});
   }
   return times;
 }
 
-/// Sizes in turns, so that all have their share of a machine's slow hours: the fastest run of each, with the memory of the
-/// first, which has found none used before.
-std::vector<PackingTime> fastest_of(const std::vector<PackingScene>& sizes, int rounds, std::int64_t steps, const BenchOptions& options) {
+/// Sizes in turns, so that all have their share of a machine's slow hours: the fastest run of each, with the
+/// memory of the first, which has found none used before.
+std::vector<PackingTime> fastest_of(const std::vector<PackingScene>& sizes, int rounds, std::int64_t steps,
+                                    const BenchOptions& options) {
   std::vector<double> motions;
   for (const PackingScene& size : sizes) motions.push_back(motion_alone(dem::spheres_in(size), options));
   std::vector<PackingTime> fastest;
@@ -148,11 +157,14 @@ std::vector<PackingTime> fastest_of(const std::vector<PackingScene>& sizes, int 
 
 std::vector<PackingTime> packing_times(const PackingScene& scene, const BenchOptions& options) {
   std::vector<PackingTime> all;
-  const auto add = [&](const std::vector<PackingTime>& times) { all.insert(all.end(), times.begin(), times.end()); };
+  const auto add = [&](const std::vector<PackingTime>& times) {
+    all.insert(all.end(), times.begin(), times.end());
+  };
   const Windows windows = options.quick ? Windows{200, 2} : Windows{2000, 10};
   const double motion = motion_alone(dem::spheres_in(scene), options);
   for (const int threads : {1, 2}) add(times_of(scene, threads, windows, motion));
-  add(fastest_of({part_of(scene, 10), scene, tiled(scene, options.quick ? 2 : 10)}, options.quick ? 1 : 3, options.quick ? 100 : 1500, options));
+  add(fastest_of({part_of(scene, 10), scene, tiled(scene, options.quick ? 2 : 10)}, options.quick ? 1 : 3,
+                 options.quick ? 100 : 1500, options));
   return all;
 }
 

@@ -34,9 +34,10 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options);
 /// tolerance.
 PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptions& options);
 
-/// A hundred orbits (quick: three) of a stiff fiber in shear, in space: error of the change of its orbit constant. The leapfrog
-/// has inertia, which takes the fiber toward the flow plane in proportion to the Stokes number: it is made as small as the
-/// wanted error asks for, and the step with it. One of its orbits is followed, time and error stand for all.
+/// A hundred orbits (quick: three) of a stiff fiber in shear, in space: error of the change of its orbit
+/// constant. The leapfrog has inertia, which takes the fiber toward the flow plane in proportion to the
+/// Stokes number: it is made as small as the wanted error asks for, and the step with it. One of its orbits
+/// is followed, time and error stand for all.
 PrecisionProblem flow_problem(const BenchOptions& options);
 
 }  // namespace fiberchain::compare

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/model/loads.hpp"
 #include "dem/chain/chain.hpp"
+#include "dem/model/loads.hpp"
 
 namespace fiberchain::compare {
 

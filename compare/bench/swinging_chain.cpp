@@ -45,12 +45,17 @@ SwingingChain<Dim> swinging_chain_of(const Physics& physics) {
   const double drag = physics.settling_damping ? 1e-3 / dem::bond_time_step(fiber) : 0.0;
   // drag and shear that slow and bend the swing a little
   const double t_b = dem::bond_time_step(fiber);
-  const dem::Fluid fluid{1e-4 * dem::sphere_mass(fiber) / (dem::sphere_radius(fiber) * t_b), {dem::simple_shear(1e-5 / t_b)}};
+  const dem::Fluid fluid{1e-4 * dem::sphere_mass(fiber) / (dem::sphere_radius(fiber) * t_b),
+                         {dem::simple_shear(1e-5 / t_b)}};
   dem::Load<Dim> load{kernel_bonds, {}, {}};
   load.force[1] = dem::load_force(fiber, 0.5);
   return {
       physics.curved ? dem::cornered_chain<Dim>(fiber, kernel_bonds / 2) : dem::straight_chain<Dim>(fiber),
-      0.5 * dem::stable_time_step(fiber, drag), drag, load, 500, fluid};
+      0.5 * dem::stable_time_step(fiber, drag),
+      drag,
+      load,
+      500,
+      fluid};
 }
 
 template SwingingChain<2> swinging_chain_of<2>(const Physics&);

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dem/model/loads.hpp"
 #include "dem/chain/chain.hpp"
 #include "dem/model/fluid.hpp"
+#include "dem/model/loads.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 
 // What the inner loops are timed on: chains of 11 spheres swinging under a dead load.

@@ -41,8 +41,8 @@ bool has_both(const PrecisionProblem& problem) {
 
 dem::Table precision_table(const std::vector<PrecisionProblem>& problems) {
   dem::Table table({"problem", "method", "setting", "aspect_ratio", "lanes", "error", "reference_error",
-               "run_time", "run_time_median", "runs", "steps", "bond_evaluations", "linear_solves",
-               "factorizations", "status"});
+                    "run_time", "run_time_median", "runs", "steps", "bond_evaluations", "linear_solves",
+                    "factorizations", "status"});
   for (const PrecisionProblem& problem : problems) {
     for (const PrecisionRow& row : problem.rows) {
       const bool measured = row.status == measured_status;
@@ -70,15 +70,16 @@ dem::Table precision_table(const std::vector<PrecisionProblem>& problems) {
 }
 
 dem::Table wanted_table(const std::vector<PrecisionProblem>& problems) {
-  dem::Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time", "run_time_paper",
-               "speedup"});
+  dem::Table table({"problem", "wanted_error", "among", "method", "setting", "error", "run_time",
+                    "run_time_paper", "speedup"});
   for (const PrecisionProblem& problem : problems) {
     for (const auto& [wanted, label] : wanted_errors) {
       for (const Choice& choice : choices) {
         if (choice.among == Among::in_time && !has_both(problem)) continue;
         const PrecisionRow* best = cheapest(problem.rows, wanted, choice.among);
         const PrecisionRow* paper = cheapest(problem.rows, wanted, Among::as_paper);
-        dem::NamedRow row{{"problem", problem.id}, {"wanted_error", wanted}, {"among", std::string(choice.name)}};
+        dem::NamedRow row{
+            {"problem", problem.id}, {"wanted_error", wanted}, {"among", std::string(choice.name)}};
         if (best) {
           row.insert(row.end(), {{"method", best->method},
                                  {"setting", best->setting},

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_beam.hpp"
 #include "reference/errors.hpp"

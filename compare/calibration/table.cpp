@@ -14,7 +14,9 @@ using std::numbers::pi;
 
 double expected_error(const Calibration& found) { return found.amplitude_effect + found.time_step_effect; }
 
-dem::Cell optional(const std::optional<double>& value) { return value ? dem::Cell{*value} : dem::Cell{dem::Missing{}}; }
+dem::Cell optional(const std::optional<double>& value) {
+  return value ? dem::Cell{*value} : dem::Cell{dem::Missing{}};
+}
 
 dem::NamedRow material_row(const CalibrationAnswer& answer) {
   const dem::Fiber& fiber = answer.found.fiber;
@@ -75,41 +77,41 @@ std::string run_note(const CalibrationAnswer& answer) {
 
 dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
   dem::Table table({"aspect_ratio",
-               "poisson_ratio",
-               "youngs_modulus",
-               "shear_modulus",
-               "density",
-               "diameter",
-               "bond",
-               "dashpots",
-               "target_damping",
-               "bond_damping",
-               "retardation_time",
-               "retardation_ratio",
-               "fiber_damping_modes",
-               "log_decrement",
-               "quality_factor",
-               "loss_factor",
-               "natural_frequency",
-               "natural_frequency_hertz",
-               "bond_time",
-               "stable_time_step",
-               "stable_step_ratio",
-               "step_ratio",
-               "verification_cost",
-               "amplitude",
-               "amplitude_effect",
-               "time_step_effect",
-               "expected_error",
-               "fiber_damping_expected",
-               "fiber_damping_beam",
-               "damping_discretization",
-               "damping_shear",
-               "beam_frequency",
-               "frequency_discretization",
-               "frequency_shear",
-               "fiber_damping",
-               "verified_difference"});
+                    "poisson_ratio",
+                    "youngs_modulus",
+                    "shear_modulus",
+                    "density",
+                    "diameter",
+                    "bond",
+                    "dashpots",
+                    "target_damping",
+                    "bond_damping",
+                    "retardation_time",
+                    "retardation_ratio",
+                    "fiber_damping_modes",
+                    "log_decrement",
+                    "quality_factor",
+                    "loss_factor",
+                    "natural_frequency",
+                    "natural_frequency_hertz",
+                    "bond_time",
+                    "stable_time_step",
+                    "stable_step_ratio",
+                    "step_ratio",
+                    "verification_cost",
+                    "amplitude",
+                    "amplitude_effect",
+                    "time_step_effect",
+                    "expected_error",
+                    "fiber_damping_expected",
+                    "fiber_damping_beam",
+                    "damping_discretization",
+                    "damping_shear",
+                    "beam_frequency",
+                    "frequency_discretization",
+                    "frequency_shear",
+                    "fiber_damping",
+                    "verified_difference"});
   for (const CalibrationAnswer& answer : answers) {
     dem::NamedRow row = material_row(answer);
     for (const dem::NamedRow& part : {damping_row(answer.found), error_row(answer)}) {

@@ -46,7 +46,8 @@ Verification verify(const Calibration& found) {
   dem::ReleaseOptions options;
   options.step_ratio = found.step / found.bond_time;
   const auto record =
-      dem::ring_down<2>({mode_release(found.fiber, found.mode, amount, periodic_box(found))}, options).front();
+      dem::ring_down<2>({mode_release(found.fiber, found.mode, amount, periodic_box(found))}, options)
+          .front();
   const TipHistory history = tip_history(record, dem::fiber_length(found.fiber));
   const double measured = damping_from_peaks(positive_peaks(history), {0, peaks_of(found) - 1}).ratio;
   return {measured, measured / found.damping_ratio - 1, record.time_step,

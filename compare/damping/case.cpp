@@ -1,18 +1,18 @@
 #include "compare/damping/case.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <numbers>
 
-#include "compare/fit/law.hpp"
 #include "compare/damping/references.hpp"
+#include "compare/fit/law.hpp"
 #include "compare/measure/ring_down_release.hpp"
+#include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/parallel.hpp"
-#include "compare/static/case.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/errors.hpp"
 
@@ -21,21 +21,22 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double vanishing_load = 1e-5;
-constexpr int mode_release_peaks = 4;   // after the release
-constexpr int clean_peaks = 6;          // used for fiber_damping after a static release
+constexpr int mode_release_peaks = 4;  // after the release
+constexpr int clean_peaks = 6;         // used for fiber_damping after a static release
 
 /// What is marched for one case and how its peaks are counted.
 struct Plan {
   dem::Fiber fiber;
   reference::ChainMode mode;
-  bool from_mode;       ///< fiber_damping from the first mode
-  PeakRange clean;      ///< peaks of fiber_damping, counted in its own release
-  double periods;       ///< of the static release
-  bool watched;         ///< long enough for mode 2 to go
+  bool from_mode;   ///< fiber_damping from the first mode
+  PeakRange clean;  ///< peaks of fiber_damping, counted in its own release
+  double periods;   ///< of the static release
+  bool watched;     ///< long enough for mode 2 to go
 };
 
 double bond_steps(const dem::Fiber& fiber, const reference::ChainMode& mode, double periods) {
-  const dem::Release<2> release{{fiber, {}, {}}, {}, {}, {}, 2 * std::numbers::pi / mode.eigenvalue.imag(), periods};
+  const dem::Release<2> release{{fiber, {}, {}}, {}, {}, {}, 2 * std::numbers::pi / mode.eigenvalue.imag(),
+                                periods};
   return periods * release.period / dem::release_step(release, dem::ReleaseOptions{}) * fiber.aspect_ratio;
 }
 
@@ -43,7 +44,8 @@ Plan plan_of(const DampingCase& asked, const DampingOptions& options) {
   Plan plan{damped_fiber(asked), reference::first_bending_mode(linear_chain_of(asked)), false, {}, 0, true};
   plan.from_mode = asked.load <= largest_mode_release_load;
   const int first = first_clean_peak(plan.mode.damping);
-  plan.clean = plan.from_mode ? PeakRange{0, mode_release_peaks - 1} : PeakRange{first, first + clean_peaks - 1};
+  plan.clean =
+      plan.from_mode ? PeakRange{0, mode_release_peaks - 1} : PeakRange{first, first + clean_peaks - 1};
   const int last = plan.from_mode ? asked.peaks.last : std::max(asked.peaks.last, plan.clean.last);
   plan.periods = last + 0.7;
   plan.watched = plan.from_mode || bond_steps(plan.fiber, plan.mode, plan.periods) <= options.largest_cost;
@@ -53,7 +55,8 @@ Plan plan_of(const DampingCase& asked, const DampingOptions& options) {
 
 /// The marches of one case.
 struct Marches {
-  TipHistory vanishing, loaded, released;  ///< first mode at vanishing load, at the load (or empty), static release
+  TipHistory vanishing, loaded,
+      released;  ///< first mode at vanishing load, at the load (or empty), static release
   double time_step, steps;
 };
 
@@ -66,8 +69,8 @@ std::vector<dem::Release<2>> releases_of(const DampingCase& asked, const Plan& p
 }
 
 DampingPoint unmeasured(const DampingCase& asked, std::string why) {
-  return {asked, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, {nan, nan, nan, nan, nan}, nan, nan, {}, nan, 0,
-          std::move(why)};
+  return {asked, nan, nan, nan, nan, nan,           nan, nan, nan, nan, nan, {nan, nan, nan, nan, nan},
+          nan,   nan, {},  nan, 0,   std::move(why)};
 }
 
 /// Damping of the part of the motion that the plan calls clean, by both routes.
@@ -77,7 +80,8 @@ void measure_clean(DampingPoint& point, const TipHistory& history, PeakRange ran
   point.damping = found.ratio;
   point.half_width = found.half_width;
   point.frequency = found.frequency;
-  point.damping_sine = damping_from_sine(history, peaks[range.first].time, peaks[range.last].time, found).ratio;
+  point.damping_sine =
+      damping_from_sine(history, peaks[range.first].time, peaks[range.last].time, found).ratio;
 }
 
 DampingPoint measured(const DampingCase& asked, const Plan& plan, const Marches& marches,
@@ -91,14 +95,15 @@ DampingPoint measured(const DampingCase& asked, const Plan& plan, const Marches&
     if (plan.watched) point.status = std::string("measured, but not as the paper: ") + error.what();
   }
   if (plan.watched) measure_clean(point, plan.from_mode ? marches.loaded : marches.released, plan.clean);
-  const DampingReferences known = damping_references(asked, plan.mode, plan.clean, plan.from_mode,
-                                                     options.elastica && plan.watched);
+  const DampingReferences known =
+      damping_references(asked, plan.mode, plan.clean, plan.from_mode, options.elastica && plan.watched);
   point.damping_modes = known.modes;
   point.damping_elastica = known.elastica;
   point.damping_closed_form = known.closed_form;
   point.damping_beam = known.beam;
   point.damping_eq20 = asked.dashpots == dem::DashpotLaw::bond_damping
-                           ? equation_20(asked.aspect_ratio, asked.bond_damping) : nan;
+                           ? equation_20(asked.aspect_ratio, asked.bond_damping)
+                           : nan;
   point.mode_2_estimate = known.mode_2_estimate;
   point.cvode = known.cvode;
   point.frequency_modes = plan.mode.eigenvalue.imag();
@@ -139,8 +144,11 @@ void run_group(const std::vector<DampingCase>& cases, const std::vector<std::siz
     const double length = dem::fiber_length(s.plan.fiber);
     const dem::ReleaseRecord<2>& released = records[s.first_release + 1];
     try {
-      Marches marches{tip_history(records[s.first_release], length), {}, tip_history(released, length),
-                      released.time_step, released.steps};
+      Marches marches{tip_history(records[s.first_release], length),
+                      {},
+                      tip_history(released, length),
+                      released.time_step,
+                      released.steps};
       if (s.releases == 3) marches.loaded = tip_history(records[s.first_release + 2], length);
       points[s.index] = measured(cases[s.index], s.plan, marches, options);
     } catch (const std::runtime_error& error) {
@@ -153,11 +161,13 @@ void run_group(const std::vector<DampingCase>& cases, const std::vector<std::siz
 void check(const DampingCase& asked) {
   dem::check(damped_fiber(asked));
   if (!(asked.load > 0 && asked.load <= 10)) {
-    throw InputError(fmt::format("load = {} is not allowed: it must be greater than 0 and at most 10", asked.load));
+    throw InputError(
+        fmt::format("load = {} is not allowed: it must be greater than 0 and at most 10", asked.load));
   }
   if (!(asked.bond_damping > 0)) {
-    throw InputError(fmt::format("bond_damping = {} is not allowed: without damping there is no decay to measure",
-                                 asked.bond_damping));
+    throw InputError(
+        fmt::format("bond_damping = {} is not allowed: without damping there is no decay to measure",
+                    asked.bond_damping));
   }
   if (asked.peaks.first < 0 || asked.peaks.last <= asked.peaks.first) {
     throw InputError(fmt::format("peaks = {}..{} is not allowed: give at least two, the first 0 or more",
@@ -190,7 +200,8 @@ int first_clean_peak(double ratio) {
   return std::max(static_cast<int>(std::ceil(std::log(start / wanted) / per_period)), 1);
 }
 
-std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases, const DampingOptions& options) {
+std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases,
+                                         const DampingOptions& options) {
   for (const DampingCase& asked : cases) check(asked);
   // longest chains first, so that the last thread is not left with them
   std::map<std::pair<int, dem::BondForm>, std::vector<std::size_t>, std::greater<>> groups;

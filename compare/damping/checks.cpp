@@ -24,7 +24,8 @@ double load_of(double force, int aspect_ratio, double shear_modulus = 1e6) {
   return force / dem::load_force(damped_fiber(unit), 1.0);
 }
 
-/// Paper's slope where fiber_damping_paper passes it, by interpolation between loads; NaN if no load up to 3 gives it.
+/// Paper's slope where fiber_damping_paper passes it, by interpolation between loads; NaN if no load up to 3
+/// gives it.
 Measured slope(const ValidationInput& in, int aspect_ratio, const std::string& id) {
   const double wanted = find_claim(in.claims, id).value;
   std::vector<DampingCase> cases;
@@ -45,10 +46,12 @@ std::vector<Measured> slopes(const ValidationInput& in) {
 }
 
 std::vector<Measured> loads(const ValidationInput& in) {
-  const Points ten = measure({{.load = load_of(0.001, 10)}, {.load = load_of(0.008, 10)}, {.load = load_of(0.02, 10)}}, in.jobs);
+  const Points ten = measure(
+      {{.load = load_of(0.001, 10)}, {.load = load_of(0.008, 10)}, {.load = load_of(0.02, 10)}}, in.jobs);
   const Points eight = measure({{.aspect_ratio = 8, .load = load_of(0.02, 8)}}, in.jobs);
   const auto fall = [](double from, double to) { return 100 * (1 - to / from); };
-  const double far_ten = fall(ten[0].damping_modes, ten[2].damping), far_eight = fall(eight[0].damping_modes, eight[0].damping);
+  const double far_ten = fall(ten[0].damping_modes, ten[2].damping),
+               far_eight = fall(eight[0].damping_modes, eight[0].damping);
   return {{fall(ten[0].damping, ten[1].damping), {fall(ten[0].damping_paper, ten[1].damping_paper)}},
           {far_ten, {far_ten, ten[2].asked.load, far_eight, eight[0].asked.load}}};
 }
@@ -61,7 +64,9 @@ std::vector<Measured> modulus(const ValidationInput& in) {
     }
   }
   const Points p = measure(cases, in.jobs);
-  const auto rise = [](const DampingPoint& soft, const DampingPoint& stiff) { return 100 * (stiff.damping / soft.damping - 1); };
+  const auto rise = [](const DampingPoint& soft, const DampingPoint& stiff) {
+    return 100 * (stiff.damping / soft.damping - 1);
+  };
   return {{rise(p[0], p[1]), {rise(p[0], p[1]), rise(p[2], p[3])}}};
 }
 
@@ -87,11 +92,13 @@ double worst_march(const ValidationInput& in) {
   std::vector<DampingCase> cases;
   for (const int aspect_ratio : {5, 13, 24}) {
     for (const double damping : {0.01, 0.6, 3.0}) {
-      cases.push_back({.aspect_ratio = aspect_ratio, .poisson_ratio = 0.17, .load = 1e-5, .bond_damping = damping});
+      cases.push_back(
+          {.aspect_ratio = aspect_ratio, .poisson_ratio = 0.17, .load = 1e-5, .bond_damping = damping});
     }
   }
   double worst = 0;
-  for (const DampingPoint& p : measure(cases, in.jobs)) worst = std::max(worst, std::abs(p.damping / p.damping_modes - 1));
+  for (const DampingPoint& p : measure(cases, in.jobs))
+    worst = std::max(worst, std::abs(p.damping / p.damping_modes - 1));
   return worst;
 }
 
@@ -101,7 +108,8 @@ double worst_rod_mode() {
   const double exact = std::sqrt(2.0) * 0.7 * std::sin(std::acos(-1.0) / (4 * 13 + 2));
   double worst = 0;
   for (const auto motion : {reference::ChainMotion::axial, reference::ChainMotion::twist}) {
-    const auto modes = reference::chain_modes(linear_chain_of(asked), motion, reference::ChainEnds::clamped_free);
+    const auto modes =
+        reference::chain_modes(linear_chain_of(asked), motion, reference::ChainEnds::clamped_free);
     worst = std::max(worst, std::abs(modes[0].damping / exact - 1));
   }
   return worst;
@@ -118,7 +126,8 @@ const Checks& damping_checks() {
       {{"paper-eq20-8", "paper-eq20-10", "paper-eq20-30"}, equation_20_values},
       {{"march-modes"}, [](const In& in) -> Found { return {{worst_march(in)}}; }},
       {{"closed-form-modes"}, [](const In&) -> Found { return {{worst_closed_form()}}; }},
-      {{"amplitude-frequency"}, [](const In&) -> Found { return {{reference::amplitude_frequency_coefficient()}}; }},
+      {{"amplitude-frequency"},
+       [](const In&) -> Found { return {{reference::amplitude_frequency_coefficient()}}; }},
       {{"rod-modes"}, [](const In&) -> Found { return {{worst_rod_mode()}}; }},
       {{"paper-fig8-load", "paper-fig7-load"}, loads}};
   return checks;

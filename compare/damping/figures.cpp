@@ -1,5 +1,5 @@
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -11,8 +11,8 @@ namespace {
 using Points = std::vector<DampingPoint>;
 using Value = std::function<double(const DampingPoint&)>;
 
-Series series(std::string label, const Points& points, const Value& x, const Value& y, Mark mark = Mark::line_and_points,
-              Dash dash = Dash::solid) {
+Series series(std::string label, const Points& points, const Value& x, const Value& y,
+              Mark mark = Mark::line_and_points, Dash dash = Dash::solid) {
   Series s{std::move(label), {}, {}, mark, dash};
   for (const DampingPoint& p : points) {
     s.x.push_back(x(p));
@@ -33,25 +33,30 @@ Figure ring_down_figure(const dem::Table& table) {
     chain.x.push_back(table.number(row, "time"));
     chain.y.push_back(table.number(row, "chain_y"));
   }
-  return {"Fig 6: free end after the release, r_f = 10, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
-          {"time over the first mode's period"},
-          {"{/:Italic y}({/:Italic t})/{/:Italic y}_{max}"},
-          {elastica, chain}};
+  return {
+      "Fig 6: free end after the release, r_f = 10, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
+      {"time over the first mode's period"},
+      {"{/:Italic y}({/:Italic t})/{/:Italic y}_{max}"},
+      {elastica, chain}};
 }
 
 Figure bond_damping_figure(const Points& points) {
   std::map<std::pair<int, double>, Points> groups;
   for (const DampingPoint& p : points) groups[{p.asked.aspect_ratio, p.asked.load}].push_back(p);
-  Figure figure{"Fig 7: damping of the fiber against damping of the bonds", {"{/Symbol x}_b", true},
-                {"{/Symbol x}_f", true}, {}};
+  Figure figure{"Fig 7: damping of the fiber against damping of the bonds",
+                {"{/Symbol x}_b", true},
+                {"{/Symbol x}_f", true},
+                {}};
   const Value x = [](const DampingPoint& p) { return p.asked.bond_damping; };
   for (const auto& [kind, group] : groups) {
     const bool small = kind.second <= largest_mode_release_load;
-    figure.series.push_back(series(fmt::format("r_f = {}, {}", kind.first, small ? "small load" : "P = 0.02 N"), group, x,
-                                   measured, small ? Mark::line_and_points : Mark::points));
+    figure.series.push_back(
+        series(fmt::format("r_f = {}, {}", kind.first, small ? "small load" : "P = 0.02 N"), group, x,
+               measured, small ? Mark::line_and_points : Mark::points));
   }
   Points eight;
-  for (const DampingPoint& p : points) if (p.asked.load <= largest_mode_release_load) eight.push_back(p);
+  for (const DampingPoint& p : points)
+    if (p.asked.load <= largest_mode_release_load) eight.push_back(p);
   for (const int aspect_ratio : {8, 10}) {
     Series slope{fmt::format("paper's slope, r_f = {}", aspect_ratio), {}, {}, Mark::line, Dash::dashed};
     for (const DampingPoint& p : eight) {
@@ -70,12 +75,14 @@ Figure load_figure(const Points& points) {
           {"{/:Italic P}, N"},
           {"{/Symbol x}_f"},
           {series("chain, mode 2 gone", points, x, measured),
-           series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last), points, x,
-                  as_paper),
-           series("damped Elastica", points, x, [](const DampingPoint& p) { return p.damping_elastica; }, Mark::line,
-                  Dash::dashed),
-           series("linear chain", points, x, [](const DampingPoint& p) { return p.damping_modes; }, Mark::line,
-                  Dash::dotted)}};
+           series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
+                  points, x, as_paper),
+           series(
+               "damped Elastica", points, x, [](const DampingPoint& p) { return p.damping_elastica; },
+               Mark::line, Dash::dashed),
+           series(
+               "linear chain", points, x, [](const DampingPoint& p) { return p.damping_modes; }, Mark::line,
+               Dash::dotted)}};
 }
 
 Figure modulus_figure(const Points& points) {
@@ -84,8 +91,8 @@ Figure modulus_figure(const Points& points) {
           {"{/:Italic G}, MPa"},
           {"{/Symbol x}_f"},
           {series("chain, mode 2 gone", points, x, measured),
-           series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last), points, x,
-                  as_paper)}};
+           series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
+                  points, x, as_paper)}};
 }
 
 Figure aspect_ratio_figure(const Points& points) {
@@ -94,15 +101,18 @@ Figure aspect_ratio_figure(const Points& points) {
           {"{/:Italic r_f}", true},
           {"{/Symbol x}_f", true},
           {series("sphere chain", points, x, measured, Mark::points),
-           series("({/Symbol b}_1^2/√20) {/Symbol x}_b/(r_f + 1/2)^2", points, x,
-                  [](const DampingPoint& p) { return p.damping_closed_form; }, Mark::line),
-           series("paper's Eq 20, an exponential", points, x,
-                  [](const DampingPoint& p) { return p.damping_eq20; }, Mark::line, Dash::dashed)}};
+           series(
+               "({/Symbol b}_1^2/√20) {/Symbol x}_b/(r_f + 1/2)^2", points, x,
+               [](const DampingPoint& p) { return p.damping_closed_form; }, Mark::line),
+           series(
+               "paper's Eq 20, an exponential", points, x,
+               [](const DampingPoint& p) { return p.damping_eq20; }, Mark::line, Dash::dashed)}};
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, Figure>> damping_figures(const DampingFigurePoints& points, const dem::Table& ring_down) {
+std::vector<std::pair<std::string, Figure>> damping_figures(const DampingFigurePoints& points,
+                                                            const dem::Table& ring_down) {
   return {{"fig-6", ring_down_figure(ring_down)},
           {"fig-7", bond_damping_figure(points.bond_damping)},
           {"fig-8-load", load_figure(points.load)},

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/study/errors.hpp"
 #include "reference/damped_beam.hpp"
 #include "reference/damped_elastica.hpp"
 #include "reference/errors.hpp"
@@ -19,8 +19,9 @@ using std::numbers::pi;
 double reduced_retardation(const DampingCase& asked) {
   const double unit = reference::chain_time_unit(asked.aspect_ratio);
   // xi_b sqrt(2 J / K_bend) over t_b: J / K_bend = (2/5 m R^2) / (K_n R^2 / 4) = 8/5 t_b^2
-  const double tau = asked.dashpots == dem::DashpotLaw::retardation_time ? asked.bond_damping
-                                                                         : asked.bond_damping * std::sqrt(3.2);
+  const double tau = asked.dashpots == dem::DashpotLaw::retardation_time
+                         ? asked.bond_damping
+                         : asked.bond_damping * std::sqrt(3.2);
   return tau / unit;
 }
 
@@ -52,9 +53,9 @@ reference::BeamHistory elastica_history(const DampingCase& asked, bool from_mode
                                         int samples_per_period) {
   const reference::BeamLayout layout = layout_of(asked);
   const double period = 2 * pi / reference::beam_frequencies(layout).front();
-  const reference::Release release = from_mode
-      ? reference::Release{reference::Release::Shape::first_mode, asked.load / 3}
-      : reference::Release{reference::Release::Shape::static_load, asked.load};
+  const reference::Release release =
+      from_mode ? reference::Release{reference::Release::Shape::first_mode, asked.load / 3}
+                : reference::Release{reference::Release::Shape::static_load, asked.load};
   return reference::damped_elastica(layout, release, sample_times(period, periods, samples_per_period));
 }
 
@@ -63,8 +64,8 @@ double higher_modes(const DampingCase& asked, double beam) {
   const reference::BeamDamping damping{reduced_retardation(asked), 0};
   const double period = 2 * pi / std::pow(reference::clamped_free_beta(1), 2);
   const auto times = sample_times(period, asked.peaks.last + 0.7, 200);
-  const auto history = history_of(reference::damped_beam_modal(
-      damping, {reference::Release::Shape::static_load, 0.01}, times, 40));
+  const auto history = history_of(
+      reference::damped_beam_modal(damping, {reference::Release::Shape::static_load, 0.01}, times, 40));
   try {
     return damping_from_peaks(positive_peaks(history), asked.peaks).ratio / beam - 1;
   } catch (const InputError&) {  // the higher modes make these peaks grow
@@ -81,7 +82,9 @@ double unsheared_damping(const DampingCase& asked) {
 
 }  // namespace
 
-reference::LinearChain linear_chain_of(const DampingCase& asked) { return linear_chain_of(damped_fiber(asked)); }
+reference::LinearChain linear_chain_of(const DampingCase& asked) {
+  return linear_chain_of(damped_fiber(asked));
+}
 
 TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& times, double unit) {
   std::vector<double> reduced;
@@ -90,12 +93,17 @@ TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& time
   return history_of(reference::damped_elastica(layout_of(asked), release, reduced));
 }
 
-DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode, PeakRange clean,
-                                     bool from_mode, bool with_elastica) {
+DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode,
+                                     PeakRange clean, bool from_mode, bool with_elastica) {
   const double beam = reference::damped_beam_ratio({reduced_retardation(asked), 0}, 1);
   const double r = asked.aspect_ratio, half = r + 0.5;
-  DampingReferences found{beam, beam * r * r / (half * half), unsheared_damping(asked), mode.damping,
-                          std::numeric_limits<double>::quiet_NaN(), higher_modes(asked, beam), {}};
+  DampingReferences found{beam,
+                          beam * r * r / (half * half),
+                          unsheared_damping(asked),
+                          mode.damping,
+                          std::numeric_limits<double>::quiet_NaN(),
+                          higher_modes(asked, beam),
+                          {}};
   if (with_elastica) {
     // a mode release starts at its peak 0 here: the beam's mode is let go at rest
     const PeakRange range = from_mode ? PeakRange{clean.first + 1, clean.last + 1} : clean;

@@ -16,12 +16,13 @@ struct DampingReferences {
   reference::CvodeStatistics cvode;  ///< what the damped Elastica cost
 };
 
-/// `clean` are the peaks that fiber_damping is measured on, of a release from the first mode or from equilibrium.
-DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode, PeakRange clean,
-                                     bool from_mode, bool with_elastica);
+/// `clean` are the peaks that fiber_damping is measured on, of a release from the first mode or from
+/// equilibrium.
+DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode,
+                                     PeakRange clean, bool from_mode, bool with_elastica);
 
-/// Deflection over L of the damped Elastica's free end with the chain's mass layout, let go from its equilibrium, at
-/// times in seconds; `unit` is the beam's time unit [s].
+/// Deflection over L of the damped Elastica's free end with the chain's mass layout, let go from its
+/// equilibrium, at times in seconds; `unit` is the beam's time unit [s].
 TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& times, double unit);
 
 }  // namespace fiberchain::compare

@@ -13,14 +13,44 @@ namespace {
 
 using dem::DashpotLaw;
 
-const std::vector<std::string> columns{
-    "aspect_ratio", "poisson_ratio", "load", "bond", "form", "dashpots", "bond_damping", "retardation_ratio", "force",
-    "youngs_modulus", "shear_modulus", "peaks_first", "peaks_last", "fiber_damping", "fiber_damping_half_width",
-    "fiber_damping_sine", "fiber_damping_paper", "fiber_damping_modes", "fiber_damping_elastica",
-    "fiber_damping_closed_form", "fiber_damping_beam", "fiber_damping_eq20", "mode_2_estimate",
-    "damping_discretization", "damping_shear", "damping_time_step", "damping_amplitude", "damping_peak_fit",
-    "frequency", "frequency_modes", "cvode_steps", "cvode_right_hand_sides", "cvode_jacobians",
-    "cvode_error_test_failures", "cvode_convergence_failures", "step_ratio", "steps", "status"};
+const std::vector<std::string> columns{"aspect_ratio",
+                                       "poisson_ratio",
+                                       "load",
+                                       "bond",
+                                       "form",
+                                       "dashpots",
+                                       "bond_damping",
+                                       "retardation_ratio",
+                                       "force",
+                                       "youngs_modulus",
+                                       "shear_modulus",
+                                       "peaks_first",
+                                       "peaks_last",
+                                       "fiber_damping",
+                                       "fiber_damping_half_width",
+                                       "fiber_damping_sine",
+                                       "fiber_damping_paper",
+                                       "fiber_damping_modes",
+                                       "fiber_damping_elastica",
+                                       "fiber_damping_closed_form",
+                                       "fiber_damping_beam",
+                                       "fiber_damping_eq20",
+                                       "mode_2_estimate",
+                                       "damping_discretization",
+                                       "damping_shear",
+                                       "damping_time_step",
+                                       "damping_amplitude",
+                                       "damping_peak_fit",
+                                       "frequency",
+                                       "frequency_modes",
+                                       "cvode_steps",
+                                       "cvode_right_hand_sides",
+                                       "cvode_jacobians",
+                                       "cvode_error_test_failures",
+                                       "cvode_convergence_failures",
+                                       "step_ratio",
+                                       "steps",
+                                       "status"};
 
 dem::NamedRow row_of(const DampingPoint& p) {
   const DampingCase& c = p.asked;
@@ -72,8 +102,8 @@ double load_of(double force, int aspect_ratio, double youngs_modulus = 2.6e6) {
   return force / dem::load_force(fiber, 1.0);
 }
 
-/// The case with the dashpots set by `law` so that the first bending mode has the damping ratio wanted: xi_f is
-/// proportional to the setting up to its square.
+/// The case with the dashpots set by `law` so that the first bending mode has the damping ratio wanted: xi_f
+/// is proportional to the setting up to its square.
 DampingCase with_first_mode(DampingCase asked, DashpotLaw law, double wanted) {
   asked.dashpots = law;
   for (int i = 0; i < 20; ++i) {
@@ -93,8 +123,14 @@ std::vector<DampingCase> cases(const DampingSweep& sweep) {
           for (const int aspect_ratio : sweep.aspect_ratio)
             for (const double damping : sweep.bond_damping)
               for (const double load : sweep.load)
-                all.push_back({.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .load = load, .dashpots = law,
-                               .bond_damping = damping, .bond = bond, .form = form, .peaks = sweep.peaks});
+                all.push_back({.aspect_ratio = aspect_ratio,
+                               .poisson_ratio = nu,
+                               .load = load,
+                               .dashpots = law,
+                               .bond_damping = damping,
+                               .bond = bond,
+                               .form = form,
+                               .peaks = sweep.peaks});
   return all;
 }
 
@@ -110,15 +146,19 @@ DampingFigureCases damping_figure_cases(PeakRange peaks) {
       }
     }
   }
-  for (const double force : {0.00025, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.008, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.025, 0.03}) {
+  for (const double force : {0.00025, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.008, 0.01, 0.0125,
+                             0.015, 0.0175, 0.02, 0.025, 0.03}) {
     figures.load.push_back({.load = load_of(force, 10), .peaks = peaks});
   }
-  for (const double shear_modulus : {0.05e6, 0.07e6, 0.1e6, 0.15e6, 0.2e6, 0.3e6, 0.5e6, 0.7e6, 1e6, 1.5e6, 2e6}) {
+  for (const double shear_modulus :
+       {0.05e6, 0.07e6, 0.1e6, 0.15e6, 0.2e6, 0.3e6, 0.5e6, 0.7e6, 1e6, 1.5e6, 2e6}) {
     const double youngs_modulus = 2.6 * shear_modulus;
-    figures.modulus.push_back({.load = load_of(0.002, 10, youngs_modulus), .youngs_modulus = youngs_modulus, .peaks = peaks});
+    figures.modulus.push_back(
+        {.load = load_of(0.002, 10, youngs_modulus), .youngs_modulus = youngs_modulus, .peaks = peaks});
   }
   for (const int aspect_ratio : {5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60}) {
-    figures.aspect_ratio.push_back({.aspect_ratio = aspect_ratio, .load = largest_mode_release_load, .peaks = peaks});
+    figures.aspect_ratio.push_back(
+        {.aspect_ratio = aspect_ratio, .load = largest_mode_release_load, .peaks = peaks});
   }
   return figures;
 }
@@ -131,16 +171,20 @@ dem::Table damping_table(const std::vector<DampingPoint>& points) {
 
 dem::Table dashpot_table(int aspect_ratio, double poisson_ratio) {
   using reference::ChainMotion;
-  dem::Table table({"dashpots", "bond_damping", "retardation_ratio", "motion", "mode", "mode_damping", "stable_step_ratio"});
+  dem::Table table({"dashpots", "bond_damping", "retardation_ratio", "motion", "mode", "mode_damping",
+                    "stable_step_ratio"});
   const DampingCase paper{.aspect_ratio = aspect_ratio, .poisson_ratio = poisson_ratio};
   const double wanted = reference::first_bending_mode(linear_chain_of(paper)).damping;
-  for (const DashpotLaw law : {DashpotLaw::bond_damping, DashpotLaw::retardation_time, DashpotLaw::bending_only}) {
+  for (const DashpotLaw law :
+       {DashpotLaw::bond_damping, DashpotLaw::retardation_time, DashpotLaw::bending_only}) {
     const DampingCase asked = with_first_mode(paper, law, wanted);
     const dem::Fiber fiber = damped_fiber(asked);
     const bool retarded = law == DashpotLaw::retardation_time;
-    for (const auto& [motion, label] : {std::pair{ChainMotion::bending, "bending"}, std::pair{ChainMotion::axial, "axial"},
-                                        std::pair{ChainMotion::twist, "twist"}}) {
-      const auto modes = reference::chain_modes(linear_chain_of(asked), motion, reference::ChainEnds::clamped_free);
+    for (const auto& [motion, label] :
+         {std::pair{ChainMotion::bending, "bending"}, std::pair{ChainMotion::axial, "axial"},
+          std::pair{ChainMotion::twist, "twist"}}) {
+      const auto modes =
+          reference::chain_modes(linear_chain_of(asked), motion, reference::ChainEnds::clamped_free);
       for (std::size_t mode = 0; mode < std::min<std::size_t>(3, modes.size()); ++mode) {
         table.append({{"dashpots", std::string(dem::name(law))},
                       {"bond_damping", retarded ? dem::Cell{} : dem::Cell{asked.bond_damping}},

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/figures/figure_metadata.hpp"
 #include "compare/figures/gnuplot.hpp"
 #include "compare/figures/heat_map.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -111,7 +111,8 @@ std::string logarithmic_ticks(char name, double low, double high) {
 
 std::string axis_commands(char name, const Axis& axis, std::optional<std::pair<double, double>> data) {
   // a little nearer to the axis than usual: the legend may stand below
-  std::string text = fmt::format("set {}label {}{}\n", name, quoted(axis.label), name == 'x' ? " offset 0,0.35" : "");
+  std::string text =
+      fmt::format("set {}label {}{}\n", name, quoted(axis.label), name == 'x' ? " offset 0,0.35" : "");
   auto range = axis.range;
   if (axis.logarithmic && data) {
     if (!range) range = {data->first / 1.25, data->second * 1.25};
@@ -201,7 +202,7 @@ std::string to_png(const Figure& figure, const dem::Provenance& provenance) {
 }
 
 std::vector<dem::OutputFile> figure_files(const std::string& name, const Figure& figure,
-                                     const dem::Provenance& provenance) {
+                                          const dem::Provenance& provenance) {
   return {{name + ".svg", to_svg(figure, provenance)}, {name + ".png", to_png(figure, provenance)}};
 }
 

@@ -40,8 +40,8 @@ struct Annotation {
 
 /// A value over a grid of two quantities, a colored cell with its number for each.
 struct HeatMap {
-  std::vector<double> x;  ///< columns, in the order drawn; written below them
-  std::vector<double> y;  ///< rows, from the bottom
+  std::vector<double> x;                        ///< columns, in the order drawn; written below them
+  std::vector<double> y;                        ///< rows, from the bottom
   std::vector<std::vector<double>> value = {};  ///< value[row][column], above 0; a NaN leaves its cell empty
   std::string label = {};                       ///< of the color scale, which is logarithmic
   double framed_below = 0;                      ///< cells below this have a frame
@@ -69,6 +69,6 @@ std::string to_png(const Figure& figure, const dem::Provenance& provenance);
 
 /// NAME.svg and NAME.png.
 std::vector<dem::OutputFile> figure_files(const std::string& name, const Figure& figure,
-                                     const dem::Provenance& provenance);
+                                          const dem::Provenance& provenance);
 
 }  // namespace fiberchain::compare

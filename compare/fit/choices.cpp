@@ -7,8 +7,8 @@
 #include <map>
 #include <tuple>
 
-#include "compare/static/case.hpp"
 #include "compare/measure/static_release.hpp"
+#include "compare/static/case.hpp"
 
 namespace fiberchain::compare {
 namespace {

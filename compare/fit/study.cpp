@@ -5,12 +5,12 @@
 #include <numeric>
 
 #include "compare/fit/table.hpp"
-#include "compare/measure/ring_down_release.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
-#include "compare/study/parallel.hpp"
-#include "compare/static/case.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "compare/measure/static_release.hpp"
+#include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/study/parallel.hpp"
 
 // What the laws are fitted to, measured.
 namespace fiberchain::compare {

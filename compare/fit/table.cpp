@@ -18,11 +18,13 @@ void add_parameter(dem::NamedRow& row, const DampingFit& fit, std::size_t i, std
                    std::string_view half_width, std::string_view variance) {
   row.emplace_back(value, entry(fit.parameters, i));
   row.emplace_back(half_width, entry(fit.half_widths, i));
-  row.emplace_back(variance, fit.covariance.empty() ? dem::Cell{dem::Missing{}} : dem::Cell{fit.covariance[i][i]});
+  row.emplace_back(variance,
+                   fit.covariance.empty() ? dem::Cell{dem::Missing{}} : dem::Cell{fit.covariance[i][i]});
 }
 
 dem::NamedRow row_of(const DampingFit& fit) {
-  dem::NamedRow row{{"law", std::string(name(fit.model.law))}, {"weighting", std::string(name(fit.model.kind))}};
+  dem::NamedRow row{{"law", std::string(name(fit.model.law))},
+                    {"weighting", std::string(name(fit.model.kind))}};
   if (fit.model.law == DampingLaw::shifted_square) {
     add_parameter(row, fit, 0, "fit_c", "fit_c_half_width", "fit_c_variance");
   } else {
@@ -84,34 +86,34 @@ dem::NamedRow row_of(const ChoiceOutcome& outcome) {
 
 dem::Table fit_table(const FitStudy& study) {
   dem::Table table({"law",
-               "weighting",
-               "fit_a",
-               "fit_a_half_width",
-               "fit_b",
-               "fit_b_half_width",
-               "fit_c",
-               "fit_c_half_width",
-               "fit_a_variance",
-               "fit_b_variance",
-               "fit_ab_covariance",
-               "fit_c_variance",
-               "fit_points",
-               "fit_rms",
-               "fit_largest",
-               "held_out_points",
-               "held_out_rms",
-               "held_out_largest",
-               "information_criterion",
-               "within_1_percent",
-               "within_5_percent",
-               "within_20_percent"});
+                    "weighting",
+                    "fit_a",
+                    "fit_a_half_width",
+                    "fit_b",
+                    "fit_b_half_width",
+                    "fit_c",
+                    "fit_c_half_width",
+                    "fit_a_variance",
+                    "fit_b_variance",
+                    "fit_ab_covariance",
+                    "fit_c_variance",
+                    "fit_points",
+                    "fit_rms",
+                    "fit_largest",
+                    "held_out_points",
+                    "held_out_rms",
+                    "held_out_largest",
+                    "information_criterion",
+                    "within_1_percent",
+                    "within_5_percent",
+                    "within_20_percent"});
   for (const DampingFit& fit : study.fits) table.append(row_of(fit));
   return table;
 }
 
 dem::Table fit_residual_table(const FitStudy& study) {
   dem::Table table({"law", "weighting", "aspect_ratio", "held_out", "damping_slope", "damping_slope_fit",
-               "fit_residual", "damping_slope_modes"});
+                    "fit_residual", "damping_slope_modes"});
   for (const DampingFit& fit : study.fits) {
     append_residuals(table, study, fit, study.points, false);
     append_residuals(table, study, fit, study.held_out, true);
@@ -121,8 +123,8 @@ dem::Table fit_residual_table(const FitStudy& study) {
 
 dem::Table fit_choice_table(const FitStudy& study) {
   dem::Table table({"aspect_ratios", "load", "force", "peaks_first", "peaks_last", "weighting", "fit_a",
-               "fit_a_half_width", "fit_b", "fit_b_half_width", "departure_a", "departure_b",
-               "departure_curve", "damping_slope_8", "damping_slope_10"});
+                    "fit_a_half_width", "fit_b", "fit_b_half_width", "departure_a", "departure_b",
+                    "departure_curve", "damping_slope_8", "damping_slope_10"});
   for (const ChoiceOutcome& outcome : study.choices) table.append(row_of(outcome));
   return table;
 }

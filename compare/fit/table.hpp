@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/fit/fit.hpp"
-#include "compare/fit/choices.hpp"
 #include "compare/figures/figure.hpp"
+#include "compare/fit/choices.hpp"
+#include "compare/fit/fit.hpp"
 #include "dem/record/table.hpp"
 
 // The damping law fitted: what is measured for it, its tables, figures and what they say in words.

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/flow/setup.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::compare {
@@ -23,7 +23,8 @@ double even_part(const FlowShape& shape, double across_x, double across_y) {
 Threshold threshold_between(int spheres, double low, double high, double width,
                             const std::function<bool(double)>& grows) {
   if (grows(low) || !grows(high)) {
-    throw InputError(fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
+    throw InputError(
+        fmt::format("a chain of {} spheres does not begin to buckle from {} to {}", spheres, low, high));
   }
   while (high - low > width) {
     const double middle = (low + high) / 2;
@@ -56,7 +57,7 @@ BucklingRun run_buckling(const BucklingCase& c, int shapes) {
   start.bend = c.bend;
   FlowHistory history =
       integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
-                     even_times(c.duration, intervals), {.tolerance = c.tolerance}, 1);
+                                   even_times(c.duration, intervals), {.tolerance = c.tolerance}, 1);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
   BucklingRun run{};
   const double first = even_part(history.shapes.front(), 0, 1);

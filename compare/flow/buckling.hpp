@@ -36,10 +36,12 @@ struct Threshold {
   double middle() const { return (below + above) / 2; }
 };
 
-/// The part along P_2, which no translation or rotation has, of a deflection across that direction: a sum, no mean.
+/// The part along P_2, which no translation or rotation has, of a deflection across that direction: a sum, no
+/// mean.
 double even_part(const FlowShape& shape, double across_x, double across_y);
 
-/// By bisection from `low` to `high`. Throws InputError if the bend does not decay at `low` and grow at `high`.
+/// By bisection from `low` to `high`. Throws InputError if the bend does not decay at `low` and grow at
+/// `high`.
 Threshold threshold_between(int spheres, double low, double high, double width,
                             const std::function<bool(double)>& grows);
 

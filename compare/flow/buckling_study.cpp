@@ -39,18 +39,18 @@ std::vector<Growth> growths(const OrbitOptions& options) {
 dem::Table growth_table(const std::vector<Growth>& growths) {
   return tabulate(growths, [&](const Growth& g) -> dem::NamedRow {
     return {{"aspect_ratio", std::int64_t{g.asked.spheres - 1}},
-                {"spheres", std::int64_t{g.asked.spheres}},
-                {"elasto_viscous", g.asked.number},
-                {"growth", g.run.growth},
-                {"growth_chain", g.chain},
-                {"growth_filament", g.filament},
-                {"growth_error", g.run.growth - g.chain}};
+            {"spheres", std::int64_t{g.asked.spheres}},
+            {"elasto_viscous", g.asked.number},
+            {"growth", g.run.growth},
+            {"growth_chain", g.chain},
+            {"growth_filament", g.filament},
+            {"growth_error", g.run.growth - g.chain}};
   });
 }
 
 dem::Table threshold_table(const OrbitOptions& options) {
   dem::Table table({"aspect_ratio", "spheres", "threshold_below", "threshold_above", "threshold_chain",
-               "threshold_inextensible", "threshold_filament"});
+                    "threshold_inextensible", "threshold_filament"});
   std::vector<Threshold> found(std::size(kSpheres));
   parallel_for(found.size(), options.jobs,
                [&](std::size_t i) { found[i] = buckling_threshold_of(kSpheres[i], 100, 150, 0.02); });

@@ -56,7 +56,8 @@ Found periods(const ValidationInput& in) {
     fifty[study.table.text(i, "hydrodynamics") == "interactions"] = study.table.number(i, "period");
   }
   Found found = figure_5(fifty[0], fifty[1]);
-  for (const char* kind : {"free_draining", "interactions", "stresslets"}) found.push_back({worst(study.table, kind)});
+  for (const char* kind : {"free_draining", "interactions", "stresslets"})
+    found.push_back({worst(study.table, kind)});
   return found;
 }
 
@@ -124,7 +125,8 @@ Found inertia(const ValidationInput&) {
 
 const Checks& flow_checks() {
   static const Checks checks{
-      {{"paper-fig5-longer", "paper-fig5-drag", "jeffery-period", "interactions-period", "stresslets-period"}, periods},
+      {{"paper-fig5-longer", "paper-fig5-drag", "jeffery-period", "interactions-period", "stresslets-period"},
+       periods},
       {{"jeffery-orbit", "jeffery-drift", "jeffery-stiffness"}, orbits},
       {{"buckling-threshold-10", "buckling-growth-10", "buckling-threshold-20", "buckling-growth-20",
         "buckling-threshold-40", "buckling-growth-40"},

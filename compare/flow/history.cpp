@@ -55,7 +55,7 @@ FlowShape shape_of(const dem::Chain<Dim>& chain, double time, const dem::Poses<D
 
 template <int Dim>
 FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
-                        const dem::FlowOptions& options, int shape_interval) {
+                                      const dem::FlowOptions& options, int shape_interval) {
   FlowHistory history{};
   const auto begin = std::chrono::steady_clock::now();
   history.record =
@@ -70,8 +70,8 @@ FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std:
 }
 
 template FlowHistory integrate_in_flow_history<2>(const dem::FlowCase<2>&, const std::vector<double>&,
-                                    const dem::FlowOptions&, int);
+                                                  const dem::FlowOptions&, int);
 template FlowHistory integrate_in_flow_history<3>(const dem::FlowCase<3>&, const std::vector<double>&,
-                                    const dem::FlowOptions&, int);
+                                                  const dem::FlowOptions&, int);
 
 }  // namespace fiberchain::compare

@@ -41,6 +41,6 @@ using dem::even_times;
 /// the bonds. Throws as dem::follow.
 template <int Dim>
 FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
-                        const dem::FlowOptions& options, int shape_interval = 0);
+                                      const dem::FlowOptions& options, int shape_interval = 0);
 
 }  // namespace fiberchain::compare

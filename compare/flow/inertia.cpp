@@ -52,12 +52,12 @@ FlowHistory run_inertia(const InertiaCase& c, double strain, int intervals, bool
   if (c.stokes > 0) fiber.material.density = density_of(c.stokes, viscosity, dem::sphere_radius(fiber));
   dem::FlowStart start;
   start.direction = Dim == 2 ? Triple{0, 1, 0} : Triple{0, std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2};
-  FlowHistory history = integrate_in_flow_history<Dim>({dem::straight_chain<Dim>(fiber),
-                                          start_poses<Dim>(fiber, start),
-                                          {viscosity, {dem::simple_shear(1)}},
-                                          {}},
-                                         even_times(strain, intervals),
-                                         {.method = c.method, .tolerance = c.tolerance}, shapes ? 1 : 0);
+  FlowHistory history = integrate_in_flow_history<Dim>(
+      {dem::straight_chain<Dim>(fiber),
+       start_poses<Dim>(fiber, start),
+       {viscosity, {dem::simple_shear(1)}},
+       {}},
+      even_times(strain, intervals), {.method = c.method, .tolerance = c.tolerance}, shapes ? 1 : 0);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
   return history;
 }
@@ -101,7 +101,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
   });
   const double without = orbit_drift({.tolerance = 1e-11}, 1);
   FlowStudy study{dem::Table({"aspect_ratio", "spheres", "elasto_viscous", "flow_method", "stokes",
-                         "inertia_distance", "order", "orbit_drift", "orbit_drift_inertialess"})};
+                              "inertia_distance", "order", "orbit_drift", "orbit_drift_inertialess"})};
   Figure figure{"What inertia does to a fiber of 21 spheres in shear",
                 {"Stokes number {/:Italic m} rate/(6{/Symbol p m}{/:Italic R})", true},
                 {"distance/{/:Italic L}; change of C in an orbit", true},

@@ -86,20 +86,20 @@ dem::Table table_of(const std::vector<JefferyRun>& runs) {
     const OrbitCase& c = run.point.asked;
     const double period = reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
     return {{"aspect_ratio", std::int64_t{c.spheres - 1}},
-                {"spheres", std::int64_t{c.spheres}},
-                {"hydrodynamics", std::string(name(c.hydrodynamics))},
-                {"elasto_viscous", c.elasto_viscous},
-                {"orbit_constant", run.constant},
-                {"orbits", run.point.history.record.reached / period},
-                {"period", run.point.period},
-                {"period_jeffery", period},
-                {"period_error", run.point.period / period - 1},
-                {"direction_error", run.distance},
-                {"orbit_constant_drift", run.drift},
-                {"bending_angle", run.point.bending_angle},
-                {"steps", static_cast<std::int64_t>(run.point.history.record.work.steps)},
-                {"run_time", run.point.history.run_time},
-                {"status", run.point.status}};
+            {"spheres", std::int64_t{c.spheres}},
+            {"hydrodynamics", std::string(name(c.hydrodynamics))},
+            {"elasto_viscous", c.elasto_viscous},
+            {"orbit_constant", run.constant},
+            {"orbits", run.point.history.record.reached / period},
+            {"period", run.point.period},
+            {"period_jeffery", period},
+            {"period_error", run.point.period / period - 1},
+            {"direction_error", run.distance},
+            {"orbit_constant_drift", run.drift},
+            {"bending_angle", run.point.bending_angle},
+            {"steps", static_cast<std::int64_t>(run.point.history.record.work.steps)},
+            {"run_time", run.point.history.run_time},
+            {"status", run.point.status}};
   });
 }
 
@@ -131,9 +131,7 @@ FlowStudy jeffery_study(const OrbitOptions& options) {
   }
   const auto failed =
       std::ranges::count_if(runs, [](const JefferyRun& r) { return std::isnan(r.point.period); });
-  return {.table = table_of(runs),
-          .figures = {{"shear-sphere", figure}},
-          .failed = static_cast<int>(failed)};
+  return {.table = table_of(runs), .figures = {{"shear-sphere", figure}}, .failed = static_cast<int>(failed)};
 }
 
 }  // namespace fiberchain::compare

@@ -20,9 +20,9 @@ FlowHistory followed(const OrbitCase& c) {
   start.direction = c.direction;
   const double period = reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
   const double duration = (c.turns + 0.25) * period;
-  return integrate_in_flow_history<Dim>({dem::straight_chain<Dim>(fiber), start_poses<Dim>(fiber, start), fluid, {}},
-                          even_times(duration, static_cast<int>(std::ceil(duration / c.interval))),
-                          {.tolerance = c.tolerance});
+  return integrate_in_flow_history<Dim>(
+      {dem::straight_chain<Dim>(fiber), start_poses<Dim>(fiber, start), fluid, {}},
+      even_times(duration, static_cast<int>(std::ceil(duration / c.interval))), {.tolerance = c.tolerance});
 }
 
 OrbitPoint point_of(OrbitCase c) {

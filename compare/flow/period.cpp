@@ -140,7 +140,8 @@ FlowStudy period_study(const PeriodSweep& sweep, const OrbitOptions& options) {
   Points points = orbit_points(cases, options);
   std::ranges::reverse(points);
   const auto failed = std::ranges::count_if(points, [](const OrbitPoint& p) { return std::isnan(p.period); });
-  return {.table = tabulate(points, row_of), .figures = figures_of(points), .failed = static_cast<int>(failed)};
+  return {
+      .table = tabulate(points, row_of), .figures = figures_of(points), .failed = static_cast<int>(failed)};
 }
 
 }  // namespace fiberchain::compare

@@ -20,19 +20,19 @@ constexpr int kFrames = 9;
 dem::Table table_of(const std::vector<RegimePoint>& points) {
   return tabulate(points, [&](const RegimePoint& p) -> dem::NamedRow {
     return {{"aspect_ratio", std::int64_t{p.asked.spheres - 1}},
-                {"spheres", std::int64_t{p.asked.spheres}},
-                {"elasto_viscous", p.asked.elasto_viscous},
-                {"regime", std::string(name(p.regime))},
-                {"end_to_end_least", p.end_to_end_least},
-                {"gradient_extent", p.gradient_extent},
-                {"direction_span", p.direction_span},
-                {"stretch", p.stretch},
-                {"inflections", std::int64_t{p.inflections}},
-                {"half_turns", std::int64_t{p.half_turns}},
-                {"axis_half_turns", std::int64_t{p.axis_half_turns}},
-                {"period", known(p.period)},
-                {"run_time", p.run_time},
-                {"status", p.status}};
+            {"spheres", std::int64_t{p.asked.spheres}},
+            {"elasto_viscous", p.asked.elasto_viscous},
+            {"regime", std::string(name(p.regime))},
+            {"end_to_end_least", p.end_to_end_least},
+            {"gradient_extent", p.gradient_extent},
+            {"direction_span", p.direction_span},
+            {"stretch", p.stretch},
+            {"inflections", std::int64_t{p.inflections}},
+            {"half_turns", std::int64_t{p.half_turns}},
+            {"axis_half_turns", std::int64_t{p.axis_half_turns}},
+            {"period", known(p.period)},
+            {"run_time", p.run_time},
+            {"status", p.status}};
   });
 }
 

@@ -86,8 +86,9 @@ FlowHistory followed(const RegimeCase& c) {
   start.s_bend = c.bend / 3;
   const double strain =
       c.turns * reference::jeffery_period(reference::free_draining_aspect_ratio(c.spheres), 1);
-  return integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
-                        even_times(strain, static_cast<int>(20 * strain)), {.tolerance = c.tolerance}, 1);
+  return integrate_in_flow_history<2>(
+      {dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
+      even_times(strain, static_cast<int>(20 * strain)), {.tolerance = c.tolerance}, 1);
 }
 
 /// The shapes of the first interval in which the fiber is short in the flow's direction.

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/study/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/history.hpp"
 #include "compare/flow/setup.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::compare {
@@ -34,8 +34,9 @@ double growth_at_passage(const ShearPassage& c) {
   start.direction = {std::cos(passage + before), std::sin(passage + before), 0};
   start.bend_direction = {-start.direction[1], start.direction[0], 0};
   start.bend = c.bend;
-  const FlowHistory history = integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
-                                             even_times(1.5, 600), {.tolerance = c.tolerance}, 1);
+  const FlowHistory history =
+      integrate_in_flow_history<2>({dem::straight_chain<2>(fiber), start_poses<2>(fiber, start), fluid, {}},
+                                   even_times(1.5, 600), {.tolerance = c.tolerance}, 1);
   if (!history.record.failure.empty()) throw dem::Diverged(history.record.failure);
   // the interval in which it passes: central differences at both ends, linear in between
   for (std::size_t i = 2; i + 3 < history.shapes.size(); ++i) {
@@ -51,9 +52,10 @@ double growth_at_passage(const ShearPassage& c) {
 }
 
 double passage_threshold(int spheres, double low, double high, double width) {
-  return threshold_between(spheres, low, high, width, [&](double number) {
-           return growth_at_passage({.spheres = spheres, .number = number}) > 0;
-         }).middle();
+  return threshold_between(
+             spheres, low, high, width,
+             [&](double number) { return growth_at_passage({.spheres = spheres, .number = number}) > 0; })
+      .middle();
 }
 
 }  // namespace fiberchain::compare

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/flow/orbit.hpp"
 #include "compare/figures/figure.hpp"
+#include "compare/flow/orbit.hpp"
 #include "dem/record/table.hpp"
 
 // What is asked of fibers in a flow, question by question: cases, table, figures.
@@ -14,9 +14,9 @@ namespace fiberchain::compare {
 
 struct FlowStudy {
   dem::Table table;
-  std::vector<std::pair<std::string, Figure>> figures = {};     ///< by the name of their files
+  std::vector<std::pair<std::string, Figure>> figures = {};          ///< by the name of their files
   std::vector<std::pair<std::string, dem::Table>> more_tables = {};  ///< likewise
-  int failed = 0;                                               ///< rows that could not be measured
+  int failed = 0;                                                    ///< rows that could not be measured
 };
 
 /// Fig 5: chains of these numbers of spheres, once for each kind of hydrodynamics.

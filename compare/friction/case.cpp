@@ -1,16 +1,16 @@
 #include "compare/friction/case.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <tuple>
 
 #include "compare/damping/case.hpp"
+#include "compare/friction/law.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/friction/law.hpp"
 #include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
@@ -22,7 +22,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double periods_beyond_last_peak = 0.9;  // friction and amplitude shift the last peak
 
 DampingCase without_friction(const RollingCase& asked, double bond_damping) {
-  return {.aspect_ratio = asked.aspect_ratio, .poisson_ratio = asked.poisson_ratio, .bond_damping = bond_damping};
+  return {
+      .aspect_ratio = asked.aspect_ratio, .poisson_ratio = asked.poisson_ratio, .bond_damping = bond_damping};
 }
 
 RollingPoint unmeasured(const RollingCase& asked, std::string why) {
@@ -39,7 +40,8 @@ double mean_amplitude(const std::vector<Peak>& peaks, PeakRange range) {
   return sum / (range.last - range.first + 1);
 }
 
-RollingPoint measured(const RollingCase& asked, const reference::ChainMode& mode, const dem::ReleaseRecord<2>& record) {
+RollingPoint measured(const RollingCase& asked, const reference::ChainMode& mode,
+                      const dem::ReleaseRecord<2>& record) {
   RollingPoint point = unmeasured(asked, "measured");
   const dem::Fiber fiber = rolling_fiber(asked);
   point.without = mode.damping;
@@ -55,7 +57,7 @@ RollingPoint measured(const RollingCase& asked, const reference::ChainMode& mode
   point.last = damping_from_peaks(point.peaks, {last - 1, last}).ratio;
   point.peaks.resize(last + 1);
   point.weak = point.without + asked.rolling_friction * mean_amplitude(point.peaks, asked.peaks) *
-                                    small_friction_damping(fiber, mode);
+                                   small_friction_damping(fiber, mode);
   return point;
 }
 
@@ -66,7 +68,9 @@ void run_block(const std::vector<RollingCase>& cases, const std::vector<std::siz
   const reference::ChainMode mode = first_mode(common, common.bond_damping);
   // a release from the mode is under way already: its peak 0 comes later
   const double periods = common.peaks.last + (common.amplitude ? 1 : 0) + periods_beyond_last_peak;
-  const auto failed = [&](std::size_t i, const std::exception& error) { points[i] = unmeasured(cases[i], error.what()); };
+  const auto failed = [&](std::size_t i, const std::exception& error) {
+    points[i] = unmeasured(cases[i], error.what());
+  };
   try {
     if (!mode.oscillates) throw InputError("the first mode is overdamped: there is no vibration");
     std::vector<dem::Release<2>> releases;
@@ -92,14 +96,16 @@ void run_block(const std::vector<RollingCase>& cases, const std::vector<std::siz
   for (std::size_t k = 0; k < members.size(); ++k) options.advance();
 }
 
-/// Blocks of cases with the same step, the longest marches first, so that the last thread is not left with them.
+/// Blocks of cases with the same step, the longest marches first, so that the last thread is not left with
+/// them.
 std::vector<std::vector<std::size_t>> blocks_of(const std::vector<RollingCase>& cases) {
   using Kind = std::tuple<int, double, int, bool, bool, double, double, int>;
   std::map<Kind, std::vector<std::size_t>, std::greater<>> groups;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const RollingCase& c = cases[i];
-    groups[{c.aspect_ratio, 1 / c.step_ratio.value_or(1), static_cast<int>(c.law), c.rolling_friction > 0, c.amplitude.has_value(), c.bond_damping,
-            c.poisson_ratio, c.peaks.last}].push_back(i);
+    groups[{c.aspect_ratio, 1 / c.step_ratio.value_or(1), static_cast<int>(c.law), c.rolling_friction > 0,
+            c.amplitude.has_value(), c.bond_damping, c.poisson_ratio, c.peaks.last}]
+        .push_back(i);
   }
   const std::size_t width = dem::chain_kernel(dem::built_physics[0], dem::best_instruction_set()).width;
   std::vector<std::vector<std::size_t>> blocks;
@@ -114,22 +120,27 @@ std::vector<std::vector<std::size_t>> blocks_of(const std::vector<RollingCase>& 
 void check(const RollingCase& asked) {
   dem::check(rolling_fiber(asked));
   if (!(asked.load > 0 && asked.load <= 10)) {
-    throw InputError(fmt::format("load = {} is not allowed: it must be greater than 0 and at most 10", asked.load));
+    throw InputError(
+        fmt::format("load = {} is not allowed: it must be greater than 0 and at most 10", asked.load));
   }
   if (asked.amplitude && !(*asked.amplitude > 0 && *asked.amplitude <= 0.5)) {
     throw InputError(fmt::format("amplitude = {} is not allowed: it must be greater than 0 and at most 0.5",
                                  *asked.amplitude));
   }
-  if (asked.law == dem::Rolling::none) throw InputError("law = none is not allowed: give a law of rolling friction");
+  if (asked.law == dem::Rolling::none)
+    throw InputError("law = none is not allowed: give a law of rolling friction");
   if (asked.peaks.first < 0 || asked.peaks.last <= asked.peaks.first) {
     throw InputError(fmt::format("peaks = {}..{} is not allowed: give at least two, the first 0 or more",
                                  asked.peaks.first, asked.peaks.last));
   }
   const dem::Fiber fiber = rolling_fiber(asked);
-  const double limit = dem::stable_release_step(fiber, dem::Integrator::leapfrog) / dem::bond_time_step(fiber);
+  const double limit =
+      dem::stable_release_step(fiber, dem::Integrator::leapfrog) / dem::bond_time_step(fiber);
   if (asked.step_ratio && !(*asked.step_ratio > 0 && *asked.step_ratio < limit)) {
-    throw InputError(fmt::format("step_ratio = {} is not allowed: it must be greater than 0 and below the largest stable "
-                                 "step of this chain, {:.4f} t_b", *asked.step_ratio, limit));
+    throw InputError(
+        fmt::format("step_ratio = {} is not allowed: it must be greater than 0 and below the largest stable "
+                    "step of this chain, {:.4f} t_b",
+                    *asked.step_ratio, limit));
   }
 }
 
@@ -141,11 +152,13 @@ dem::Fiber rolling_fiber(const RollingCase& asked) {
   return fiber;
 }
 
-std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases, const RollingOptions& options) {
+std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases,
+                                         const RollingOptions& options) {
   for (const RollingCase& asked : cases) check(asked);
   const auto blocks = blocks_of(cases);
   std::vector<RollingPoint> points(cases.size());
-  parallel_for(blocks.size(), options.jobs, [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
+  parallel_for(blocks.size(), options.jobs,
+               [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
   return points;
 }
 

@@ -16,8 +16,9 @@ namespace fiberchain::compare {
 struct RollingCase {
   int aspect_ratio = 30;
   double poisson_ratio = 0.3;
-  double load = 1;              ///< P L^2 / (E I) before the release
-  std::optional<double> amplitude = std::nullopt;  ///< of the free end over L: let go from the first mode, without load
+  double load = 1;  ///< P L^2 / (E I) before the release
+  std::optional<double> amplitude =
+      std::nullopt;             ///< of the free end over L: let go from the first mode, without load
   double bond_damping = 1;      ///< xi_b
   double rolling_friction = 0;  ///< xi_r
   dem::Rolling law = dem::Rolling::set_valued;
@@ -27,16 +28,16 @@ struct RollingCase {
 
 struct RollingPoint {
   RollingCase asked;
-  double damping;        ///< xi_f of the peaks asked for, as the paper measures it
-  double half_width;     ///< 95 %, of its fit: what the decay lacks of an exponential
-  double first, last;    ///< xi_f of the first two and of the last two of these peaks alone
-  double without;        ///< xi_f of the linear chain without friction
-  double as_bond;        ///< the same with dashpots xi_b + xi_r: if xi_r acted as xi_b does
-  double weak;           ///< without + small_friction_damping() at the mean amplitude of these peaks
+  double damping;           ///< xi_f of the peaks asked for, as the paper measures it
+  double half_width;        ///< 95 %, of its fit: what the decay lacks of an exponential
+  double first, last;       ///< xi_f of the first two and of the last two of these peaks alone
+  double without;           ///< xi_f of the linear chain without friction
+  double as_bond;           ///< the same with dashpots xi_b + xi_r: if xi_r acted as xi_b does
+  double weak;              ///< without + small_friction_damping() at the mean amplitude of these peaks
   std::vector<Peak> peaks;  ///< from peak 0 to the last asked for, over L
-  double time_step;      ///< [s]
+  double time_step;         ///< [s]
   double steps;
-  std::string status;    ///< "measured", else why not, and every number is NaN
+  std::string status;  ///< "measured", else why not, and every number is NaN
 };
 
 struct RollingOptions {
@@ -44,9 +45,10 @@ struct RollingOptions {
   std::function<void()> advance = [] {};  ///< called after each case, from any thread
 };
 
-/// Every case in the order given; one that cannot be measured keeps its row with its status. Throws dem::InvalidInput or
-/// InputError for a case out of range.
-std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases, const RollingOptions& options = {});
+/// Every case in the order given; one that cannot be measured keeps its row with its status. Throws
+/// dem::InvalidInput or InputError for a case out of range.
+std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases,
+                                         const RollingOptions& options = {});
 
 /// The chain of a case.
 dem::Fiber rolling_fiber(const RollingCase& asked);

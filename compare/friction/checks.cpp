@@ -16,19 +16,20 @@ constexpr double over_bond(const RollingPoint& p) { return p.damping / p.as_bond
 /// The paper's statements on Fig 10, all at xi_b = 1.
 std::vector<Measured> figure_10(const ValidationInput& in) {
   const auto sign = dem::Rolling::explicit_sign;
-  const Points p = rolling_points({{.load = 3, .rolling_friction = 2},
-                                   {.load = 3, .rolling_friction = 10},
-                                   {.load = 3, .rolling_friction = 2, .law = sign, .step_ratio = 0.1},
-                                   {.load = 3, .rolling_friction = 10, .law = sign, .step_ratio = 0.1},
-                                   {.load = 3, .rolling_friction = 2, .law = sign, .step_ratio = 0.03, .peaks = {1, 2}},
-                                   {.load = 3, .rolling_friction = 4, .law = sign, .step_ratio = 0.03, .peaks = {1, 2}},
-                                   {.load = 1, .rolling_friction = 4},
-                                   {.load = 3, .rolling_friction = 4},
-                                   {.load = 0.3, .rolling_friction = 4},
-                                   {.aspect_ratio = 20, .load = 1, .rolling_friction = 4},
-                                   {.aspect_ratio = 20, .load = 3, .rolling_friction = 4},
-                                   {.aspect_ratio = 20, .load = 0.3, .rolling_friction = 4}},
-                                  {.jobs = in.jobs});
+  const Points p =
+      rolling_points({{.load = 3, .rolling_friction = 2},
+                      {.load = 3, .rolling_friction = 10},
+                      {.load = 3, .rolling_friction = 2, .law = sign, .step_ratio = 0.1},
+                      {.load = 3, .rolling_friction = 10, .law = sign, .step_ratio = 0.1},
+                      {.load = 3, .rolling_friction = 2, .law = sign, .step_ratio = 0.03, .peaks = {1, 2}},
+                      {.load = 3, .rolling_friction = 4, .law = sign, .step_ratio = 0.03, .peaks = {1, 2}},
+                      {.load = 1, .rolling_friction = 4},
+                      {.load = 3, .rolling_friction = 4},
+                      {.load = 0.3, .rolling_friction = 4},
+                      {.aspect_ratio = 20, .load = 1, .rolling_friction = 4},
+                      {.aspect_ratio = 20, .load = 3, .rolling_friction = 4},
+                      {.aspect_ratio = 20, .load = 0.3, .rolling_friction = 4}},
+                     {.jobs = in.jobs});
   return {{p[1].damping / p[0].damping,
            {p[0].damping, p[1].damping, p[2].damping, p[3].damping, p[4].damping, p[5].damping}},
           {over_bond(p[6]) > 1.5 ? 1.0 : 0.0, {over_bond(p[6]), over_bond(p[7]), over_bond(p[8])}},
@@ -60,7 +61,8 @@ double worst_weak_friction(const ValidationInput& in) {
 std::vector<Measured> stretch(const ValidationInput&) {
   dem::Fiber fiber = nominal_fiber(10, 0.3, dem::BondModel::paper);
   fiber.bond_damping = 1;
-  const StretchComparison coarse = compare_stretch(fiber, 3, 0.16, {1, 5}), fine = compare_stretch(fiber, 3, 0.08, {1, 5});
+  const StretchComparison coarse = compare_stretch(fiber, 3, 0.16, {1, 5}),
+                          fine = compare_stretch(fiber, 3, 0.08, {1, 5});
   return {{coarse.tip, {std::abs(coarse.damping), coarse.stretch, fine.stretch}}};
 }
 
@@ -85,11 +87,13 @@ std::vector<Measured> recommendation(const ValidationInput& in) {
     departures.emplace_back(departure);
   }
   const auto at_6 = [&](int aspect_ratio, dem::BondModel bond) {
-    const auto point = static_points({{.aspect_ratio = aspect_ratio, .load = 6, .bond = bond}}, {.jobs = in.jobs}).front();
+    const auto point =
+        static_points({{.aspect_ratio = aspect_ratio, .load = 6, .bond = bond}}, {.jobs = in.jobs}).front();
     return 100 * point.departure.y;
   };
   const auto paper = dem::BondModel::paper;
-  departures.insert(departures.end(), {at_6(6, paper), at_6(8, paper), at_6(9, paper), at_6(6, dem::BondModel::corrected)});
+  departures.insert(departures.end(),
+                    {at_6(6, paper), at_6(8, paper), at_6(9, paper), at_6(6, dem::BondModel::corrected)});
   return {{double(largest), departures}};
 }
 

@@ -37,16 +37,21 @@ Axis friction_axis() { return {"{/Symbol x}_r"}; }
 Axis damping_axis(bool logarithmic) { return {"{/Symbol x}_f", logarithmic}; }
 
 Figure aspect_ratio_figure(const Points& points) {
-  Figure figure{"Fig 10: damping of the fiber against rolling friction, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
-                friction_axis(), damping_axis(true), {}};
+  Figure figure{
+      "Fig 10: damping of the fiber against rolling friction, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic "
+      "EI} = 3",
+      friction_axis(),
+      damping_axis(true),
+      {}};
   int color = 0;
   for (const int aspect_ratio : {10, 20, 30}) {
     const Points group = where(points, [&](const RollingCase& c) {
       return c.aspect_ratio == aspect_ratio && c.load == figure_load;
     });
     figure.series.push_back(series(fmt::format("r_f = {}", aspect_ratio), group, friction, measured, color));
-    figure.series.push_back(series(fmt::format("r_f = {}, if {{/Symbol x}}_r acted as {{/Symbol x}}_b", aspect_ratio), group,
-                                   friction, as_bond, color, Mark::line, Dash::dashed));
+    figure.series.push_back(
+        series(fmt::format("r_f = {}, if {{/Symbol x}}_r acted as {{/Symbol x}}_b", aspect_ratio), group,
+               friction, as_bond, color, Mark::line, Dash::dashed));
     ++color;
   }
   return figure;
@@ -54,7 +59,9 @@ Figure aspect_ratio_figure(const Points& points) {
 
 Figure step_figure(const Points& points) {
   Figure figure{"Fig 10: law and time step, r_f = 30, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
-                friction_axis(), damping_axis(false), {}};
+                friction_axis(),
+                damping_axis(false),
+                {}};
   int color = 0;
   for (const double step : {0.1, 0.03, 0.01}) {
     const auto by = [&](dem::Rolling law) {
@@ -63,31 +70,38 @@ Figure step_figure(const Points& points) {
       });
     };
     if (step == 0.1) {
-      figure.series.push_back(series("set-valued, 0.1 {/:Italic t_b}", by(dem::Rolling::set_valued), friction, measured,
-                                     color++, Mark::line));
-      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", by(dem::Rolling::set_valued), friction,
-                                     as_bond, color++, Mark::line, Dash::dashed));
+      figure.series.push_back(series("set-valued, 0.1 {/:Italic t_b}", by(dem::Rolling::set_valued), friction,
+                                     measured, color++, Mark::line));
+      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", by(dem::Rolling::set_valued),
+                                     friction, as_bond, color++, Mark::line, Dash::dashed));
     }
-    figure.series.push_back(series(fmt::format("explicit sign, {} {{/:Italic t_b}}", step), by(dem::Rolling::explicit_sign),
-                                   friction, measured, color++));
+    figure.series.push_back(series(fmt::format("explicit sign, {} {{/:Italic t_b}}", step),
+                                   by(dem::Rolling::explicit_sign), friction, measured, color++));
   }
-  figure.series.push_back(series("set-valued, 0.01 {/:Italic t_b}", where(points, [](const RollingCase& c) {
-                                   return c.aspect_ratio == 30 && c.load == figure_load &&
-                                          c.law == dem::Rolling::set_valued && c.step_ratio == 0.01;
-                                 }), friction, measured, color, Mark::points));
+  figure.series.push_back(series("set-valued, 0.01 {/:Italic t_b}",
+                                 where(points,
+                                       [](const RollingCase& c) {
+                                         return c.aspect_ratio == 30 && c.load == figure_load &&
+                                                c.law == dem::Rolling::set_valued && c.step_ratio == 0.01;
+                                       }),
+                                 friction, measured, color, Mark::points));
   return figure;
 }
 
 Figure load_figure(const Points& points) {
-  Figure figure{"Rolling friction at several loads, r_f = 30, {/Symbol x}_b = 1", friction_axis(), damping_axis(false), {}};
+  Figure figure{"Rolling friction at several loads, r_f = 30, {/Symbol x}_b = 1",
+                friction_axis(),
+                damping_axis(false),
+                {}};
   int color = 0;
   for (const double load : {3.0, 1.0, 0.3}) {
-    const Points group = where(points, [&](const RollingCase& c) { return c.aspect_ratio == 30 && c.load == load; });
-    figure.series.push_back(
-        series(fmt::format("{{/:Italic P L}}^2/{{/:Italic EI}} = {}", load), group, friction, measured, color++));
+    const Points group =
+        where(points, [&](const RollingCase& c) { return c.aspect_ratio == 30 && c.load == load; });
+    figure.series.push_back(series(fmt::format("{{/:Italic P L}}^2/{{/:Italic EI}} = {}", load), group,
+                                   friction, measured, color++));
     if (load == 0.3) {
-      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", group, friction, as_bond, color, Mark::line,
-                                     Dash::dashed));
+      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", group, friction, as_bond,
+                                     color, Mark::line, Dash::dashed));
     }
   }
   return figure;
@@ -95,7 +109,9 @@ Figure load_figure(const Points& points) {
 
 Figure amplitude_figure(const Points& points) {
   Figure figure{"Damping against amplitude, {/Symbol x}_b = 1: chain (points), linear mode (lines)",
-                {"deflection {/:Italic a}/{/:Italic L} of the first mode let go from", true}, damping_axis(true), {}};
+                {"deflection {/:Italic a}/{/:Italic L} of the first mode let go from", true},
+                damping_axis(true),
+                {}};
   const Value x = [](const RollingPoint& p) { return *p.asked.amplitude; };
   int color = 0;
   for (const int aspect_ratio : {10, 30}) {
@@ -103,10 +119,10 @@ Figure amplitude_figure(const Points& points) {
       const Points group = where(points, [&](const RollingCase& c) {
         return c.aspect_ratio == aspect_ratio && c.rolling_friction == xi_r;
       });
-      figure.series.push_back(
-          series(fmt::format("r_f = {}, {{/Symbol x}}_r = {}", aspect_ratio, xi_r), group, x, measured, color, Mark::points));
-      figure.series.push_back(
-          series("", group, x, [](const RollingPoint& p) { return p.weak; }, color, Mark::line));
+      figure.series.push_back(series(fmt::format("r_f = {}, {{/Symbol x}}_r = {}", aspect_ratio, xi_r), group,
+                                     x, measured, color, Mark::points));
+      figure.series.push_back(series(
+          "", group, x, [](const RollingPoint& p) { return p.weak; }, color, Mark::line));
       ++color;
     }
   }
@@ -115,7 +131,9 @@ Figure amplitude_figure(const Points& points) {
 
 Figure decay_figure(const Points& points) {
   Figure figure{"Decay of the peaks, r_f = 30, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
-                {"peak"}, {"height over that of the release", true}, {}};
+                {"peak"},
+                {"height over that of the release", true},
+                {}};
   for (const RollingPoint& p : points) {
     Series s{fmt::format("{{/Symbol x}}_r = {}", p.asked.rolling_friction), {}, {}};
     for (std::size_t j = 0; j < p.peaks.size(); ++j) {

@@ -26,7 +26,8 @@ double small_friction_damping(const dem::Fiber& fiber, const reference::ChainMod
   const int bonds = fiber.aspect_ratio;
   const double L = dem::fiber_length(fiber), l = dem::bond_length(fiber);
   const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
-  // per frequency squared and for the free end's deflection L: displacement y [m], pull x of the spheres along the fiber
+  // per frequency squared and for the free end's deflection L: displacement y [m], pull x of the spheres
+  // along the fiber
   std::vector<double> y(bonds + 1), angle(bonds + 1), x(bonds + 1, 0.0);
   double energy = 0;
   for (int i = 0; i <= bonds; ++i) {

@@ -26,15 +26,17 @@ Block let_go(const dem::Fiber& fiber, const dem::Poses<2>& start, double dt) {
   }
   for (int i = 0; i < fiber.aspect_ratio; ++i) {
     const auto k = dem::bond_kinematics(chain, start, i);
-    block.set_history(0, i, dem::history_of(bond, start[i + 1].position - start[i].position,
-                                            dem::bond_loads(k, dem::bond_stress(bond, k.separation, k.rotation))));
+    block.set_history(0, i,
+                      dem::history_of(bond, start[i + 1].position - start[i].position,
+                                      dem::bond_loads(k, dem::bond_stress(bond, k.separation, k.rotation))));
   }
   block.synchronize();
   return block;
 }
 
 double stretch_from_length(const Block& block, int bond, double rest_length) {
-  return dem::norm(block.sphere(0, bond + 1).pose.position - block.sphere(0, bond).pose.position) - rest_length;
+  return dem::norm(block.sphere(0, bond + 1).pose.position - block.sphere(0, bond).pose.position) -
+         rest_length;
 }
 
 void record(TipHistory& history, const Block& block, const dem::Fiber& fiber, double time, double dt) {
@@ -52,7 +54,8 @@ StretchComparison compare_stretch(const dem::Fiber& fiber, double load, double s
   const auto mode = reference::first_bending_mode(linear_chain_of(fiber));
   const double period = 2 * std::numbers::pi / mode.eigenvalue.imag();
   const dem::Load<2> end{fiber.aspect_ratio, {0, dem::load_force(fiber, load)}, {}};
-  const auto start = dem::solve_equilibrium(dem::straight_chain<2>(fiber), dem::Boundary<2>{{0}, {end}}).poses;
+  const auto start =
+      dem::solve_equilibrium(dem::straight_chain<2>(fiber), dem::Boundary<2>{{0}, {end}}).poses;
   Block by_increments = let_go(fiber, start, dt), by_length = let_go(fiber, start, dt);
   TipHistory increments, length;
   double largest = 0, difference = 0, tips = 0;
@@ -75,7 +78,8 @@ StretchComparison compare_stretch(const dem::Fiber& fiber, double load, double s
     by_length.march(1);
   }
   const double damping = damping_from_peaks(positive_peaks(length), peaks).ratio;
-  return {difference / largest, tips, damping_from_peaks(positive_peaks(increments), peaks).ratio / damping - 1};
+  return {difference / largest, tips,
+          damping_from_peaks(positive_peaks(increments), peaks).ratio / damping - 1};
 }
 
 }  // namespace fiberchain::compare

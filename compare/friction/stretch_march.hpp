@@ -7,9 +7,10 @@
 namespace fiberchain::compare {
 
 struct StretchComparison {
-  double stretch;  ///< largest difference of the summed stretch from l - l_0, over the largest stretch of any bond
-  double tip;      ///< largest distance over L between the free ends of the march by increments and of that whose stretch
-                   ///< is taken from the length at every step
+  double stretch;  ///< largest difference of the summed stretch from l - l_0, over the largest stretch of any
+                   ///< bond
+  double tip;  ///< largest distance over L between the free ends of the march by increments and of that whose
+               ///< stretch is taken from the length at every step
   double damping;  ///< relative difference of xi_f between the two
 };
 

@@ -3,14 +3,30 @@
 namespace fiberchain::compare {
 namespace {
 
-const std::vector<std::string> columns{
-    "aspect_ratio", "poisson_ratio", "load", "amplitude", "bond_damping", "rolling_friction", "rolling", "peaks_first",
-    "peaks_last", "fiber_damping_paper", "fiber_damping_paper_half_width", "fiber_damping_first", "fiber_damping_last",
-    "fiber_damping_modes", "fiber_damping_as_bond", "fiber_damping_weak", "step_ratio", "steps", "status"};
+const std::vector<std::string> columns{"aspect_ratio",
+                                       "poisson_ratio",
+                                       "load",
+                                       "amplitude",
+                                       "bond_damping",
+                                       "rolling_friction",
+                                       "rolling",
+                                       "peaks_first",
+                                       "peaks_last",
+                                       "fiber_damping_paper",
+                                       "fiber_damping_paper_half_width",
+                                       "fiber_damping_first",
+                                       "fiber_damping_last",
+                                       "fiber_damping_modes",
+                                       "fiber_damping_as_bond",
+                                       "fiber_damping_weak",
+                                       "step_ratio",
+                                       "steps",
+                                       "status"};
 
 /// Load or amplitude of a case, whichever it was let go with.
 std::vector<std::pair<std::string, dem::Cell>> start_of(const RollingCase& c) {
-  return {{"load", c.amplitude ? dem::Cell{} : dem::Cell{c.load}}, {"amplitude", c.amplitude ? dem::Cell{*c.amplitude} : dem::Cell{}}};
+  return {{"load", c.amplitude ? dem::Cell{} : dem::Cell{c.load}},
+          {"amplitude", c.amplitude ? dem::Cell{*c.amplitude} : dem::Cell{}}};
 }
 
 dem::NamedRow row_of(const RollingPoint& p) {
@@ -56,7 +72,8 @@ std::vector<RollingCase> cases(const RollingSweep& sweep) {
             for (const double load : loads)
               for (const auto& amplitude : or_none(sweep.amplitude))
                 for (const double friction : sweep.rolling_friction)
-                  all.push_back({aspect_ratio, nu, load, amplitude, damping, friction, law, step, sweep.peaks});
+                  all.push_back(
+                      {aspect_ratio, nu, load, amplitude, damping, friction, law, step, sweep.peaks});
   return all;
 }
 
@@ -79,14 +96,16 @@ RollingFigureCases rolling_figure_cases(PeakRange peaks) {
                                                  .step_ratio = {0.1, 0.03, 0.01},
                                                  .peaks = peaks});
   for (const RollingCase& c : others) {
-    if (c.aspect_ratio == 30 && (c.load == 3 || (*c.step_ratio < 0.02 && c.law == Rolling::set_valued))) continue;
+    if (c.aspect_ratio == 30 && (c.load == 3 || (*c.step_ratio < 0.02 && c.law == Rolling::set_valued)))
+      continue;
     figures.step.push_back(c);
   }
   figures.amplitude = cases({.aspect_ratio = {10, 30},
                              .amplitude = {0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5},
                              .rolling_friction = {0, 1, 4},
                              .peaks = peaks});
-  figures.decay = cases({.aspect_ratio = {30}, .load = {3}, .rolling_friction = {0, 1, 4, 10}, .peaks = {0, 12}});
+  figures.decay =
+      cases({.aspect_ratio = {30}, .load = {3}, .rolling_friction = {0, 1, 4, 10}, .peaks = {0, 12}});
   return figures;
 }
 
@@ -97,7 +116,8 @@ dem::Table rolling_table(const std::vector<RollingPoint>& points) {
 }
 
 dem::Table rolling_peaks_table(const std::vector<RollingPoint>& points) {
-  dem::Table table({"aspect_ratio", "load", "rolling_friction", "rolling", "peak", "peak_height", "peak_time"});
+  dem::Table table(
+      {"aspect_ratio", "load", "rolling_friction", "rolling", "peak", "peak_height", "peak_time"});
   for (const RollingPoint& p : points) {
     const double t_b = dem::bond_time_step(rolling_fiber(p.asked));
     for (std::size_t j = 0; j < p.peaks.size(); ++j) {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/friction/case.hpp"
 #include "compare/figures/figure.hpp"
+#include "compare/friction/case.hpp"
 #include "dem/record/table.hpp"
 
 // Rolling friction of the bonds as tables and figures (Eq 21, Fig 10 of the paper).

@@ -1,9 +1,9 @@
 #include "compare/measure/peaks.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "compare/study/errors.hpp"
@@ -13,7 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Maximum of the cubic Hermite interpolant on one interval, where the velocity turns from positive to negative.
+/// Maximum of the cubic Hermite interpolant on one interval, where the velocity turns from positive to
+/// negative.
 Peak hermite_peak(double t0, double t1, double y0, double y1, double v0, double v1) {
   const double h = t1 - t0, a = h * v0, b = h * v1, d = y1 - y0;
   // y = y0 + a s + (3d - 2a - b) s^2 + (a + b - 2d) s^3; its slope vanishes where the velocity changes sign
@@ -39,7 +40,8 @@ std::vector<Peak> positive_peaks(const TipHistory& h) {
   }
   for (std::size_t i = 1; i + 1 < h.time.size(); ++i) {
     if (h.velocity[i] > 0 && h.velocity[i + 1] <= 0) {
-      const Peak peak = hermite_peak(h.time[i], h.time[i + 1], h.y[i], h.y[i + 1], h.velocity[i], h.velocity[i + 1]);
+      const Peak peak =
+          hermite_peak(h.time[i], h.time[i + 1], h.y[i], h.y[i + 1], h.velocity[i], h.velocity[i + 1]);
       if (peak.value > 0) peaks.push_back(peak);
     }
   }
@@ -52,13 +54,14 @@ double log_decrement(double ratio) { return 2 * pi * ratio / std::sqrt(1 - ratio
 
 Damping damping_from_peaks(const std::vector<Peak>& peaks, PeakRange range) {
   if (range.first < 0 || range.last <= range.first) {
-    throw InputError(fmt::format("peaks {}..{} are not allowed: give at least two, the first 0 or more", range.first,
-                                 range.last));
+    throw InputError(fmt::format("peaks {}..{} are not allowed: give at least two, the first 0 or more",
+                                 range.first, range.last));
   }
   if (range.last >= static_cast<int>(peaks.size())) {
-    throw InputError(fmt::format("peaks {}..{} are asked for but the motion has only {} (0..{}): watch it longer, or the "
-                                 "motion is overdamped", range.first, range.last, peaks.size(),
-                                 static_cast<int>(peaks.size()) - 1));
+    throw InputError(
+        fmt::format("peaks {}..{} are asked for but the motion has only {} (0..{}): watch it longer, or the "
+                    "motion is overdamped",
+                    range.first, range.last, peaks.size(), static_cast<int>(peaks.size()) - 1));
   }
   const int n = range.last - range.first + 1;
   const double mean_j = (range.first + range.last) / 2.0;
@@ -69,7 +72,8 @@ Damping damping_from_peaks(const std::vector<Peak>& peaks, PeakRange range) {
     j_ln += (j - mean_j) * (std::log(peaks[j].value) - mean_ln);
   }
   const double slope = j_ln / jj;
-  if (!(slope < 0)) throw InputError(fmt::format("peaks {}..{} do not decay: there is no damping", range.first, range.last));
+  if (!(slope < 0))
+    throw InputError(fmt::format("peaks {}..{} do not decay: there is no damping", range.first, range.last));
   double residual = 0;
   for (int j = range.first; j <= range.last; ++j) {
     residual += std::pow(std::log(peaks[j].value) - mean_ln - slope * (j - mean_j), 2);

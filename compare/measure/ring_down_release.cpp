@@ -13,7 +13,8 @@ double period(const reference::ChainMode& mode) { return 2 * std::numbers::pi / 
 
 }  // namespace
 
-dem::Release<2> mode_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double amount, double periods) {
+dem::Release<2> mode_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double amount,
+                             double periods) {
   dem::Release<2> release{dem::straight_chain<2>(fiber), {}, {}, {}, period(mode), periods};
   const double deflection = amount * dem::fiber_length(fiber);
   dem::ChainVector<2> motion;
@@ -28,7 +29,8 @@ dem::Release<2> mode_release(const dem::Fiber& fiber, const reference::ChainMode
   return release;
 }
 
-dem::Release<2> static_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double load, double periods) {
+dem::Release<2> static_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double load,
+                               double periods) {
   dem::Release<2> release{dem::straight_chain<2>(fiber), {}, {}, {}, period(mode), periods};
   const dem::Load<2> end{fiber.aspect_ratio, {0, dem::load_force(fiber, load)}, {}};
   release.start = dem::solve_equilibrium(release.chain, dem::Boundary<2>{{0}, {end}}).poses;

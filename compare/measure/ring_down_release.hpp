@@ -7,12 +7,14 @@
 // Cantilevers let go: their states at the release, and the history of the free end.
 namespace fiberchain::compare {
 
-/// From the chain's own first damped mode with tip deflection `amount` L: poses along the arc, so that no bond is
-/// stretched, and the velocities of the mode.
-dem::Release<2> mode_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double amount, double periods);
+/// From the chain's own first damped mode with tip deflection `amount` L: poses along the arc, so that no
+/// bond is stretched, and the velocities of the mode.
+dem::Release<2> mode_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double amount,
+                             double periods);
 
 /// From the solved equilibrium under the load.
-dem::Release<2> static_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double load, double periods);
+dem::Release<2> static_release(const dem::Fiber& fiber, const reference::ChainMode& mode, double load,
+                               double periods);
 
 /// The free end's deflection over L. Throws dem::Diverged with the reason if the run blew up.
 TipHistory tip_history(const dem::ReleaseRecord<2>& record, double length);

@@ -1,7 +1,7 @@
-#include <cmath>
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_multifit_nlinear.h>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -32,7 +32,8 @@ Window window_of(const TipHistory& history, double from, double to) {
 /// y = exp(-s t) (a cos(w t) + b sin(w t)); parameters a, b, s, w.
 int residuals(const gsl_vector* p, void* data, gsl_vector* f) {
   const Window& window = *static_cast<const Window*>(data);
-  const double a = gsl_vector_get(p, 0), b = gsl_vector_get(p, 1), s = gsl_vector_get(p, 2), w = gsl_vector_get(p, 3);
+  const double a = gsl_vector_get(p, 0), b = gsl_vector_get(p, 1), s = gsl_vector_get(p, 2),
+               w = gsl_vector_get(p, 3);
   for (std::size_t i = 0; i < window.time.size(); ++i) {
     const double t = window.time[i];
     gsl_vector_set(f, i, std::exp(-s * t) * (a * std::cos(w * t) + b * std::sin(w * t)) - window.y[i]);
@@ -42,7 +43,8 @@ int residuals(const gsl_vector* p, void* data, gsl_vector* f) {
 
 int jacobian(const gsl_vector* p, void* data, gsl_matrix* J) {
   const Window& window = *static_cast<const Window*>(data);
-  const double a = gsl_vector_get(p, 0), b = gsl_vector_get(p, 1), s = gsl_vector_get(p, 2), w = gsl_vector_get(p, 3);
+  const double a = gsl_vector_get(p, 0), b = gsl_vector_get(p, 1), s = gsl_vector_get(p, 2),
+               w = gsl_vector_get(p, 3);
   for (std::size_t i = 0; i < window.time.size(); ++i) {
     const double t = window.time[i], decay = std::exp(-s * t), c = std::cos(w * t), n = std::sin(w * t);
     gsl_matrix_set(J, i, 0, decay * c);
@@ -65,7 +67,9 @@ struct FreeMatrix {
 Damping damping_from_sine(const TipHistory& history, double from, double to, const Damping& start) {
   Window window = window_of(history, from, to);
   const std::size_t n = window.time.size();
-  if (n < 8) throw InputError(fmt::format("{} samples between {} s and {} s are too few to fit a damped sine", n, from, to));
+  if (n < 8)
+    throw InputError(
+        fmt::format("{} samples between {} s and {} s are too few to fit a damped sine", n, from, to));
   gsl_multifit_nlinear_fdf problem{residuals, jacobian, nullptr, n, 4, &window, 0, 0, 0};
   const gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
   std::unique_ptr<gsl_multifit_nlinear_workspace, FreeWorkspace> workspace(
@@ -75,7 +79,8 @@ Damping damping_from_sine(const TipHistory& history, double from, double to, con
   const gsl_vector_view first = gsl_vector_view_array(guess, 4);
   int info = 0;
   if (gsl_multifit_nlinear_init(&first.vector, &problem, workspace.get()) != GSL_SUCCESS ||
-      gsl_multifit_nlinear_driver(100, 1e-12, 1e-14, 0, nullptr, nullptr, &info, workspace.get()) == GSL_EMAXITER) {
+      gsl_multifit_nlinear_driver(100, 1e-12, 1e-14, 0, nullptr, nullptr, &info, workspace.get()) ==
+          GSL_EMAXITER) {
     throw InputError("the fit of a damped sine did not converge");
   }
   const gsl_vector* found = gsl_multifit_nlinear_position(workspace.get());
@@ -85,8 +90,9 @@ Damping damping_from_sine(const TipHistory& history, double from, double to, con
   const gsl_vector* left = gsl_multifit_nlinear_residual(workspace.get());
   for (std::size_t i = 0; i < n; ++i) squares += std::pow(gsl_vector_get(left, i), 2);
   const double s = gsl_vector_get(found, 2), w = gsl_vector_get(found, 3), size = std::hypot(s, w);
-  const double error = std::sqrt(squares / static_cast<double>(n - 4) * gsl_matrix_get(covariance.get(), 2, 2)) *
-                       gsl_cdf_tdist_Pinv(0.975, static_cast<double>(n - 4));
+  const double error =
+      std::sqrt(squares / static_cast<double>(n - 4) * gsl_matrix_get(covariance.get(), 2, 2)) *
+      gsl_cdf_tdist_Pinv(0.975, static_cast<double>(n - 4));
   return {s / size, error * w * w / (size * size * size), w};
 }
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <tuple>
 
+#include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/measure/linear_chain_of.hpp"
 #include "compare/study/parallel.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 

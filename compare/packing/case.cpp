@@ -95,8 +95,8 @@ PackingEnd end_of(const dem::Assembly& assembly, const States& states, double fl
   return end;
 }
 
-void follow(const dem::PackingScene& scene, const PackingWatch& watch,
-            const std::function<void()>& advance, PackingRun& run) {
+void follow(const dem::PackingScene& scene, const PackingWatch& watch, const std::function<void()>& advance,
+            PackingRun& run) {
   dem::PackingStart start = dem::packing_start(scene, watch.threads);
   const std::vector<std::int32_t> fiber_of_sphere = dem::fiber_numbers(start.groups);
   const double floor = floor_area(scene);

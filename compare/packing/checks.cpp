@@ -44,8 +44,8 @@ Groups groups_of(const std::vector<PackingRun>& runs) {
   for (const SeedGroup& group : groups.all) {
     if (finished(group)) assign(groups, group);
   }
-  const auto booked =
-      std::ranges::find_if(runs, [](const PackingRun& r) { return r.asked.booked && r.status == "finished"; });
+  const auto booked = std::ranges::find_if(
+      runs, [](const PackingRun& r) { return r.asked.booked && r.status == "finished"; });
   if (booked != runs.end()) groups.booked = &*booked;
   return groups;
 }
@@ -75,8 +75,8 @@ Answer course(const Groups& g) {
   if (!g.least) return {};
   const BendingSpread s = bending_spread(*g.least);
   return Measured{goes_as_fig_12(*g.least) ? 1.0 : 0.0,
-                  {setting_text(*g.least), g.least->asked.bond_damping, s.peak.mean, s.peak.deviation, s.trough.mean,
-                   s.trough.deviation, s.plateau.mean, s.plateau.deviation}};
+                  {setting_text(*g.least), g.least->asked.bond_damping, s.peak.mean, s.peak.deviation,
+                   s.trough.mean, s.trough.deviation, s.plateau.mean, s.plateau.deviation}};
 }
 
 bool has_two_dampings(const Groups& g) { return g.least && g.least != g.most; }
@@ -87,17 +87,18 @@ Answer fall_by_damping(const Groups& g) {
   if (!has_two_dampings(g)) return {};
   const Spread change = paired_difference(*g.most, *g.least, part);
   return Measured{change.mean + half_width(change) < 0 ? 1.0 : 0.0,
-                  {setting_text(*g.least), g.least->asked.bond_damping, g.most->asked.bond_damping, change.mean,
-                   half_width(change), change.least, change.most}};
+                  {setting_text(*g.least), g.least->asked.bond_damping, g.most->asked.bond_damping,
+                   change.mean, half_width(change), change.least, change.most}};
 }
 
 Answer friction_over_damping(const Groups& g) {
   if (!g.friction || !has_two_dampings(g)) return {};
   const BendingSpread base = bending_spread(*g.least), bonds = bending_spread(*g.most),
                       friction = bending_spread(*g.friction);
-  return Measured{friction.plateau.mean / bonds.plateau.mean,
-                  {g.friction->asked.bond_damping, g.friction->asked.rolling_friction, g.most->asked.bond_damping,
-                   friction.peak.mean, bonds.peak.mean, base.peak.mean, setting_text(*g.friction)}};
+  return Measured{
+      friction.plateau.mean / bonds.plateau.mean,
+      {g.friction->asked.bond_damping, g.friction->asked.rolling_friction, g.most->asked.bond_damping,
+       friction.peak.mean, bonds.peak.mean, base.peak.mean, setting_text(*g.friction)}};
 }
 
 /// Mean height of the spheres when expanded over that when densest, less 1; 0 if the bed does not expand.
@@ -116,14 +117,16 @@ Spread spread_over(const SeedGroup& group, double (*of)(const PackingRun&)) {
 
 double fraction_at_rest(const PackingRun& run) { return run.history.back().solid_fraction; }
 
-/// 1 if the flexible fibers of every seed spring back by more than half as much again as the stiff ones of any.
+/// 1 if the flexible fibers of every seed spring back by more than half as much again as the stiff ones of
+/// any.
 Answer rods(const Groups& g) {
   if (!g.stiff || !g.least) return {};
   const Spread flexible = spread_over(*g.least, expansion), rigid = spread_over(*g.stiff, expansion);
-  return Measured{flexible.least > 1.5 * rigid.most ? 1.0 : 0.0,
-                  {setting_text(*g.least), 100 * flexible.least, 100 * flexible.most, 100 * rigid.least,
-                   100 * rigid.most, g.stiff->asked.stiffness, bending_spread(*g.stiff).plateau.mean,
-                   spread_over(*g.least, fraction_at_rest).mean, spread_over(*g.stiff, fraction_at_rest).mean}};
+  return Measured{
+      flexible.least > 1.5 * rigid.most ? 1.0 : 0.0,
+      {setting_text(*g.least), 100 * flexible.least, 100 * flexible.most, 100 * rigid.least, 100 * rigid.most,
+       g.stiff->asked.stiffness, bending_spread(*g.stiff).plateau.mean,
+       spread_over(*g.least, fraction_at_rest).mean, spread_over(*g.stiff, fraction_at_rest).mean}};
 }
 
 Answer half_step(const Groups& g) {

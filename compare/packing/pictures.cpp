@@ -43,9 +43,11 @@ StageFrames stage_frames(const PackingRun& run) {
 
 }  // namespace
 
-std::vector<dem::OutputFile> stage_pictures(const PackingRun& run, int threads, const dem::Provenance& provenance) {
+std::vector<dem::OutputFile> stage_pictures(const PackingRun& run, int threads,
+                                            const dem::Provenance& provenance) {
   const auto [letters, frames] = stage_frames(run);
-  PictureOptions options{.range = shade_range(frames, Shade::vertical_speed), .width = 1600, .height = 1000, .threads = threads};
+  PictureOptions options{
+      .range = shade_range(frames, Shade::vertical_speed), .width = 1600, .height = 1000, .threads = threads};
   std::vector<dem::OutputFile> files;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     files.push_back({fmt::format("fig-11-{}.png", letters[n]), draw(frames[n], options, provenance).png});

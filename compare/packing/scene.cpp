@@ -70,7 +70,8 @@ dem::PackingScene packing_scene(const PackingCase& asked) {
 }
 
 double floor_area(const dem::PackingScene& scene) {
-  return (scene.scene_box.high[0] - scene.scene_box.low[0]) * (scene.scene_box.high[1] - scene.scene_box.low[1]);
+  return (scene.scene_box.high[0] - scene.scene_box.low[0]) *
+         (scene.scene_box.high[1] - scene.scene_box.low[1]);
 }
 
 }  // namespace fiberchain::compare

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "compare/study/errors.hpp"
 #include "compare/packing/study.hpp"
+#include "compare/study/errors.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/packing/case.hpp"
 #include "compare/figures/figure.hpp"
+#include "compare/packing/case.hpp"
 #include "dem/record/table.hpp"
 
 // Figs 11 and 12: the packings of the paper, how they differ, and how much of that is the seed's.
@@ -53,7 +53,8 @@ dem::Table history_table(const std::vector<PackingRun>& runs);      ///< a row a
 dem::Table density_table(const std::vector<PackingRun>& runs);      ///< a row a run and slab, at rest
 dem::Table orientation_table(const std::vector<PackingRun>& runs);  ///< a row a run and class of angles
 dem::Table energy_table(const PackingRun& booked);                  ///< a row a sample
-dem::Table comparison_table(const std::vector<PackingRun>& runs);  ///< a row a group: less the first, seed by seed
+dem::Table comparison_table(
+    const std::vector<PackingRun>& runs);  ///< a row a group: less the first, seed by seed
 
 /// By the name of their files.
 std::vector<std::pair<std::string, Figure>> packing_figures(const std::vector<PackingRun>& figure_runs,

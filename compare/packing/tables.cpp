@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "dem/run/samples.hpp"
 #include "compare/packing/study.hpp"
 #include "compare/study/tabulate.hpp"
+#include "dem/run/samples.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -74,7 +74,8 @@ dem::Table run_table(const std::vector<PackingRun>& runs) {
   for (const PackingRun& run : runs) {
     dem::NamedRow row = asked_row(run.asked);
     if (run.status == "finished") {
-      row = joined(joined(row, bending_row(bending_parts(run.history))), end_row(run.history.back(), run.end));
+      row =
+          joined(joined(row, bending_row(bending_parts(run.history))), end_row(run.history.back(), run.end));
     }
     table.append(joined(row, march_row(run)));
   }
@@ -107,8 +108,8 @@ dem::Table density_table(const std::vector<PackingRun>& runs) {
   for (const PackingRun& run : runs) {
     for (std::size_t k = 0; k < run.end.solid_fractions.size(); ++k) {
       table.append(joined(asked_row(run.asked), {{"slab_low", run.end.edges[k]},
-                                               {"slab_high", run.end.edges[k + 1]},
-                                               {"solid_fraction", run.end.solid_fractions[k]}}));
+                                                 {"slab_high", run.end.edges[k + 1]},
+                                                 {"solid_fraction", run.end.solid_fractions[k]}}));
     }
   }
   return table;
@@ -123,9 +124,9 @@ dem::Table orientation_table(const std::vector<PackingRun>& runs) {
     for (std::size_t k = 0; k < start.size(); ++k) {
       const auto low = static_cast<double>(k) * width;
       table.append(joined(asked_row(run.asked), {{"polar_low", low},
-                                               {"polar_high", low + width},
-                                               {"over_isotropic_start", start[k]},
-                                               {"over_isotropic", end.empty() ? kMissing : end[k]}}));
+                                                 {"polar_high", low + width},
+                                                 {"over_isotropic_start", start[k]},
+                                                 {"over_isotropic", end.empty() ? kMissing : end[k]}}));
     }
   }
   return table;
@@ -134,7 +135,8 @@ dem::Table orientation_table(const std::vector<PackingRun>& runs) {
 dem::Table energy_table(const PackingRun& booked) {
   dem::Table table(joined(Names{"simulated_time"}, dem::energy_columns(true)));
   for (const PackingSample& sample : booked.history) {
-    table.append(joined(dem::NamedRow{{"simulated_time", sample.time}}, dem::energy_cells(sample.energy, true)));
+    table.append(
+        joined(dem::NamedRow{{"simulated_time", sample.time}}, dem::energy_cells(sample.energy, true)));
   }
   return table;
 }

@@ -66,10 +66,12 @@ struct Tile {
 /// Share of the width that images have: the color scale stands beside them.
 constexpr double kImages = 6.0 / 7;
 
-int image_width(const PictureOptions& options) { return std::max(static_cast<int>(kImages * options.width), 1); }
+int image_width(const PictureOptions& options) {
+  return std::max(static_cast<int>(kImages * options.width), 1);
+}
 
-Image trace(const dem::TrajectoryFrame& frame, const PictureOptions& options, const std::pair<double, double>& range, int width,
-            int height) {
+Image trace(const dem::TrajectoryFrame& frame, const PictureOptions& options,
+            const std::pair<double, double>& range, int width, int height) {
   Solids solids{rods_of(frame, shade_of(frame, options.shade), range), {}, frame.low, frame.high};
   for (int i = 0; i < kColors; ++i) solids.palette.push_back(color_at((i + 0.5) / kColors));
   return ray_trace(solids, options.view, width, height, options.threads);
@@ -86,21 +88,24 @@ std::string sheet_commands(const PictureOptions& options, const std::pair<double
       "set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,12' fontscale {} background rgb 'white'\n"
       "set output\nset multiplot\nunset border\nunset tics\nset cbtics\nset palette defined ({})\n"
       "set palette maxcolors {}\nset cbrange [{}:{}]\nset cblabel '{}'\n",
-      options.width, options.height, 1.3 * options.height / rows / 800, fmt::join(colors, ", "), kColors, range.first,
-      range.second, label_of(options.shade));
+      options.width, options.height, 1.3 * options.height / rows / 800, fmt::join(colors, ", "), kColors,
+      range.first, range.second, label_of(options.shade));
 }
 
 /// And for one image in it, with the image itself.
 std::string tile_commands(const Tile& tile, bool with_scale) {
   const std::string scale =
-      with_scale ? fmt::format("set colorbox user origin {},0.12 size 0.02,0.7\n", kImages + 0.005) : "unset colorbox\n";
+      with_scale ? fmt::format("set colorbox user origin {},0.12 size 0.02,0.7\n", kImages + 0.005)
+                 : "unset colorbox\n";
   return scale +
          fmt::format(
-             "set lmargin at screen {}\nset bmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
+             "set lmargin at screen {}\nset bmargin at screen {}\nset rmargin at screen {}\nset tmargin at "
+             "screen {}\n"
              "set xrange [-0.5:{}]\nset yrange [{}:-0.5]\nset label 1 '{}' at screen {},{} right front\n"
-             "plot '-' binary array=({},{}) format='%uchar%uchar%uchar' using 1:2:3 with rgbimage notitle{}\n",
-             tile.left, tile.bottom, tile.right, tile.top, tile.image.width - 0.5, tile.image.height - 0.5, tile.words,
-             tile.right - 0.01, tile.top - 0.04, tile.image.width, tile.image.height,
+             "plot '-' binary array=({},{}) format='%uchar%uchar%uchar' using 1:2:3 with rgbimage "
+             "notitle{}\n",
+             tile.left, tile.bottom, tile.right, tile.top, tile.image.width - 0.5, tile.image.height - 0.5,
+             tile.words, tile.right - 0.01, tile.top - 0.04, tile.image.width, tile.image.height,
              with_scale ? ", NaN with lines palette notitle" : "") +
          std::string(tile.image.rgb.begin(), tile.image.rgb.end());
 }
@@ -144,13 +149,22 @@ std::pair<double, double> shade_range(std::span<const dem::TrajectoryFrame> fram
   return range_of(std::move(values));
 }
 
-Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options, const dem::Provenance& provenance) {
+Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options,
+             const dem::Provenance& provenance) {
   const auto range = options.range ? *options.range : shade_range({&frame, 1}, options.shade);
-  const Tile tile{trace(frame, options, range, image_width(options), options.height), 0, 0, kImages, 1, time_words(frame)};
-  return {with_png_metadata(run_gnuplot(sheet_commands(options, range, 1) + tile_commands(tile, true)), provenance), range};
+  const Tile tile{trace(frame, options, range, image_width(options), options.height),
+                  0,
+                  0,
+                  kImages,
+                  1,
+                  time_words(frame)};
+  return {with_png_metadata(run_gnuplot(sheet_commands(options, range, 1) + tile_commands(tile, true)),
+                            provenance),
+          range};
 }
 
-Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options, const dem::Provenance& provenance) {
+Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options,
+                   const dem::Provenance& provenance) {
   constexpr int columns = 2;
   const auto range = options.range ? *options.range : shade_range(frames, options.shade);
   const int count = static_cast<int>(frames.size()), rows = std::max((count + columns - 1) / columns, 1);
@@ -158,9 +172,10 @@ Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const Pictur
   std::string text = sheet_commands(options, range, rows);
   for (int n = 0; n < count; ++n) {
     const double left = n % columns * width, top = 1 - n / columns * height;
-    text += tile_commands({trace(frames[n], options, range, image_width(options) / columns, options.height / rows), left,
-                           top - height, left + width, top, fmt::format("({:c}) {}", 'a' + n, time_words(frames[n]))},
-                          n + 1 == count);
+    text += tile_commands(
+        {trace(frames[n], options, range, image_width(options) / columns, options.height / rows), left,
+         top - height, left + width, top, fmt::format("({:c}) {}", 'a' + n, time_words(frames[n]))},
+        n + 1 == count);
   }
   return {with_png_metadata(run_gnuplot(text), provenance), range};
 }

@@ -45,10 +45,13 @@ struct Picture {
 
 /// The frame as PNG: fibers, box, color scale with its unit, time; provenance as tEXt chunks.
 /// @throws FigureError if gnuplot, which sets the texts, is missing or refuses
-Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options, const dem::Provenance& provenance);
+Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options,
+             const dem::Provenance& provenance);
 
-/// Some frames in two columns, (a), (b), ..., under one color scale; width and height are those of all together.
+/// Some frames in two columns, (a), (b), ..., under one color scale; width and height are those of all
+/// together.
 /// @throws FigureError as draw()
-Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options, const dem::Provenance& provenance);
+Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options,
+                   const dem::Provenance& provenance);
 
 }  // namespace fiberchain::compare

@@ -27,7 +27,9 @@ dem::NamedRow elastica_cells(double load, const Station& tip) {
           {"departure_distance", std::hypot(tip.y - elastica.y, x - elastica.x, tip.z)}};
 }
 
-dem::Cell cell_of(const std::optional<std::int64_t>& count) { return count ? dem::Cell(*count) : dem::Cell(dem::Missing{}); }
+dem::Cell cell_of(const std::optional<std::int64_t>& count) {
+  return count ? dem::Cell(*count) : dem::Cell(dem::Missing{});
+}
 
 }  // namespace
 
@@ -35,47 +37,47 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
   const Station& tip = rest.spheres.back();
   const bool marched = scene.method == dem::Method::march;
   dem::NamedRow row = {{"aspect_ratio", scene.fiber.aspect_ratio},
-                  {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
-                  {"load", scene.load},
-                  {"bond", std::string(name(scene.fiber.bond_model))},
-                  {"form", std::string(name(scene.march.form))},
-                  {"method", std::string(name(scene.method))},
-                  {"dimension", std::string(name(scene.dimension))},
-                  {"bond_damping", marched ? scene.march.bond_damping : scene.fiber.bond_damping},
-                  {"tip_y", tip.y},
-                  {"tip_x", 1 - tip.x},
-                  {"tip_z", tip.z},
-                  {"tip_angle", tip.angle},
-                  {"residual", rest.residual},
-                  {"iterations", cell_of(rest.iterations)},
-                  {"steps", cell_of(rest.steps)},
-                  {"run_time", rest.run_time}};
+                       {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+                       {"load", scene.load},
+                       {"bond", std::string(name(scene.fiber.bond_model))},
+                       {"form", std::string(name(scene.march.form))},
+                       {"method", std::string(name(scene.method))},
+                       {"dimension", std::string(name(scene.dimension))},
+                       {"bond_damping", marched ? scene.march.bond_damping : scene.fiber.bond_damping},
+                       {"tip_y", tip.y},
+                       {"tip_x", 1 - tip.x},
+                       {"tip_z", tip.z},
+                       {"tip_angle", tip.angle},
+                       {"residual", rest.residual},
+                       {"iterations", cell_of(rest.iterations)},
+                       {"steps", cell_of(rest.steps)},
+                       {"run_time", rest.run_time}};
   if (has_elastica(scene)) {
     for (auto& cell : elastica_cells(scene.load, tip)) row.push_back(std::move(cell));
   }
   dem::Table table({"aspect_ratio",
-               "poisson_ratio",
-               "load",
-               "bond",
-               "form",
-               "method",
-               "dimension",
-               "bond_damping",
-               "tip_y",
-               "tip_x",
-               "tip_z",
-               "tip_angle",
-               "elastica_tip_y",
-               "elastica_tip_x",
-               "elastica_tip_angle",
-               "departure_y",
-               "departure_x",
-               "departure_angle",
-               "departure_distance",
-               "residual",
-               "iterations",
-               "steps",
-               "run_time"});
+                    "poisson_ratio",
+                    "load",
+                    "bond",
+                    "form",
+                    "method",
+                    "dimension",
+                    "bond_damping",
+                    "tip_y",
+                    "tip_x",
+                    "tip_z",
+                    "tip_angle",
+                    "elastica_tip_y",
+                    "elastica_tip_x",
+                    "elastica_tip_angle",
+                    "departure_y",
+                    "departure_x",
+                    "departure_angle",
+                    "departure_distance",
+                    "residual",
+                    "iterations",
+                    "steps",
+                    "run_time"});
   table.append(row);
   return table;
 }

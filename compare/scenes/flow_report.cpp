@@ -21,8 +21,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <int Dim>
 FlowHistory run_in(const FlowScene& scene) {
-  return integrate_in_flow_history<Dim>(dem::build_flow<Dim>(scene), even_times(scene.duration, scene.samples), scene.motion,
-                          std::max(1, scene.samples / scene.shapes));
+  return integrate_in_flow_history<Dim>(dem::build_flow<Dim>(scene),
+                                        even_times(scene.duration, scene.samples), scene.motion,
+                                        std::max(1, scene.samples / scene.shapes));
 }
 
 /// C/(1 + C), 1 in the flow plane.
@@ -63,28 +64,28 @@ double scene_aspect_ratio(const FlowScene& scene) {
 
 dem::Table flow_table(const FlowScene& scene, const FlowHistory& history) {
   dem::Table table({"aspect_ratio",
-               "spheres",
-               "poisson_ratio",
-               "bond",
-               "form",
-               "dimension",
-               "bond_damping",
-               "hydrodynamics",
-               "flow_method",
-               "elasto_viscous",
-               "strain",
-               "period",
-               "orbit_constant",
-               "orbit_constant_last",
-               "end_to_end_least",
-               "bending_angle",
-               "time_step",
-               "steps",
-               "bond_evaluations",
-               "linear_solves",
-               "factorizations",
-               "run_time",
-               "status"});
+                    "spheres",
+                    "poisson_ratio",
+                    "bond",
+                    "form",
+                    "dimension",
+                    "bond_damping",
+                    "hydrodynamics",
+                    "flow_method",
+                    "elasto_viscous",
+                    "strain",
+                    "period",
+                    "orbit_constant",
+                    "orbit_constant_last",
+                    "end_to_end_least",
+                    "bending_angle",
+                    "time_step",
+                    "steps",
+                    "bond_evaluations",
+                    "linear_solves",
+                    "factorizations",
+                    "run_time",
+                    "status"});
   const double r_e = scene_aspect_ratio(scene);
   const auto& work = history.record.work;
   const auto constant = [&](const auto& moments, bool last) {
@@ -120,7 +121,7 @@ dem::Table flow_table(const FlowScene& scene, const FlowHistory& history) {
 
 dem::Table flow_history_table(const FlowScene& scene, const FlowHistory& history) {
   dem::Table table({"strain", "direction_x", "direction_y", "direction_z", "orbit_constant", "end_to_end",
-               "bending_energy", "bending_angle", "center_x", "center_y", "center_z"});
+                    "bending_energy", "bending_angle", "center_x", "center_y", "center_z"});
   const double r_e = scene_aspect_ratio(scene);
   for (const FlowMoment& m : history.moments) {
     table.append({{"strain", m.time * scene.rate},

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/flow/history.hpp"
 #include "compare/figures/figure.hpp"
+#include "compare/flow/history.hpp"
 #include "dem/record/table.hpp"
 #include "dem/scene/scene.hpp"
 

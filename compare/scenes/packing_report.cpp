@@ -13,7 +13,8 @@ std::vector<double> column(const dem::Table& log, std::string_view name) {
 }
 
 /// A line through what is finite: a run that blew up may end in what is not.
-void add_line(Figure& figure, std::string_view label, const std::vector<double>& x, const std::vector<double>& y) {
+void add_line(Figure& figure, std::string_view label, const std::vector<double>& x,
+              const std::vector<double>& y) {
   Series line{std::string(label), {}, {}, Mark::line};
   for (std::size_t n = 0; n < x.size(); ++n) {
     if (std::isfinite(y[n])) line.x.push_back(x[n]), line.y.push_back(y[n]);
@@ -31,8 +32,9 @@ std::string status_of(const dem::PackingEndState& end) {
 }  // namespace
 
 dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndState& end) {
-  dem::Table table({"fibers", "spheres", "seed", "time_step", "step_set_by", "steps", "simulated_time", "contacts",
-               "coordination", "height", "bending_mean", "kinetic_energy", "run_time", "status"});
+  dem::Table table({"fibers", "spheres", "seed", "time_step", "step_set_by", "steps", "simulated_time",
+                    "contacts", "coordination", "height", "bending_mean", "kinetic_energy", "run_time",
+                    "status"});
   table.append({{"fibers", dem::fibers_in(job.scene)},
                 {"spheres", dem::spheres_in(job.scene)},
                 {"seed", static_cast<std::int64_t>(job.scene.filling.seed)},
@@ -50,7 +52,8 @@ dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndSt
   return table;
 }
 
-std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job, const dem::Table& log) {
+std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job,
+                                                                const dem::Table& log) {
   const std::vector<double> time = column(log, "simulated_time");
   Figure bending{"Mean bending angle per bond", {"time [s]"}, {"angle [rad]"}, {}};
   add_line(bending, "", time, column(log, "bending_mean"));

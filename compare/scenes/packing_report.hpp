@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "dem/run/session.hpp"
 #include "compare/figures/figure.hpp"
 #include "dem/record/table.hpp"
+#include "dem/run/session.hpp"
 
 namespace fiberchain::compare {
 
@@ -14,6 +14,7 @@ namespace fiberchain::compare {
 dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndState& end);
 
 /// "-bending" and "-energy" by the end of their names, from the log of the whole run.
-std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job, const dem::Table& log);
+std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job,
+                                                                const dem::Table& log);
 
 }  // namespace fiberchain::compare

@@ -1,14 +1,14 @@
 #include "compare/scenes/release_report.hpp"
 
+#include <fmt/format.h>
 #include <chrono>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <numbers>
 
+#include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/measure/linear_chain_of.hpp"
 #include "dem/scene/build_fiber.hpp"
 #include "dem/vibration/choose.hpp"
 #include "reference/chain_modes.hpp"
@@ -22,7 +22,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 reference::ChainMode first_mode(const ReleaseScene& scene) {
   const reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(scene.fiber));
-  if (!mode.oscillates) throw InputError("bond.damping: the first mode is overdamped, there is no vibration to watch");
+  if (!mode.oscillates)
+    throw InputError("bond.damping: the first mode is overdamped, there is no vibration to watch");
   return mode;
 }
 
@@ -71,7 +72,8 @@ ReleaseRun run_in(const ReleaseScene& scene) {
     history.velocity.push_back(sign * sample.velocity[1] / L);
   }
   for (const dem::Pose<double, Dim>& pose : record.last.poses) {
-    run.last.push_back({pose.position[0] / L, pose.position[1] / L, Dim == 3 ? pose.position[Dim - 1] / L : 0.0});
+    run.last.push_back(
+        {pose.position[0] / L, pose.position[1] / L, Dim == 3 ? pose.position[Dim - 1] / L : 0.0});
   }
   measure(run, history);
   return run;
@@ -107,10 +109,12 @@ ReleasePlan plan_release(const ReleaseScene& scene) {
 }
 
 dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
-  dem::Table table({"aspect_ratio", "poisson_ratio", "load", "bond", "form", "dimension", "bond_damping", "rolling_friction",
-               "integrator", "time_step", "step_ratio", "steps", "bond_evaluations", "linear_solves", "fiber_damping",
-               "fiber_damping_modes", "frequency", "run_time", "status"});
-  const bool marched = run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
+  dem::Table table({"aspect_ratio", "poisson_ratio", "load", "bond", "form", "dimension", "bond_damping",
+                    "rolling_friction", "integrator", "time_step", "step_ratio", "steps", "bond_evaluations",
+                    "linear_solves", "fiber_damping", "fiber_damping_modes", "frequency", "run_time",
+                    "status"});
+  const bool marched =
+      run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
   const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
   table.append({{"aspect_ratio", scene.fiber.aspect_ratio},
                 {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
@@ -138,7 +142,9 @@ dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
 dem::Table release_history_table(const ReleaseRun& run) {
   dem::Table table({"time", "tip_y", "tip_z", "energy"});
   for (std::size_t i = 0; i < run.time.size(); ++i) {
-    table.append({{"time", run.time[i] / run.period}, {"tip_y", run.y[i]}, {"tip_z", run.z[i]},
+    table.append({{"time", run.time[i] / run.period},
+                  {"tip_y", run.y[i]},
+                  {"tip_z", run.z[i]},
                   {"energy", run.energy[i]}});
   }
   return table;
@@ -147,8 +153,10 @@ dem::Table release_history_table(const ReleaseRun& run) {
 dem::Table release_last_table(const ReleaseRun& run) {
   dem::Table table({"sphere", "position_x", "position_y", "position_z"});
   for (std::size_t i = 0; i < run.last.size(); ++i) {
-    table.append({{"sphere", static_cast<std::int64_t>(i)}, {"position_x", run.last[i][0]},
-                  {"position_y", run.last[i][1]}, {"position_z", run.last[i][2]}});
+    table.append({{"sphere", static_cast<std::int64_t>(i)},
+                  {"position_x", run.last[i][0]},
+                  {"position_y", run.last[i][1]},
+                  {"position_z", run.last[i][2]}});
   }
   return table;
 }
@@ -156,8 +164,9 @@ dem::Table release_last_table(const ReleaseRun& run) {
 Figure release_figure(const ReleaseScene& scene, const ReleaseRun& run) {
   Series chain{"free end", {}, run.y, Mark::line};
   for (const double t : run.time) chain.x.push_back(t / run.period);
-  return {fmt::format("Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, {{/Symbol x}}_b = {:g}, {}",
-                      scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
+  return {fmt::format(
+              "Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, {{/Symbol x}}_b = {:g}, {}",
+              scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
           {"time over the first mode's period"},
           {"{/:Italic y}/{/:Italic L}"},
           {chain}};

@@ -11,16 +11,16 @@ namespace fiberchain::compare {
 
 struct ReleaseRun {
   dem::Integrator integrator;
-  std::string reason;       ///< why this integrator, if it was chosen here
+  std::string reason;  ///< why this integrator, if it was chosen here
   dem::Work work;
-  double time_step;         ///< [s]
-  double period;            ///< first mode of the straight chain, damped [s]
-  double damping_modes;     ///< its damping ratio
-  double damping;           ///< xi_f of the peaks after the release; NaN if there are too few
-  double frequency;         ///< of the same [rad/s]
-  double run_time;          ///< [s]
-  std::vector<double> time, y, z, energy;  ///< samples [s], over L, [J]
-  std::string failure;      ///< empty, else where and why the run stopped
+  double time_step;                         ///< [s]
+  double period;                            ///< first mode of the straight chain, damped [s]
+  double damping_modes;                     ///< its damping ratio
+  double damping;                           ///< xi_f of the peaks after the release; NaN if there are too few
+  double frequency;                         ///< of the same [rad/s]
+  double run_time;                          ///< [s]
+  std::vector<double> time, y, z, energy;   ///< samples [s], over L, [J]
+  std::string failure;                      ///< empty, else where and why the run stopped
   std::vector<std::array<double, 3>> last;  ///< places of the spheres in the last good state, over L
 };
 

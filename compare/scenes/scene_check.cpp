@@ -19,11 +19,12 @@ namespace {
 using dem::NamedRow;
 
 const std::vector<std::string> kColumns = {
-    "scene_kind",    "fibers",     "spheres",        "bonds",         "time_step", "step_from",       "steps",
-    "steps_most",    "step_cost",  "step_cost_from", "expected_time", "memory",    "memory_free",     "frames",
-    "trajectory_size", "checkpoint_size", "log_size", "vtk_size"};
+    "scene_kind",  "fibers",     "spheres",         "bonds",           "time_step",     "step_from",
+    "steps",       "steps_most", "step_cost",       "step_cost_from",  "expected_time", "memory",
+    "memory_free", "frames",     "trajectory_size", "checkpoint_size", "log_size",      "vtk_size"};
 
-/// A step of a bond in a chain alone, leapfrog, AVX-512: the figure of the README in the plane and in space [s].
+/// A step of a bond in a chain alone, leapfrog, AVX-512: the figure of the README in the plane and in space
+/// [s].
 constexpr double kPlanarBondStep = 13e-9, kSpatialBondStep = 37e-9;
 
 /// Memory available without swapping [bytes]; missing where the system does not say.
@@ -44,11 +45,12 @@ struct FiberSteps {
   bool explicit_steps = true;  ///< of a leapfrog, whose cost is stated
 };
 
-/// Memory of one fiber [bytes]: state, and the block-tridiagonal matrix of Newton's method with its factors; with
-/// hydrodynamic interactions the dense mobility and its factors, `coupled` unknowns a sphere.
+/// Memory of one fiber [bytes]: state, and the block-tridiagonal matrix of Newton's method with its factors;
+/// with hydrodynamic interactions the dense mobility and its factors, `coupled` unknowns a sphere.
 double fiber_memory(const dem::Fiber& fiber, dem::Dimension dimension, int coupled) {
   const double spheres = fiber.aspect_ratio + 1, unknowns = dimension == dem::Dimension::planar ? 3 : 6;
-  const double blocks = 2 * 3 * unknowns * unknowns + 8 * unknowns, dense = 2 * std::pow(coupled * spheres, 2);
+  const double blocks = 2 * 3 * unknowns * unknowns + 8 * unknowns,
+               dense = 2 * std::pow(coupled * spheres, 2);
   return sizeof(double) * (blocks * spheres + dense);
 }
 
@@ -56,8 +58,12 @@ template <class Scene>
 dem::Table fiber_table(const char* kind, const Scene& scene, const FiberSteps& steps, int coupled = 0) {
   const dem::Fiber& fiber = scene.fiber;
   const std::int64_t bonds = fiber.aspect_ratio;
-  NamedRow row = {{"scene_kind", std::string(kind)}, {"fibers", std::int64_t{1}}, {"spheres", bonds + 1},
-                  {"bonds", bonds}, {"step_from", steps.from}, {"memory", fiber_memory(fiber, scene.dimension, coupled)},
+  NamedRow row = {{"scene_kind", std::string(kind)},
+                  {"fibers", std::int64_t{1}},
+                  {"spheres", bonds + 1},
+                  {"bonds", bonds},
+                  {"step_from", steps.from},
+                  {"memory", fiber_memory(fiber, scene.dimension, coupled)},
                   {"memory_free", free_memory()}};
   if (steps.step) row.emplace_back("time_step", *steps.step);
   if (steps.steps) row.emplace_back("steps", std::llround(*steps.steps));
@@ -74,11 +80,13 @@ dem::Table fiber_table(const char* kind, const Scene& scene, const FiberSteps& s
 }
 
 dem::Table check(const dem::CantileverScene& scene, int) {
-  if (scene.method == dem::Method::solve) return fiber_table("cantilever", scene, {{}, "no time: Newton's method", {}, {}});
+  if (scene.method == dem::Method::solve)
+    return fiber_table("cantilever", scene, {{}, "no time: Newton's method", {}, {}});
   const double step = dem::chosen_step(scene.fiber, scene.march);
   const double period = 2 * std::numbers::pi / dem::first_bending_frequency(scene.fiber);
   const double most = (scene.march.ramp_periods + scene.march.max_periods) * period / step;
-  return fiber_table("cantilever", scene, {step, scene.march.step_ratio ? "scene" : "0.8 of the stable step", {}, most});
+  return fiber_table("cantilever", scene,
+                     {step, scene.march.step_ratio ? "scene" : "0.8 of the stable step", {}, most});
 }
 
 dem::Table check(const dem::ReleaseScene& scene, int) {
@@ -98,7 +106,8 @@ FiberSteps leapfrog_steps(const dem::FlowScene& scene) {
   const dem::FlowCase<Dim> flow{
       dem::straight_chain<Dim>(scene.fiber), start_poses<Dim>(scene.fiber, scene.start), scene.fluid, {}};
   std::vector<double> times(static_cast<std::size_t>(scene.samples) + 1);
-  for (int n = 0; n <= scene.samples; ++n) times[static_cast<std::size_t>(n)] = scene.duration * n / scene.samples;
+  for (int n = 0; n <= scene.samples; ++n)
+    times[static_cast<std::size_t>(n)] = scene.duration * n / scene.samples;
   const dem::FlowPlan plan = dem::plan_of(flow, times, scene.motion);
   const double steps = std::accumulate(plan.counts.begin(), plan.counts.end(), 0.0);
   return {scene.duration / steps, scene.motion.step_ratio ? "scene" : "0.8 of the stable step", steps, {}};
@@ -126,10 +135,13 @@ dem::Table check(const dem::PackingScene& scene, int threads) {
                 {"spheres", spheres},
                 {"bonds", spheres - fibers},
                 {"time_step", plan.step},
-                {"step_from", scene.step ? std::string("scene") : fmt::format("{} of what is stable: {}", dem::chosen_part, plan.choice.set_by)},
+                {"step_from",
+                 scene.step ? std::string("scene")
+                            : fmt::format("{} of what is stable: {}", dem::chosen_part, plan.choice.set_by)},
                 {"steps", plan.steps},
                 {"step_cost", cost.per_sphere},
-                {"step_cost_from", fmt::format("measured on {} spheres in a dense stack, threads: {}", cost.spheres, cost.threads)},
+                {"step_cost_from", fmt::format("measured on {} spheres in a dense stack, threads: {}",
+                                               cost.spheres, cost.threads)},
                 {"expected_time", cost.per_sphere * dem::sphere_steps_of(scene, plan)},
                 {"memory", dem::peak(dem::memory_of(scene))},
                 {"memory_free", free_memory()},

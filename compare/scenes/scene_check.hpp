@@ -5,9 +5,9 @@
 
 namespace fiberchain::compare {
 
-/// One row: size, time step, expected time, memory and files of a scene, which is not run. Packings measure the cost of a
-/// step for some 50 ms; chains alone have a stated one. Throws dem::InvalidInput for what a run would refuse before its
-/// first step, but for fibers that do not fit.
+/// One row: size, time step, expected time, memory and files of a scene, which is not run. Packings measure
+/// the cost of a step for some 50 ms; chains alone have a stated one. Throws dem::InvalidInput for what a run
+/// would refuse before its first step, but for fibers that do not fit.
 dem::Table scene_check_table(const dem::Scene& scene, int threads);
 
 }  // namespace fiberchain::compare

@@ -7,10 +7,10 @@
 #include <limits>
 #include <numeric>
 
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
-#include "compare/study/parallel.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
+#include "compare/study/parallel.hpp"
 
 namespace fiberchain::compare {
 namespace {

@@ -13,7 +13,8 @@ using dem::BondModel;
 using dem::Integrator;
 using reference::ChainEnds;
 
-/// Largest stable steps of runs at r_f = 50, nu = 0.3, a measure for each xi_b, and of the waves of the endless chain.
+/// Largest stable steps of runs at r_f = 50, nu = 0.3, a measure for each xi_b, and of the waves of the
+/// endless chain.
 std::vector<Measured> limits(const ValidationInput& in) {
   const StabilitySweep sweep{.aspect_ratio = {50},
                              .poisson_ratio = {0.3},
@@ -86,11 +87,12 @@ double damping_of_quarter_step(StabilityCase asked) {
 
 std::vector<Measured> paper_steps(const ValidationInput&) {
   const StabilityPoint one = stability_points({{.aspect_ratio = 10, .bond_damping = 1}})[0];
-  return {{one.measured,
-           {one.measured, one.modes, one.quarter_verdict, one.quarter_growth, damping_of_quarter_step(one.asked),
-            damping_of_quarter_step({.aspect_ratio = 10, .poisson_ratio = -0.2})}},
-          {rayleigh_percent(0)},
-          {rayleigh_percent(0.5), {rayleigh_percent(0), rayleigh_percent(0.3), rayleigh_percent(0.5)}}};
+  return {
+      {one.measured,
+       {one.measured, one.modes, one.quarter_verdict, one.quarter_growth, damping_of_quarter_step(one.asked),
+        damping_of_quarter_step({.aspect_ratio = 10, .poisson_ratio = -0.2})}},
+      {rayleigh_percent(0)},
+      {rayleigh_percent(0.5), {rayleigh_percent(0), rayleigh_percent(0.3), rayleigh_percent(0.5)}}};
 }
 
 }  // namespace
@@ -98,8 +100,8 @@ std::vector<Measured> paper_steps(const ValidationInput&) {
 const Checks& stability_checks() {
   static const Checks checks{
       {{"paper-quarter-step", "paper-rayleigh-most", "paper-rayleigh-least"}, paper_steps},
-      {{"stable-step-0", "stable-step-0.1", "stable-step-0.25", "stable-step-0.5", "stable-step-1", "stable-step-2",
-        "stable-step-5"},
+      {{"stable-step-0", "stable-step-0.1", "stable-step-0.25", "stable-step-0.5", "stable-step-1",
+        "stable-step-2", "stable-step-5"},
        limits},
       {{"stable-step-runs", "stable-step-runs-damped"}, agreement},
       {{"stable-step-own"}, own_step}};

@@ -14,8 +14,9 @@ constexpr int together = 8;  // steps tried at once
 
 template <int Dim>
 dem::Physics physics_of(const StabilityRun& run) {
-  return dem::physics_of(dem::straight_chain<Dim>(run.fiber),
-                         {.form = run.form, .centered_dashpots = run.scheme == dem::Integrator::leapfrog_damped});
+  return dem::physics_of(
+      dem::straight_chain<Dim>(run.fiber),
+      {.form = run.form, .centered_dashpots = run.scheme == dem::Integrator::leapfrog_damped});
 }
 
 template <int Dim>
@@ -50,7 +51,7 @@ std::vector<bool> block_grows(const StabilityRun& run, const std::vector<double>
   const std::vector<dem::Chain<Dim>> chains(time_steps.size(), dem::straight_chain<Dim>(run.fiber));
   const dem::Clamps clamps{run.ends == reference::ChainEnds::clamped_free, false};
   dem::ChainBatch<Dim> block(chains, clamps, time_steps, std::vector<double>(time_steps.size(), 0.0),
-                                physics_of<Dim>(run), dem::best_instruction_set());
+                             physics_of<Dim>(run), dem::best_instruction_set());
   for (int lane = 0; lane < lanes; ++lane) stir(block, run.fiber, lane);
   const double start = speed(block, run.fiber, 0);
   std::vector<bool> grew(time_steps.size(), false);

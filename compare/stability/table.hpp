@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/figures/figure.hpp"
-#include "dem/record/table.hpp"
 #include "compare/stability/case.hpp"
+#include "dem/record/table.hpp"
 
 // The stability map as tables and figures.
 namespace fiberchain::compare {

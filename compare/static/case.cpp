@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/parallel.hpp"
-#include "compare/static/tip.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/elastica.hpp"
 #include "reference/errors.hpp"

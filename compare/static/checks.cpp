@@ -11,7 +11,9 @@
 namespace fiberchain::compare {
 namespace {
 
-StaticPoint point(const StaticCase& asked, int jobs) { return static_points({asked}, {.jobs = jobs}).front(); }
+StaticPoint point(const StaticCase& asked, int jobs) {
+  return static_points({asked}, {.jobs = jobs}).front();
+}
 
 double departure_percent(int aspect_ratio, double load, int jobs) {
   return 100 * point({.aspect_ratio = aspect_ratio, .load = load}, jobs).departure.y;
@@ -74,7 +76,7 @@ double ring_gap(int bonds) {
 }
 
 /// Observed order between r_f = 20 and 40 at load 6.
-double observed_order(dem::BondModel bond, double StaticPoint::* distance, int jobs) {
+double observed_order(dem::BondModel bond, double StaticPoint::*distance, int jobs) {
   const StaticPoint coarse = point({.aspect_ratio = 20, .load = 6, .bond = bond}, jobs);
   const StaticPoint fine = point({.aspect_ratio = 40, .load = 6, .bond = bond}, jobs);
   return std::log2(coarse.*distance / (fine.*distance));
@@ -90,7 +92,8 @@ double march_less_solve(int jobs) {
 double worst_corrected_distance(int jobs) {
   double worst = 0;
   for (const double load : {0.05, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
-    worst = std::max(worst, point({.load = load, .bond = dem::BondModel::corrected}, jobs).distance_unstretched);
+    worst =
+        std::max(worst, point({.load = load, .bond = dem::BondModel::corrected}, jobs).distance_unstretched);
   }
   return worst;
 }
@@ -101,13 +104,14 @@ double bond_time_step_factor() {
          (fiber.diameter * std::sqrt(fiber.material.density / fiber.material.youngs_modulus));
 }
 
-/// L-shaped fiber, two arms of six bonds, a load across its plane at PL^2/EI = 3 (L one arm): largest distance over L of
-/// the free ends by a direct path, by a detour and numbered from the other end.
+/// L-shaped fiber, two arms of six bonds, a load across its plane at PL^2/EI = 3 (L one arm): largest
+/// distance over L of the free ends by a direct path, by a detour and numbered from the other end.
 double corner_gap() {
   const dem::Fiber fiber = nominal_fiber(12, 0.17, dem::BondModel::paper);
   const dem::Chain<3> chain = dem::cornered_chain<3>(fiber, 6);
   const double arm = 6 * dem::bond_length(fiber), P = 3 * dem::bending_stiffness(fiber) / (arm * arm);
-  const dem::Boundary<3> across{{0}, {{12, {0, 0, P}, {}}}}, detour{{0}, {{12, {0.8 * P, -0.5 * P, 0.2 * P}, {}}}};
+  const dem::Boundary<3> across{{0}, {{12, {0, 0, P}, {}}}},
+      detour{{0}, {{12, {0.8 * P, -0.5 * P, 0.2 * P}, {}}}};
   const auto direct = dem::solve_equilibrium(chain, across).poses.back().position;
   const auto halfway = dem::solve_equilibrium(chain, detour).poses;
   const auto around = dem::continue_equilibrium(chain, halfway, detour, across).poses.back().position;
@@ -130,10 +134,14 @@ const Checks& static_checks() {
       {{"paper-incremental-superior"}, increments},
       {{"small-load-departure"}, [](const In&) -> Found { return {{worst_small_load_error()}}; }},
       {{"small-load-departure-corrected"},
-       [](const In&) -> Found { return {{small_load_departure(nominal_fiber(13, 0.17, BondModel::corrected))}}; }},
+       [](const In&) -> Found {
+         return {{small_load_departure(nominal_fiber(13, 0.17, BondModel::corrected))}};
+       }},
       {{"ring"}, [](const In&) -> Found { return {{ring_gap(13)}}; }},
       {{"order-paper"},
-       [](const In& in) -> Found { return {{observed_order(BondModel::paper, &StaticPoint::distance, in.jobs)}}; }},
+       [](const In& in) -> Found {
+         return {{observed_order(BondModel::paper, &StaticPoint::distance, in.jobs)}};
+       }},
       {{"order-corrected"},
        [](const In& in) -> Found {
          return {{observed_order(BondModel::corrected, &StaticPoint::distance_unstretched, in.jobs)}};

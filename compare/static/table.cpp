@@ -142,17 +142,17 @@ dem::Table static_order_table(double poisson_ratio, int jobs) {
   sweep.poisson_ratio = {poisson_ratio};
   sweep.bond = {dem::BondModel::paper, dem::BondModel::corrected};
   dem::Table table({"bond", "load", "aspect_ratio", "departure_distance", "order",
-               "departure_distance_unstretched", "order_unstretched"});
+                    "departure_distance_unstretched", "order_unstretched"});
   for (const double load : {1.0, 6.0}) {
     sweep.load = {load};
     const std::vector<StaticPoint> points = static_points(cases(sweep), {.jobs = jobs});
     for (std::size_t i = 0; i < points.size(); ++i) {
       const StaticPoint& p = points[i];
       dem::NamedRow row{{"bond", std::string(dem::name(p.asked.bond))},
-                   {"load", load},
-                   {"aspect_ratio", std::int64_t{p.asked.aspect_ratio}},
-                   {"departure_distance", p.distance},
-                   {"departure_distance_unstretched", p.distance_unstretched}};
+                        {"load", load},
+                        {"aspect_ratio", std::int64_t{p.asked.aspect_ratio}},
+                        {"departure_distance", p.distance},
+                        {"departure_distance_unstretched", p.distance_unstretched}};
       if (i > 0 && points[i - 1].asked.bond == p.asked.bond) {
         const StaticPoint& coarse = points[i - 1];
         const int from = coarse.asked.aspect_ratio, to = p.asked.aspect_ratio;

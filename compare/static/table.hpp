@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/figures/figure.hpp"
-#include "dem/record/table.hpp"
 #include "compare/static/case.hpp"
+#include "dem/record/table.hpp"
 
 // The static cantilever as tables and figures (Figs 3 and 4 of the paper).
 namespace fiberchain::compare {

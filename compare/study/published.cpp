@@ -23,8 +23,9 @@ constexpr Words<ReferenceKind, 4> kKinds = {{"exact", ReferenceKind::exact},
                                             {"regression", ReferenceKind::regression}};
 constexpr Words<ToleranceScale, 3> kScales = {
     {"unit", ToleranceScale::unit}, {"value", ToleranceScale::value}, {"spread", ToleranceScale::spread}};
-constexpr Words<VerdictRule, 3> kRules = {
-    {"must hold", VerdictRule::must_hold}, {"disputed", VerdictRule::disputed}, {"either", VerdictRule::either}};
+constexpr Words<VerdictRule, 3> kRules = {{"must hold", VerdictRule::must_hold},
+                                          {"disputed", VerdictRule::disputed},
+                                          {"either", VerdictRule::either}};
 
 /// One row of a file, with the place that error messages name.
 struct Line {
@@ -79,8 +80,8 @@ void read_into(std::vector<Claim>& claims, const fs::path& file) {
   const dem::CsvDocument document = dem::read_csv(file);
   const dem::Table& table = document.table;
   for (const char* column :
-       {"id", "feature", "reference_kind", "quantity", "value", "tolerance", "tolerance_scale", "rule", "unit",
-        "source", "page_or_figure", "statement", "evidence", "dispute"}) {
+       {"id", "feature", "reference_kind", "quantity", "value", "tolerance", "tolerance_scale", "rule",
+        "unit", "source", "page_or_figure", "statement", "evidence", "dispute"}) {
     if (std::ranges::find(table.columns(), column) == table.columns().end()) {
       throw InputError(fmt::format("{}: column {} is missing", file.string(), column));
     }

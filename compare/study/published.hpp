@@ -30,8 +30,8 @@ struct Claim {
   std::string feature;  ///< what it tests
   ReferenceKind kind;
   std::string quantity;  ///< what is expected
-  double value;  ///< in `unit`; NaN where the source gives no number or the reference is computed
-  double tolerance;  ///< in units of `scale`; NaN for a disputed claim
+  double value;          ///< in `unit`; NaN where the source gives no number or the reference is computed
+  double tolerance;      ///< in units of `scale`; NaN for a disputed claim
   ToleranceScale scale;
   VerdictRule rule;
   std::string unit;            ///< "1" where dimensionless

@@ -48,8 +48,8 @@ MatrixRow held_or_disputed(MatrixRow row, const Claim& claim) {
 
 const std::vector<ValidationSubject>& validation_subjects() {
   static const std::vector<ValidationSubject> subjects{
-      {"beams", beam_checks},         {"static", static_checks},       {"damping", damping_checks},
-      {"friction", friction_checks},  {"stability", stability_checks}, {"flow", flow_checks},
+      {"beams", beam_checks},        {"static", static_checks},       {"damping", damping_checks},
+      {"friction", friction_checks}, {"stability", stability_checks}, {"flow", flow_checks},
       {"packing", packing_checks}};
   return subjects;
 }
@@ -102,8 +102,8 @@ std::vector<MatrixRow> validation_rows(const ValidationInput& input, const Valid
   std::vector<MatrixRow> rows;
   for (const Claim& claim : input.claims) {
     if (claim.subject != subject.name) continue;
-    rows.push_back(
-        row_of(claim, std::ranges::find(found, claim.id, &std::pair<std::string_view, Measured>::first)->second));
+    rows.push_back(row_of(
+        claim, std::ranges::find(found, claim.id, &std::pair<std::string_view, Measured>::first)->second));
   }
   return rows;
 }

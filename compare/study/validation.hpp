@@ -9,7 +9,8 @@
 #include "compare/study/published.hpp"
 #include "compare/study/validation_report.hpp"
 
-/// The validation matrix: claims are data (published.hpp), their measures are tables of id and function, one a subject.
+/// The validation matrix: claims are data (published.hpp), their measures are tables of id and function, one
+/// a subject.
 namespace fiberchain::compare {
 
 struct ValidationInput {
@@ -21,10 +22,10 @@ struct ValidationInput {
 using EvidenceField = std::variant<double, int, std::string>;
 
 struct Measured {
-  double value;                        ///< in the unit of the claim
+  double value;                           ///< in the unit of the claim
   std::vector<EvidenceField> evidence{};  ///< fields of the claim's text, in order
-  std::optional<double> expected{};    ///< value of a reference that is computed, not published
-  double spread = 0;                   ///< of the runs, where the claim's tolerance is a multiple of it
+  std::optional<double> expected{};       ///< value of a reference that is computed, not published
+  double spread = 0;                      ///< of the runs, where the claim's tolerance is a multiple of it
 };
 
 /// Measurement of claims that share their runs.
@@ -41,10 +42,12 @@ const Checks& beam_checks();
 /// The chain's statics: the paper's statements on Figs 3 and 4, exact results, marching against solving.
 const Checks& static_checks();
 
-/// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the closed form.
+/// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the
+/// closed form.
 const Checks& damping_checks();
 
-/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect ratio.
+/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect
+/// ratio.
 const Checks& friction_checks();
 
 /// The largest stable step: theory against runs, the paper's rules for the time step.

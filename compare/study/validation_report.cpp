@@ -16,15 +16,16 @@ MatrixRow judged(MatrixRow row) {
 
 MatrixRow disputed(MatrixRow row) {
   if (row.reference_kind != ReferenceKind::published || row.evidence.empty()) {
-    throw dem::TableError("row '" + row.id + "': only a published claim can be disputed, and only with evidence");
+    throw dem::TableError("row '" + row.id +
+                          "': only a published claim can be disputed, and only with evidence");
   }
   row.verdict = Verdict::disputed;
   return row;
 }
 
 dem::Table to_table(const std::vector<MatrixRow>& rows) {
-  dem::Table table({"id", "feature", "reference_kind", "expected", "measured", "difference", "tolerance", "unit",
-               "verdict", "source", "evidence"});
+  dem::Table table({"id", "feature", "reference_kind", "expected", "measured", "difference", "tolerance",
+                    "unit", "verdict", "source", "evidence"});
   std::set<std::string> ids;
   for (const MatrixRow& row : rows) {
     if (!ids.insert(row.id).second) throw dem::TableError("row '" + row.id + "' comes twice");

@@ -98,7 +98,8 @@ Coordination coordination(std::span<const ContactState> contacts, std::span<cons
   for (const ContactState& contact : contacts) {
     const Primitive &first = contact.key.first, &second = contact.key.second;
     if (!is_sphere(first) || std::max(to_number(first), to_number(second)) >= spheres) {
-      throw InvalidInput(fmt::format("contact of spheres {} and {}: there are {}", to_number(first), to_number(second), spheres));
+      throw InvalidInput(fmt::format("contact of spheres {} and {}: there are {}", to_number(first),
+                                     to_number(second), spheres));
     }
     if (is_facet(second)) {
       ++c.with_walls;

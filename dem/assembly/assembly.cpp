@@ -1,8 +1,8 @@
 #include "dem/assembly/assembly.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
@@ -39,7 +39,8 @@ void check_places(const std::vector<FiberGroup>& groups, const Domain& domain, d
         for (std::size_t w = 0; w < domain.walls.size(); ++w) {
           const Wall& wall = domain.walls[w];
           if (!is_active(wall, time) || gap_to(wall, group.fibers[f].poses[i].position, time) > 0) continue;
-          throw InvalidInput(fmt::format("sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
+          throw InvalidInput(fmt::format(
+              "sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
         }
       }
     }
@@ -50,7 +51,8 @@ void check_places(const std::vector<FiberGroup>& groups, const Domain& domain, d
 void check_periods(const Domain& domain) {
   for (const Wall& wall : domain.walls) {
     for (int c = 0; c < 3; ++c) {
-      if (domain.period[c] > 0 && !is_invariant_along(wall, c)) throw InvalidInput("a wall across or askew to a periodic side is not allowed");
+      if (domain.period[c] > 0 && !is_invariant_along(wall, c))
+        throw InvalidInput("a wall across or askew to a periodic side is not allowed");
     }
   }
   if (!domain.fluid) return;
@@ -75,7 +77,8 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   check_fluid(domain);
   check_periods(domain);
   if (!options.placed_anywhere) check_places(groups, domain, 0);
-  if (options.threads < 1) throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
+  if (options.threads < 1)
+    throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
   if (options.account_energy && packing_law(options).intact_place >= 0) {
     throw InvalidInput("account_energy is not allowed: what a breaking bond takes is not accounted");
   }
@@ -85,8 +88,9 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
     throw InvalidInput(fmt::format("step = {} s is not allowed: it must be finite and greater than 0", step));
   }
   if (step > largest_step(choice)) {
-    throw InvalidInput(fmt::format("step = {:g} s is not allowed: it must be at most {:g} s, beyond which bonds are unstable",
-                                   step, largest_step(choice)));
+    throw InvalidInput(fmt::format(
+        "step = {:g} s is not allowed: it must be at most {:g} s, beyond which bonds are unstable", step,
+        largest_step(choice)));
   }
   state_ = std::make_unique<State>(std::move(domain), std::move(options), step);
   State& s = *state_;
@@ -105,8 +109,9 @@ void Assembly::insert(FiberGroup group) {
   check_places({group}, s.domain, s.time());
   const double largest = largest_step(assembly_time_step({group}, s.domain, s.options));
   if (s.step > largest) {
-    throw InvalidInput(fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear", s.step,
-                                   largest));
+    throw InvalidInput(
+        fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear",
+                    s.step, largest));
   }
   const double before = s.options.account_energy ? stored(s.energy()) : 0;
   s.start_blocks(s.add({group}));
@@ -159,7 +164,8 @@ struct GroupSnapshot {
   }
 
   BondState bond(const ChainState<3>& state, int lane, int i) const {
-    return kind.law->state(kind.chain, state, i, kind.history_of(now.history.data(), lane, i), kind.kernel->width);
+    return kind.law->state(kind.chain, state, i, kind.history_of(now.history.data(), lane, i),
+                           kind.kernel->width);
   }
 
   std::vector<BondState> bonds(int lane) const { return bonds(state(lane), lane); }
@@ -204,13 +210,15 @@ void Assembly::break_bond(int group, int fiber, int bond) {
 
 std::vector<ChainState<3>> Assembly::states(int group) const {
   std::vector<ChainState<3>> all;
-  each_fiber(*state_, group, [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.state(lane)); });
+  each_fiber(*state_, group,
+             [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.state(lane)); });
   return all;
 }
 
 std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
   std::vector<std::vector<BondState>> all;
-  each_fiber(*state_, group, [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.bonds(lane)); });
+  each_fiber(*state_, group,
+             [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.bonds(lane)); });
   return all;
 }
 
@@ -222,7 +230,9 @@ void Assembly::visit(int group, const FiberVisit& fiber) const {
 }
 
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
-std::vector<ContactState> Assembly::contacts() const { return state_->contacts.states(state_->rows, state_->time()); }
+std::vector<ContactState> Assembly::contacts() const {
+  return state_->contacts.states(state_->rows, state_->time());
+}
 StepTimes Assembly::times() const { return state_->watch.times; }
 EnergyBalance Assembly::energy() const { return state_->energy(); }
 

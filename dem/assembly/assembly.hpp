@@ -8,16 +8,16 @@
 
 #include "dem/assembly/energy_balance.hpp"
 #include "dem/assembly/saved_state.hpp"
+#include "dem/chain/chain_state.hpp"
 #include "dem/chain/fiber_group.hpp"
 #include "dem/contact/contact_state.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
-#include "dem/chain/chain_state.hpp"
 #include "dem/motion/physics.hpp"
 #include "dem/simd/instruction_set.hpp"
 
-// Many fibers in contact with each other and with walls, integrated by the leapfrog: bonds in SIMD lanes across fibers,
-// contacts in lanes across pairs. Results do not depend on the number of threads, to the bit.
+// Many fibers in contact with each other and with walls, integrated by the leapfrog: bonds in SIMD lanes
+// across fibers, contacts in lanes across pairs. Results do not depend on the number of threads, to the bit.
 namespace fiberchain::dem {
 
 struct PackingLaw;
@@ -25,13 +25,15 @@ struct PackingLaw;
 struct AssemblyOptions {
   std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
   BondForm form = BondForm::incremental;
-  const PackingLaw* law = nullptr;  ///< of the bonds, from outside of the library (packing_law.hpp), in place of `form`
+  const PackingLaw* law =
+      nullptr;  ///< of the bonds, from outside of the library (packing_law.hpp), in place of `form`
   Rolling rolling = Rolling::set_valued;  ///< of the bonds, where a fiber has rolling friction
   int threads = 1;
-  bool time_parts = false;                ///< measure the parts of a step (StepTimes)
-  bool account_energy = false;            ///< sum the energy dissipated or supplied by each mechanism
-  bool orientations = true;               ///< follow the orientations of spheres where the bonds do not need them (incremental form)
-  bool placed_anywhere = false;           ///< fibers may start behind walls: their state comes from restore()
+  bool time_parts = false;      ///< measure the parts of a step (StepTimes)
+  bool account_energy = false;  ///< sum the energy dissipated or supplied by each mechanism
+  bool orientations =
+      true;  ///< follow the orientations of spheres where the bonds do not need them (incremental form)
+  bool placed_anywhere = false;  ///< fibers may start behind walls: their state comes from restore()
   InstructionSet instruction_set = best_instruction_set();
 };
 
@@ -48,8 +50,8 @@ struct BondState {
 
 class Assembly {
  public:
-  /// Throws InvalidInput for what makes no sense or is not built: no fibers, spheres beyond a wall, a fluid that is not free
-  /// draining, a step beyond the stable one.
+  /// Throws InvalidInput for what makes no sense or is not built: no fibers, spheres beyond a wall, a fluid
+  /// that is not free draining, a step beyond the stable one.
   Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOptions options);
   ~Assembly();
   Assembly(Assembly&&) noexcept;
@@ -60,22 +62,22 @@ class Assembly {
   /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up.
   void march(std::int64_t steps);
 
-  double step() const;           ///< dt [s]
-  std::int64_t steps() const;    ///< done
-  double time() const;           ///< [s]
+  double step() const;         ///< dt [s]
+  std::int64_t steps() const;  ///< done
+  double time() const;         ///< [s]
   std::int64_t spheres() const;
   int groups() const;
   const Chain<3>& chain(int group) const;
-  int fibers(int group) const;  ///< how many
+  int fibers(int group) const;   ///< how many
   PlacedSpheres placed() const;  ///< all spheres now, obstacles of further insertion
 
-  /// State now of a fiber, velocities of this moment; at the start itself those given to first order in the step where
-  /// dashpots act. Orientations are not numbers where they are not followed.
+  /// State now of a fiber, velocities of this moment; at the start itself those given to first order in the
+  /// step where dashpots act. Orientations are not numbers where they are not followed.
   ChainState<3> state(int group, int fiber) const;
   /// Of a fiber, from its first bond on.
   std::vector<BondState> bonds(int group, int fiber) const;
-  /// Bonds that can break (a law with the flag `intact`, laws/breakable.hpp); no others are ever broken. Spheres beside a
-  /// broken bond may touch.
+  /// Bonds that can break (a law with the flag `intact`, laws/breakable.hpp); no others are ever broken.
+  /// Spheres beside a broken bond may touch.
   bool is_broken(int group, int fiber, int bond) const;
   /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
   void break_bond(int group, int fiber, int bond);
@@ -109,9 +111,10 @@ inline constexpr double chosen_part = 0.9;
 /// The step [s] an assembly takes when none is asked for, and what sets it.
 struct StepChoice {
   double step;
-  std::string_view set_by;  ///< "bonds", "bond damping" or "contacts"
+  std::string_view set_by;               ///< "bonds", "bond damping" or "contacts"
   double bonds, damped_bonds, contacts;  ///< largest steps each allows [s]
 };
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain, const AssemblyOptions& options = {});
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
+                              const AssemblyOptions& options = {});
 
 }  // namespace fiberchain::dem

@@ -37,20 +37,23 @@ struct FieldRule {
 template <auto member>
 FieldRule number_field(std::string_view name) {
   using Number = std::remove_cvref_t<decltype(std::declval<State&>().*member)>;
-  return {.name = name,
-          .get = [](State& s) -> FieldValues { return std::vector<Number>{s.*member}; },
-          .set = [](State& s, const FieldValues& v) { s.*member = std::get<std::vector<Number>>(v).front(); }};
+  return {
+      .name = name,
+      .get = [](State& s) -> FieldValues { return std::vector<Number>{s.*member}; },
+      .set = [](State& s, const FieldValues& v) { s.*member = std::get<std::vector<Number>>(v).front(); }};
 }
 
 /// Rows of all spheres.
 template <LaneArray SphereStorage::*member>
 FieldRule sphere_field(std::string_view name) {
-  return {.name = name,
-          .get = [](State& s) -> FieldValues {
-            const LaneArray& rows = s.rows.*member;
-            return Reals(rows.data(), rows.data() + rows.size());
-          },
-          .set = [](State& s, const FieldValues& v) { std::ranges::copy(std::get<Reals>(v), (s.rows.*member).data()); }};
+  return {
+      .name = name,
+      .get = [](State& s) -> FieldValues {
+        const LaneArray& rows = s.rows.*member;
+        return Reals(rows.data(), rows.data() + rows.size());
+      },
+      .set = [](State& s,
+                const FieldValues& v) { std::ranges::copy(std::get<Reals>(v), (s.rows.*member).data()); }};
 }
 
 /// One of the arrays of every block of fibers (FiberBlock::saved_arrays), block after block.
@@ -65,14 +68,15 @@ FieldRule block_field(std::string_view name) {
             }
             return all;
           },
-          .set = [](State& s, const FieldValues& v) {
-            auto from = std::get<Reals>(v).begin();
-            for (FiberBlock& block : s.blocks) {
-              const std::span<double> own = block.saved_arrays()[index];
-              std::copy_n(from, own.size(), own.begin());
-              from += static_cast<std::ptrdiff_t>(own.size());
-            }
-          }};
+          .set =
+              [](State& s, const FieldValues& v) {
+                auto from = std::get<Reals>(v).begin();
+                for (FiberBlock& block : s.blocks) {
+                  const std::span<double> own = block.saved_arrays()[index];
+                  std::copy_n(from, own.size(), own.begin());
+                  from += static_cast<std::ptrdiff_t>(own.size());
+                }
+              }};
 }
 
 FieldValues reference_positions(State& s) {
@@ -115,7 +119,8 @@ void set_contact_keys(State& s, const FieldValues& values) {
     contacts[n].key = {primitive_of(key[0]), primitive_of(key[1]), static_cast<std::int32_t>(key[2])};
   }
   s.contacts.restore(contacts);
-  if (contact_keys(s) != values) refuse(keys_field, "names pairs that are not neighbors, or in another order");
+  if (contact_keys(s) != values)
+    refuse(keys_field, "names pairs that are not neighbors, or in another order");
 }
 
 FieldValues contact_histories(State& s) {
@@ -137,19 +142,22 @@ void change_contacts(State& s, const FieldValues& values, int width, const Read&
 }
 
 void set_contact_histories(State& s, const FieldValues& values) {
-  change_contacts(s, values, contact_history_size,
-                  [](SavedContact& c, const double* history) { std::copy_n(history, contact_history_size, c.history); });
+  change_contacts(s, values, contact_history_size, [](SavedContact& c, const double* history) {
+    std::copy_n(history, contact_history_size, c.history);
+  });
 }
 
 FieldValues contact_works(State& s) {
   Reals all;
-  for (const SavedContact& c : s.contacts.saved()) all.insert(all.end(), c.work, c.work + contact_account_size);
+  for (const SavedContact& c : s.contacts.saved())
+    all.insert(all.end(), c.work, c.work + contact_account_size);
   return all;
 }
 
 void set_contact_works(State& s, const FieldValues& values) {
-  change_contacts(s, values, contact_account_size,
-                  [](SavedContact& c, const double* work) { std::copy_n(work, contact_account_size, c.work); });
+  change_contacts(s, values, contact_account_size, [](SavedContact& c, const double* work) {
+    std::copy_n(work, contact_account_size, c.work);
+  });
 }
 
 /// Every field, in the order of restoring; a new one is a line here.
@@ -163,7 +171,10 @@ const std::vector<FieldRule>& fields() {
       sphere_field<&SphereStorage::orientation>("orientation"),
       {.name = "load",
        .get = [](State& s) -> FieldValues { return s.loads.all(); },
-       .set = [](State& s, const FieldValues& v) { s.loads.set(std::get<Reals>(v).data(), std::get<Reals>(v).size()); }},
+       .set =
+           [](State& s, const FieldValues& v) {
+             s.loads.set(std::get<Reals>(v).data(), std::get<Reals>(v).size());
+           }},
       block_field<0>("block_previous_step"),
       block_field<1>("block_fluid_dissipation"),
       block_field<2>("bond_history"),
@@ -172,12 +183,23 @@ const std::vector<FieldRule>& fields() {
       block_field<5>("bond_dissipation"),
       {.name = "reference_time",
        .get = [](State& s) -> FieldValues { return Reals{s.contacts.reference_time()}; },
-       .set = [](State& s, const FieldValues& v) { s.contacts.set_reference_time(std::get<Reals>(v).front()); }},
+       .set = [](State& s,
+                 const FieldValues& v) { s.contacts.set_reference_time(std::get<Reals>(v).front()); }},
       {.name = "reference_position", .get = reference_positions, .set = set_reference_positions},
-      {.name = keys_field, .get = contact_keys, .set = set_contact_keys, .extent = Extent::per_contact, .width = key_size},
-      {.name = "contact_history", .get = contact_histories, .set = set_contact_histories, .extent = Extent::per_contact,
+      {.name = keys_field,
+       .get = contact_keys,
+       .set = set_contact_keys,
+       .extent = Extent::per_contact,
+       .width = key_size},
+      {.name = "contact_history",
+       .get = contact_histories,
+       .set = set_contact_histories,
+       .extent = Extent::per_contact,
        .width = contact_history_size},
-      {.name = "contact_work", .get = contact_works, .set = set_contact_works, .extent = Extent::per_contact,
+      {.name = "contact_work",
+       .get = contact_works,
+       .set = set_contact_works,
+       .extent = Extent::per_contact,
        .width = contact_account_size},
       {.name = "contact_accumulators",
        .get = [](State& s) -> FieldValues { return s.contacts.accumulators(); },
@@ -205,7 +227,8 @@ void check_field(State& s, const FieldRule& rule, const SavedState& saved) {
   if (found == saved.end()) refuse(rule.name, "is missing");
   const StateField& field = found->second;
   if (field.version != rule.version)
-    refuse(rule.name, fmt::format("is of version {}; this program reads version {}", field.version, rule.version));
+    refuse(rule.name,
+           fmt::format("is of version {}; this program reads version {}", field.version, rule.version));
   const FieldValues own = rule.get(s);
   if (own.index() != field.values.index())
     refuse(rule.name, fmt::format("holds {}, not {}", type_of(field.values), type_of(own)));

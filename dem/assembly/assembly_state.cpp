@@ -1,8 +1,8 @@
 #include "dem/assembly/assembly_state.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "dem/model/errors.hpp"
 #include "dem/motion/half_step.hpp"
@@ -24,7 +24,8 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
 }
 
 /// Power dissipated by the dashpots of a bond at this moment [W].
-double dashpot_power(const BondParameters<double>& law, const MovingSphere<double, 3>& a, const MovingSphere<double, 3>& b) {
+double dashpot_power(const BondParameters<double>& law, const MovingSphere<double, 3>& a,
+                     const MovingSphere<double, 3>& b) {
   const Vec<double, 3> r = b.pose.position - a.pose.position;
   const RelativeMotion<double, 3> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin), b.spin - a.spin};
   const BondLoads<double, 3> loads = act_at_middle(r, dashpot_action(law, r, unit(r), motion));
@@ -46,8 +47,10 @@ std::int64_t Assembly::State::first_sphere(int group, int fiber) const {
 
 int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   std::int64_t count = rows.count;
-  for (const FiberGroup& group : groups) count += static_cast<std::int64_t>(group.fibers.size()) * group.chain.poses.size();
-  if (count > most_spheres) throw InvalidInput(fmt::format("spheres = {} is not allowed: at most {}", count, most_spheres));
+  for (const FiberGroup& group : groups)
+    count += static_cast<std::int64_t>(group.fibers.size()) * group.chain.poses.size();
+  if (count > most_spheres)
+    throw InvalidInput(fmt::format("spheres = {} is not allowed: at most {}", count, most_spheres));
   contacts.check_periods(groups);
   const bool oriented = options.orientations || packing_law(options).from_poses;
   std::int64_t row = rows.count;
@@ -65,7 +68,8 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
       const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
-      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes, options.account_energy, rows);
+      blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes,
+                          options.account_energy, rows);
       row = blocks.back().end(kind);
     }
     if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
@@ -105,11 +109,13 @@ Partition Assembly::State::partition_of_blocks() {
 
 void Assembly::State::start_blocks(int from) {
   for (std::size_t b = from; b < blocks.size(); ++b) {
-    blocks[b].start(kinds[blocks[b].group()], rows, loads.of(part_of(blocks[b])), gradient.data(), gradient_now());
+    blocks[b].start(kinds[blocks[b].group()], rows, loads.of(part_of(blocks[b])), gradient.data(),
+                    gradient_now());
   }
 }
 
-MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane, int i) const {
+MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot,
+                                                    int lane, int i) const {
   const GroupKind& kind = kinds[block.group()];
   MovingSphere<double, 3> s = block.sphere(kind, snapshot, lane, i);
   move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
@@ -138,7 +144,8 @@ std::int64_t Assembly::State::broken() const {
         const double sum = v[0] + v[1] + v[2] + w[0] + w[1] + w[2];
         const int bond = static_cast<int>(i - block.first(lane)) - 1;  // to the sphere before
         const bool bonded = bond >= 0 && !block.is_broken(kind, lane, bond);
-        const double length = bonded ? norm(rows.position(i) - rows.position(i - 1)) : l + 0 * norm(rows.position(i));
+        const double length =
+            bonded ? norm(rows.position(i) - rows.position(i - 1)) : l + 0 * norm(rows.position(i));
         if (!std::isfinite(sum) || blown_up(length, l)) return i;
       }
     }
@@ -147,16 +154,18 @@ std::int64_t Assembly::State::broken() const {
 }
 
 void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
-  const bool walls_come = std::ranges::any_of(domain.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
+  const bool walls_come =
+      std::ranges::any_of(domain.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
   int fiber = 0;
   for (const FiberBlock& block : blocks) {
     for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
       const std::int64_t own = sphere - block.first(lane);
       if (own >= kinds[block.group()].spheres()) continue;
-      throw Diverged(fmt::format("the run blew up: fiber {}, sphere {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); "
-                                 "likely cause: a step too long for the bonds or for how hard contacts press{}",
-                                 fiber, own, from, steps, step, time(),
-                                 walls_come ? ", or a wall that came upon spheres or moves into them" : ""));
+      throw Diverged(fmt::format(
+          "the run blew up: fiber {}, sphere {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); "
+          "likely cause: a step too long for the bonds or for how hard contacts press{}",
+          fiber, own, from, steps, step, time(),
+          walls_come ? ", or a wall that came upon spheres or moves into them" : ""));
     }
   }
   throw Diverged("the run blew up");
@@ -177,15 +186,16 @@ EnergyBalance Assembly::State::energy() const {
         sum.gravity -= dot(kind.weight, s.pose.position);
         state.poses.push_back(s.pose), state.velocity.push_back(s.velocity), state.spin.push_back(s.spin);
         // half of the work of the kick that is centered on this moment
-        if (options.account_energy && block.moved() && i > 0) sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
+        if (options.account_energy && block.moved() && i > 0)
+          sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
         before = s;
       }
-      kind.law->add_stored_energy(kind.chain, state, kind.history_of(now.history.data(), lane, 0), kind.kernel->width,
-                                  kind.kernel->history * kind.kernel->width, sum.bonds);
+      kind.law->add_stored_energy(kind.chain, state, kind.history_of(now.history.data(), lane, 0),
+                                  kind.kernel->width, kind.kernel->history * kind.kernel->width, sum.bonds);
       if (!options.account_energy || !block.moved() || kind.law->dissipated == nullptr) continue;
       for (int i = 0; i + 1 < kind.spheres(); ++i) {  // in the last step, which is not accounted yet
-        sum.bond_damping += kind.law->dissipated(kind.chain, state, i, kind.history_of(block.histories(), lane, i),
-                                                 kind.kernel->width, step);
+        sum.bond_damping += kind.law->dissipated(
+            kind.chain, state, i, kind.history_of(block.histories(), lane, i), kind.kernel->width, step);
       }
     }
     sum.bond_damping += block.bond_damping();

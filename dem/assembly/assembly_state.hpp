@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/contact/contacts.hpp"
 #include "dem/assembly/fiber_block.hpp"
-#include "dem/parallel/wavefront_schedule.hpp"
+#include "dem/contact/contacts.hpp"
 #include "dem/parallel/thread_pool.hpp"
+#include "dem/parallel/wavefront_schedule.hpp"
 
 namespace fiberchain::dem {
 
@@ -32,7 +32,8 @@ struct StopWatch {
     const Clock::time_point now = Clock::now();
     StepTimes sum{};
     for (const StepTimes& t : threads) sum.bonds_and_motion += t.bonds_and_motion, sum.contacts += t.contacts;
-    const double all = std::chrono::duration<double>(now - last).count(), share = all / (sum.bonds_and_motion + sum.contacts);
+    const double all = std::chrono::duration<double>(now - last).count(),
+                 share = all / (sum.bonds_and_motion + sum.contacts);
     times.bonds_and_motion += share * sum.bonds_and_motion;
     times.contacts += share * sum.contacts;
     last = now;
@@ -68,20 +69,23 @@ struct Assembly::State {
   std::vector<FiberBlock> blocks;
   std::vector<int> part_blocks;  ///< the first block of each part of spheres, and one past the last
   SphereStorage rows;
-  ForceBuffers loads;             ///< of contacts at this moment
+  ForceBuffers loads;  ///< of contacts at this moment
   ThreadPool pool;
   Contacts contacts;
-  LaneArray gradient;               ///< fluid: A now, lane by lane
-  std::vector<LaneArray> scratch;   ///< one a thread
-  std::vector<double> paths;        ///< largest displacement in the last step, one a part [m]
-  std::vector<StepTimes> own_times; ///< one a thread, of the last step
+  LaneArray gradient;                ///< fluid: A now, lane by lane
+  std::vector<LaneArray> scratch;    ///< one a thread
+  std::vector<double> paths;         ///< largest displacement in the last step, one a part [m]
+  std::vector<StepTimes> own_times;  ///< one a thread, of the last step
   WavefrontSchedule wave{0};
-  double displacement_budget = 0;   ///< displacement left before the Verlet criterion must be checked [m]
+  double displacement_budget = 0;  ///< displacement left before the Verlet criterion must be checked [m]
   StopWatch watch;
-  double inserted = 0;              ///< energy supplied with inserted fibers [J]
+  double inserted = 0;  ///< energy supplied with inserted fibers [J]
 
   State(Domain around, AssemblyOptions how, double dt)
-      : domain(std::move(around)), options(std::move(how)), step(dt), pool(options.threads),
+      : domain(std::move(around)),
+        options(std::move(how)),
+        step(dt),
+        pool(options.threads),
         contacts(domain, {options.account_energy, options.instruction_set}, step) {
     watch.on = options.time_parts;
   }
@@ -96,7 +100,8 @@ struct Assembly::State {
     return {first_block[group] + fiber / width, fiber % width};
   }
 
-  /// Enlarges the storage, sets the groups' spheres and builds the neighbor list; returns the first new block.
+  /// Enlarges the storage, sets the groups' spheres and builds the neighbor list; returns the first new
+  /// block.
   int add(const std::vector<FiberGroup>& groups);
   /// Sets the velocities of blocks from this one on half a step back, as the leapfrog stores them.
   void start_blocks(int from);
@@ -106,7 +111,8 @@ struct Assembly::State {
     return block.snapshot(kinds[block.group()], rows, loads.of(part_of(block)), gradient.data());
   }
   /// A sphere with its velocities at this moment.
-  MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane, int i) const;
+  MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane,
+                                     int i) const;
   Gradient gradient_now() const;
   void set_gradient();
   void rebuild_neighbor_list();

@@ -18,8 +18,8 @@ void Assembly::State::rebuild_neighbor_list() {
   displacement_budget = 0.5 * contacts.skin();
 }
 
-/// Bounds the displacements by the speeds and checks the Verlet criterion once they may violate it. Returns whether it was
-/// checked.
+/// Bounds the displacements by the speeds and checks the Verlet criterion once they may violate it. Returns
+/// whether it was checked.
 bool Assembly::State::update_neighbor_list() {
   contacts.add_displacements(paths);
   if (contacts.walls_moved_far(time())) {
@@ -32,7 +32,8 @@ bool Assembly::State::update_neighbor_list() {
   return true;
 }
 
-/// Energy dissipated by the fluid in a step [J]: the work of all other forces less the change of kinetic energy.
+/// Energy dissipated by the fluid in a step [J]: the work of all other forces less the change of kinetic
+/// energy.
 double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const {
   const GroupKind& kind = kinds[block.group()];
   double dissipated = 0;
@@ -43,14 +44,15 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot
       for (int c = 0; c < 3; ++c) {
         const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + w[c]);
         dissipated += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
-                 mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
+                      mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
       }
     }
   }
   return dissipated;
 }
 
-/// Distance from the end of a block to the rows that are prefetched during its step; 0 where all rows fit the caches.
+/// Distance from the end of a block to the rows that are prefetched during its step; 0 where all rows fit the
+/// caches.
 std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
   constexpr std::int64_t two_parts = 2 * cache_sized_part;  // those whose contacts come next, on two threads
   return rows.count > 2 * two_parts ? std::min(two_parts, rows.count - end) : 0;
@@ -58,11 +60,13 @@ std::int64_t Assembly::State::rows_ahead(std::int64_t end) const {
 
 double Assembly::State::step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch) {
   FiberBlock& block = blocks[number];
-  const FiberBlock* next = number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
+  const FiberBlock* next =
+      number + 1 < blocks.size() && blocks[number + 1].group() == block.group() ? &block + 1 : nullptr;
   const GroupKind& kind = kinds[block.group()];
   const std::int64_t ahead = rows_ahead(block.end(kind));
   if (options.account_energy) block.account(kind, rows, own_scratch);
-  if (!options.account_energy || !domain.fluid) return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
+  if (!options.account_energy || !domain.fluid)
+    return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
   const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   block.add_fluid_taken(fluid_taken(block, before));
@@ -72,7 +76,8 @@ double Assembly::State::step_block(std::size_t number, LoadRange own_loads, Lane
 void Assembly::State::move_part(int part, int thread) {
   double fastest = 0;
   const LoadRange own = loads.of(part);
-  for (int b = part_blocks[part]; b < part_blocks[part + 1]; ++b) fastest = std::max(fastest, step_block(b, own, scratch[thread]));
+  for (int b = part_blocks[part]; b < part_blocks[part + 1]; ++b)
+    fastest = std::max(fastest, step_block(b, own, scratch[thread]));
   loads.give_back(part, thread);
   paths[part] = step * std::sqrt(fastest);
 }
@@ -122,7 +127,8 @@ bool Assembly::State::march_some(int count) {
     try {
       if (update_neighbor_list()) watch.lap(&StepTimes::search);
     } catch (const InvalidInput&) {
-      for (int k = 0; k < contacts.parts().count(); ++k) loads.take(k, 0);  // the search for the cause needs loads
+      for (int k = 0; k < contacts.parts().count(); ++k)
+        loads.take(k, 0);  // the search for the cause needs loads
       return false;
     }
   }
@@ -133,7 +139,8 @@ bool Assembly::State::march_some(int count) {
 void Assembly::State::march(std::int64_t count) {
   for (std::int64_t done = 0; done < count;) {
     const std::int64_t from = steps;
-    const bool finite = march_some(static_cast<int>(std::min<std::int64_t>(steps_between_checks, count - done)));
+    const bool finite =
+        march_some(static_cast<int>(std::min<std::int64_t>(steps_between_checks, count - done)));
     const std::int64_t sphere = broken();
     if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
     done += steps - from;

@@ -7,12 +7,12 @@ namespace fiberchain::dem {
 
 /// Energy stored now, and dissipated or supplied since the start by each mechanism that is accounted [J].
 struct EnergyBalance {
-  double kinetic, bonds, contacts, gravity;                    ///< stored
-  double bond_damping, bond_friction;                          ///< dissipated by the dashpots and the rolling friction of bonds
+  double kinetic, bonds, contacts, gravity;  ///< stored
+  double bond_damping, bond_friction;        ///< dissipated by the dashpots and the rolling friction of bonds
   double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
-  double fluid;                                                ///< dissipated by the fluid, negative where it drives
-  double wall_work;                                            ///< supplied by moving walls
-  double inserted;                                             ///< supplied with inserted fibers
+  double fluid;      ///< dissipated by the fluid, negative where it drives
+  double wall_work;  ///< supplied by moving walls
+  double inserted;   ///< supplied with inserted fibers
 };
 
 enum class EnergyRole {
@@ -33,12 +33,13 @@ struct EnergyMechanism {
 inline constexpr std::array energy_mechanisms = {
     EnergyMechanism{&EnergyBalance::kinetic, EnergyRole::stored, "kinetic_energy", "kinetic",
                     "of all spheres, spin included"},
-    EnergyMechanism{&EnergyBalance::bonds, EnergyRole::stored, "energy_bonds", "elastic, bonds", "elastic, in the bonds"},
+    EnergyMechanism{&EnergyBalance::bonds, EnergyRole::stored, "energy_bonds", "elastic, bonds",
+                    "elastic, in the bonds"},
     EnergyMechanism{&EnergyBalance::contacts, EnergyRole::stored, "energy_contacts", "elastic, contacts",
                     "elastic, in the contacts"},
     EnergyMechanism{&EnergyBalance::gravity, EnergyRole::stored, "energy_gravity", "of height", "of height"},
-    EnergyMechanism{&EnergyBalance::bond_damping, EnergyRole::dissipated, "taken_bond_damping", "taken by bond damping",
-                    "taken by the dashpots of the bonds since the start"},
+    EnergyMechanism{&EnergyBalance::bond_damping, EnergyRole::dissipated, "taken_bond_damping",
+                    "taken by bond damping", "taken by the dashpots of the bonds since the start"},
     EnergyMechanism{&EnergyBalance::bond_friction, EnergyRole::dissipated, "taken_bond_friction",
                     "taken by bond friction", "taken by the rolling friction of the bonds"},
     EnergyMechanism{&EnergyBalance::contact_normal, EnergyRole::dissipated, "taken_contact_normal",
@@ -51,14 +52,15 @@ inline constexpr std::array energy_mechanisms = {
                     "taken by the fluid"},
     EnergyMechanism{&EnergyBalance::wall_work, EnergyRole::supplied, "given_walls", "given by walls",
                     "given by walls that move"},
-    EnergyMechanism{&EnergyBalance::inserted, EnergyRole::supplied, "given_inserted", "given by inserted fibers",
-                    "brought by fibers put in later"},
+    EnergyMechanism{&EnergyBalance::inserted, EnergyRole::supplied, "given_inserted",
+                    "given by inserted fibers", "brought by fibers put in later"},
 };
 static_assert(energy_mechanisms.size() * sizeof(double) == sizeof(EnergyBalance), "every term is declared");
 
 /// The sum over all mechanisms, in the column "energy_total".
-inline constexpr EnergyMechanism energy_total{nullptr, EnergyRole::stored, "energy_total", "total",
-                                              "stored and taken less given: constant but for errors of the step"};
+inline constexpr EnergyMechanism energy_total{
+    nullptr, EnergyRole::stored, "energy_total", "total",
+    "stored and taken less given: constant but for errors of the step"};
 
 /// Sum of the terms of a role [J].
 constexpr double sum_of(const EnergyBalance& energy, EnergyRole role) {

@@ -40,8 +40,8 @@ void put_rows(SphereStorage& rows, std::int64_t row, const ChainState<3>& state,
 
 }  // namespace
 
-GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options, const Domain& domain,
-                     double step) {
+GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options,
+                     const Domain& domain, double step) {
   const Fiber& fiber = chain.fiber;
   const PackingLaw& law = packing_law(options);
   const Physics physics =
@@ -67,14 +67,17 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
   kind.lane_natural = LaneArray(chain.natural.size() * ends * width);
   for (std::size_t lane = 0; lane < width; ++lane) {
     kind.lane_parameters.put(kind.parameters, lane, width);
-    for (std::size_t i = 0; i < chain.natural.size(); ++i) kind.lane_natural.put(chain.natural[i], i * ends * width + lane, width);
+    for (std::size_t i = 0; i < chain.natural.size(); ++i)
+      kind.lane_natural.put(chain.natural[i], i * ends * width + lane, width);
   }
   return kind;
 }
 
-FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t first, const std::vector<ChainState<3>>& fibers,
-                       bool accounted, SphereStorage& rows)
-    : group_(group), lanes_(static_cast<int>(fibers.size())), history_(kind.histories.data() + number * kind.history_size()),
+FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t first,
+                       const std::vector<ChainState<3>>& fibers, bool accounted, SphereStorage& rows)
+    : group_(group),
+      lanes_(static_cast<int>(fibers.size())),
+      history_(kind.histories.data() + number * kind.history_size()),
       history_size_(kind.history_size()) {
   const int width = kind.kernel->width, bonds = kind.chain.fiber.aspect_ratio;
   workspace_ = LaneArray(kind.kernel->workspace(bonds) * width);
@@ -88,10 +91,12 @@ FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t firs
       kind.law->start(kind.chain, fibers[fiber], i, kind.history_of(history_, lane, i), width);
     }
   }
-  for (int lane = 0; lane < lanes_; ++lane) put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
+  for (int lane = 0; lane < lanes_; ++lane)
+    put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
 }
 
-PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient) {
+PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
+                              const double* gradient) {
   return {.bonds = kind.chain.fiber.aspect_ratio,
           .first = first_.data(),
           .position_radius = rows.position_radius.data(),
@@ -111,8 +116,8 @@ PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRa
           .previous_step = previous_step_};
 }
 
-double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
-                        const FiberBlock* next, std::int64_t rows_ahead) {
+double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
+                        const double* gradient, const FiberBlock* next, std::int64_t rows_ahead) {
   PackingBlock block = view(kind, rows, loads, scratch, gradient);
   block.rows_ahead = rows_ahead;
   if (next != nullptr) block.next_history = next->history_;
@@ -123,16 +128,20 @@ double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange lo
 
 void FiberBlock::account(const GroupKind& kind, SphereStorage& rows, LaneArray& scratch) {
   if (previous_.size() == 0) return;
-  kind.kernel->account(view(kind, rows, {nullptr, first_[0]}, scratch, nullptr), {previous_.data(), dissipated_.data(), dissipated_.data() + kind.kernel->width});
+  kind.kernel->account(view(kind, rows, {nullptr, first_[0]}, scratch, nullptr),
+                       {previous_.data(), dissipated_.data(), dissipated_.data() + kind.kernel->width});
 }
 
-BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient) const {
-  BlockSnapshot snapshot{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)), LaneArray(history_size_)};
+BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                                   const double* gradient) const {
+  BlockSnapshot snapshot{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)),
+                         LaneArray(history_size_)};
   std::copy_n(history_, history_size_, snapshot.history.data());
   LaneArray workspace(workspace_.size());
   std::copy_n(workspace_.data(), workspace_.size(), workspace.data());
   // what a snapshot writes are its own copies
-  PackingBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereStorage&>(rows), loads, snapshot.spheres, gradient);
+  PackingBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereStorage&>(rows), loads,
+                                                          snapshot.spheres, gradient);
   view.history = snapshot.history.data();
   view.workspace = workspace.data();
   kind.kernel->snapshot(view);
@@ -146,7 +155,8 @@ Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, 
   return sphere;
 }
 
-void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient, const Gradient& A) {
+void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient,
+                       const Gradient& A) {
   const BlockSnapshot now = snapshot(kind, rows, loads, gradient);
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
@@ -160,7 +170,8 @@ void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loa
 
 void FiberBlock::break_bond(const GroupKind& kind, int lane, int bond) {
   if (kind.law->intact_place < 0) throw InvalidInput("a broken bond is not allowed: this bond law has none");
-  for (int k = lane; k < (lane + 1 == lanes_ ? kind.kernel->width : lane + 1); ++k) {  // unused lanes repeat the last fiber
+  for (int k = lane; k < (lane + 1 == lanes_ ? kind.kernel->width : lane + 1);
+       ++k) {  // unused lanes repeat the last fiber
     *intact(kind, kind.history_of(history_, k, bond)) = 0;
   }
 }
@@ -173,8 +184,12 @@ double FiberBlock::bond_friction() const {
 
 std::array<std::span<double>, 6> FiberBlock::saved_arrays() {
   const auto all = [](LaneArray& array) { return std::span(array.data(), array.size()); };
-  return {std::span(&previous_step_, 1), std::span(&fluid_taken_, 1), std::span(history_, history_size_),
-          all(workspace_), all(previous_), all(dissipated_)};
+  return {std::span(&previous_step_, 1),
+          std::span(&fluid_taken_, 1),
+          std::span(history_, history_size_),
+          all(workspace_),
+          all(previous_),
+          all(dissipated_)};
 }
 
 }  // namespace fiberchain::dem

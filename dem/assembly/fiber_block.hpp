@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "dem/assembly/packing_law.hpp"
-#include "dem/chain/sphere_storage.hpp"
-#include "dem/parallel/force_buffers.hpp"
-#include "dem/model/domain.hpp"
 #include "dem/chain/chain_state.hpp"
+#include "dem/chain/sphere_storage.hpp"
+#include "dem/model/domain.hpp"
 #include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/motion/moving_sphere.hpp"
+#include "dem/parallel/force_buffers.hpp"
 
 namespace fiberchain::dem {
 
@@ -21,10 +21,11 @@ struct GroupKind {
   const PackingKernel* kernel;
   MarchParameters<double, 3> parameters;
   LaneArray histories;  ///< of the bonds, block after block
-  LaneArray lane_parameters, lane_natural;  ///< parameters and natural ends of the chain, the same in every lane
-  StokesDrag drag;          ///< zero without fluid
-  Vec<double, 3> weight;    ///< of a sphere [N]
-  double mass, inertia;     ///< of a sphere [kg], [kg m^2]
+  LaneArray lane_parameters,
+      lane_natural;       ///< parameters and natural ends of the chain, the same in every lane
+  StokesDrag drag;        ///< zero without fluid
+  Vec<double, 3> weight;  ///< of a sphere [N]
+  double mass, inertia;   ///< of a sphere [kg], [kg m^2]
 
   int spheres() const { return chain.fiber.aspect_ratio + 1; }
   /// Numbers of a block's history.
@@ -39,20 +40,22 @@ struct GroupKind {
 };
 
 /// Throws InvalidInput where the physics of these fibers is not built.
-GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options, const Domain& domain,
-                     double step);
+GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options,
+                     const Domain& domain, double step);
 
-/// A block's spheres at this moment: forces of bonds, contacts and weight with them, the bonds' strains moved on to now.
+/// A block's spheres at this moment: forces of bonds, contacts and weight with them, the bonds' strains moved
+/// on to now.
 struct BlockSnapshot {
   LaneArray spheres, history;
 };
 
-/// Up to `width` fibers of one group in the lanes of a kernel, with their bond histories; spheres are in SphereStorage.
+/// Up to `width` fibers of one group in the lanes of a kernel, with their bond histories; spheres are in
+/// SphereStorage.
 class FiberBlock {
  public:
   /// Block `number` of its kind: fibers with consecutive rows from `first` on, which are set from the states.
-  FiberBlock(GroupKind& kind, int group, int number, std::int64_t first, const std::vector<ChainState<3>>& fibers, bool accounted,
-             SphereStorage& rows);
+  FiberBlock(GroupKind& kind, int group, int number, std::int64_t first,
+             const std::vector<ChainState<3>>& fibers, bool accounted, SphereStorage& rows);
 
   int group() const { return group_; }
   int lanes() const { return lanes_; }
@@ -61,17 +64,20 @@ class FiberBlock {
   std::int64_t end(const GroupKind& kind) const { return first_[lanes_ - 1] + kind.spheres(); }
 
   /// Sets the velocities, given at this moment, half a step back.
-  void start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient, const Gradient& A);
+  void start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient,
+             const Gradient& A);
 
-  /// One step; the loads have acted and are zero then. Returns the square of the largest speed. `next` is stepped after it,
-  /// if any.
-  double step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient,
-              const FiberBlock* next, std::int64_t rows_ahead);
+  /// One step; the loads have acted and are zero then. Returns the square of the largest speed. `next` is
+  /// stepped after it, if any.
+  double step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
+              const double* gradient, const FiberBlock* next, std::int64_t rows_ahead);
   /// Before a step: accounts the energy dissipated by the bonds in the last one.
   void account(const GroupKind& kind, SphereStorage& rows, LaneArray& scratch);
 
-  BlockSnapshot snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient) const;
-  MovingSphere<double, 3> sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const;
+  BlockSnapshot snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                         const double* gradient) const;
+  MovingSphere<double, 3> sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane,
+                                 int index) const;
 
   /// Histories of its bonds at the last step.
   const double* histories() const { return history_; }
@@ -83,20 +89,21 @@ class FiberBlock {
   /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
   void break_bond(const GroupKind& kind, int lane, int bond);
 
-  double bond_damping() const;   ///< dissipated so far [J]
-  double bond_friction() const;  ///< dissipated so far [J]
+  double bond_damping() const;                         ///< dissipated so far [J]
+  double bond_friction() const;                        ///< dissipated so far [J]
   double fluid_taken() const { return fluid_taken_; }  ///< so far [J]
   void add_fluid_taken(double energy) { fluid_taken_ += energy; }
 
-  /// All state beyond the spheres' rows: previous step, energy dissipated by the fluid, bond histories, workspace,
-  /// loads of the previous step for the energy account, dissipated energies.
+  /// All state beyond the spheres' rows: previous step, energy dissipated by the fluid, bond histories,
+  /// workspace, loads of the previous step for the energy account, dissipated energies.
   std::array<std::span<double>, 6> saved_arrays();
 
  private:
   static double* intact(const GroupKind& kind, double* history) {
     return history + kind.law->intact_place * static_cast<std::size_t>(kind.kernel->width);
   }
-  PackingBlock view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch, const double* gradient);
+  PackingBlock view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
+                    const double* gradient);
 
   int group_, lanes_;
   double* history_;  ///< in the kind's histories

@@ -6,26 +6,29 @@
 #include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/simd/as_numbers.hpp"
 
-// A bond law as an assembly uses it, outside of the inner loops. The history of a bond lies in lanes: its numbers `stride`
-// doubles apart.
+// A bond law as an assembly uses it, outside of the inner loops. The history of a bond lies in lanes: its
+// numbers `stride` doubles apart.
 namespace fiberchain::dem {
 
 /// Functions of one law.
 struct PackingLaw {
   BondForm form;
-  bool from_poses;  ///< orientations must be followed
+  bool from_poses;                            ///< orientations must be followed
   double (*largest_stiffness)(const Fiber&);  ///< of a spring, over that of the fiber's bonds [-]
   const PackingKernel& (*kernel)(const Physics&, InstructionSet);
   /// History of bond `bond` in the state its fiber starts from.
   void (*start)(const Chain<3>&, const ChainState<3>&, int bond, double* history, std::size_t stride);
   /// Adds the energy of a fiber's bonds [J]; `bond_stride` doubles from one bond's history to the next.
-  void (*add_stored_energy)(const Chain<3>&, const ChainState<3>&, const double* histories, std::size_t stride,
-                            std::size_t bond_stride, double& sum);
-  BondState (*state)(const Chain<3>&, const ChainState<3>&, int bond, const double* history, std::size_t stride);
-  /// Energy that bond `bond` took beside its dashpots in the step of `dt` that led to this state, from the history before it
-  /// [J]; null where there is none.
-  double (*dissipated)(const Chain<3>&, const ChainState<3>&, int bond, const double* history, std::size_t stride, double dt);
-  /// Flag of a bond that can break: 1 intact, 0 broken. Its place in the history; -1 where bonds do not break.
+  void (*add_stored_energy)(const Chain<3>&, const ChainState<3>&, const double* histories,
+                            std::size_t stride, std::size_t bond_stride, double& sum);
+  BondState (*state)(const Chain<3>&, const ChainState<3>&, int bond, const double* history,
+                     std::size_t stride);
+  /// Energy that bond `bond` took beside its dashpots in the step of `dt` that led to this state, from the
+  /// history before it [J]; null where there is none.
+  double (*dissipated)(const Chain<3>&, const ChainState<3>&, int bond, const double* history,
+                       std::size_t stride, double dt);
+  /// Flag of a bond that can break: 1 intact, 0 broken. Its place in the history; -1 where bonds do not
+  /// break.
   int intact_place;
 };
 
@@ -37,8 +40,8 @@ void start(const Chain<3>& chain, const ChainState<3>& state, int bond, double* 
 }
 
 template <class Law>
-void add_stored_energy(const Chain<3>& chain, const ChainState<3>& state, const double* histories, std::size_t stride,
-                       std::size_t bond_stride, double& sum) {
+void add_stored_energy(const Chain<3>& chain, const ChainState<3>& state, const double* histories,
+                       std::size_t stride, std::size_t bond_stride, double& sum) {
   const BondParameters<double> law = bond_parameters(chain.fiber);
   double own = 0;
   for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
@@ -49,7 +52,8 @@ void add_stored_energy(const Chain<3>& chain, const ChainState<3>& state, const 
 }
 
 template <class Law>
-BondState state(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers, std::size_t stride) {
+BondState state(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers,
+                std::size_t stride) {
   const BondParameters<double> law = bond_parameters(chain.fiber);
   const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
   const BondConfiguration<double, 3> now = configuration(chain, state, bond);
@@ -62,8 +66,8 @@ BondState state(const Chain<3>& chain, const ChainState<3>& state, int bond, con
 }
 
 template <class Law>
-double dissipated(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers, std::size_t stride,
-                  double dt) {
+double dissipated(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers,
+                  std::size_t stride, double dt) {
   const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
   return Law::dissipated(bond_parameters(chain.fiber), history, configuration(chain, state, bond), dt);
 }
@@ -94,15 +98,16 @@ constexpr int intact_place_of() {
 template <BondForm form>
 constexpr PackingLaw packing_law_with(const PackingKernel& (*kernel)(const Physics&, InstructionSet)) {
   using Law = BondLawType<form>;
-  return {.form = form,
-          .from_poses = Law::from_poses,
-          .largest_stiffness = [](const Fiber& fiber) { return Law::largest_stiffness(bond_parameters(fiber)); },
-          .kernel = kernel,
-          .start = packing_law_detail::start<Law>,
-          .add_stored_energy = packing_law_detail::add_stored_energy<Law>,
-          .state = packing_law_detail::state<Law>,
-          .dissipated = packing_law_detail::dissipated_of<Law>(),
-          .intact_place = packing_law_detail::intact_place_of<Law>()};
+  return {
+      .form = form,
+      .from_poses = Law::from_poses,
+      .largest_stiffness = [](const Fiber& fiber) { return Law::largest_stiffness(bond_parameters(fiber)); },
+      .kernel = kernel,
+      .start = packing_law_detail::start<Law>,
+      .add_stored_energy = packing_law_detail::add_stored_energy<Law>,
+      .state = packing_law_detail::state<Law>,
+      .dissipated = packing_law_detail::dissipated_of<Law>(),
+      .intact_place = packing_law_detail::intact_place_of<Law>()};
 }
 
 /// A law from outside of the library, for AssemblyOptions::law; its kernels are LawKernels<form>.

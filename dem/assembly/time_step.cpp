@@ -49,11 +49,13 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
 // Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
 // (contact_rates.hpp). K and C are accumulators over bonds and contacts: what each uses up alone, in its own
 // worst mode, adds up to no less than what both do.
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain, const AssemblyOptions& options) {
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
+                              const AssemblyOptions& options) {
   constexpr double none = std::numeric_limits<double>::infinity();
   StepChoice choice{.step = none, .set_by = "", .bonds = none, .damped_bonds = none, .contacts = none};
   for (const FiberGroup& group : groups) {
-    // springs k times stiffer than the parameters say: with dt / sqrt(k) neither dt^2 K nor dt C is larger than allowed
+    // springs k times stiffer than the parameters say: with dt / sqrt(k) neither dt^2 K nor dt C is larger
+    // than allowed
     const double stiffer = std::sqrt(packing_law(options).largest_stiffness(group.chain.fiber));
     const double undamped = undamped_time_step(group.chain.fiber) / stiffer,
                  damped = stable_time_step(group.chain.fiber) / stiffer;

@@ -23,15 +23,18 @@ BondVector<Real, Dim> bond_vector(const Vec<Real, Dim>& vector, const Real& scal
 /// What a bond law may depend on besides its parameters and its history.
 template <class Real, int Dim>
 struct BondConfiguration {
-  Pose<Real, Dim> first, second;     ///< of the bond's ends: of its spheres, turned to where the bond is straight
-  BondVector<Real, Dim> line;        ///< between the centers
+  Pose<Real, Dim> first,
+      second;                  ///< of the bond's ends: of its spheres, turned to where the bond is straight
+  BondVector<Real, Dim> line;  ///< between the centers
   RelativeMotion<Real, Dim> motion;  ///< half a step before the poses in the leapfrog
 };
 
 template <class Real, int Dim>
-BondLoads<Real, Dim> dashpot_loads(const BondParameters<Real>& bond, const BondConfiguration<Real, Dim>& now) {
+BondLoads<Real, Dim> dashpot_loads(const BondParameters<Real>& bond,
+                                   const BondConfiguration<Real, Dim>& now) {
   const BondVector<Real, Dim>& line = now.line;
-  return act_at_middle(line.vector, dashpot_action(bond, line.vector, line.inverse_length * line.vector, now.motion));
+  return act_at_middle(line.vector,
+                       dashpot_action(bond, line.vector, line.inverse_length * line.vector, now.motion));
 }
 
 }  // namespace fiberchain::dem

@@ -8,8 +8,8 @@ namespace fiberchain::dem {
 /// Relative motion of the two spheres of a bond, global frame.
 template <class Real, int Dim>
 struct RelativeMotion {
-  Vec<Real, Dim> velocity;      ///< V = v_2 - v_1 [m/s]
-  Spin<Real, Dim> mean_spin;    ///< (w_1 + w_2) / 2 [1/s]
+  Vec<Real, Dim> velocity;        ///< V = v_2 - v_1 [m/s]
+  Spin<Real, Dim> mean_spin;      ///< (w_1 + w_2) / 2 [1/s]
   Spin<Real, Dim> relative_spin;  ///< w_2 - w_1 [1/s]
 };
 
@@ -32,7 +32,8 @@ Vec<Real, 1> scale_about(const Real&, const Real& across, const Vec<Real, 2>&, c
 }
 
 template <class Real>
-Vec<Real, 3> scale_about(const Real& along, const Real& across, const Vec<Real, 3>& e, const Vec<Real, 3>& w) {
+Vec<Real, 3> scale_about(const Real& along, const Real& across, const Vec<Real, 3>& e,
+                         const Vec<Real, 3>& w) {
   return across * w + ((along - across) * dot(w, e)) * e;
 }
 
@@ -46,7 +47,8 @@ BondAction<Real, Dim> dashpot_action(const BondParameters<Real>& bond, const Vec
           scale_about(bond.dash_twist, bond.dash_bend, e, motion.relative_spin)};
 }
 
-/// The force acts at the middle of the bond, arm half its current length: momentum and angular momentum balance.
+/// The force acts at the middle of the bond, arm half its current length: momentum and angular momentum
+/// balance.
 template <class Real, int Dim>
 BondLoads<Real, Dim> act_at_middle(const Vec<Real, Dim>& separation, const BondAction<Real, Dim>& action) {
   const Spin<Real, Dim> half_torque = Real(0.5) * cross(separation, action.force);
@@ -55,8 +57,8 @@ BondLoads<Real, Dim> act_at_middle(const Vec<Real, Dim>& separation, const BondA
 
 /// What loads take from two spheres at these velocities [W].
 template <class Real, int Dim>
-Real power_taken(const BondLoads<Real, Dim>& loads, const Vec<Real, Dim>& velocity_between, const Spin<Real, Dim>& first_spin,
-                 const Spin<Real, Dim>& second_spin) {
+Real power_taken(const BondLoads<Real, Dim>& loads, const Vec<Real, Dim>& velocity_between,
+                 const Spin<Real, Dim>& first_spin, const Spin<Real, Dim>& second_spin) {
   return dot(loads.force_on_first, velocity_between) - dot(loads.moment_on_first, first_spin) -
          dot(loads.moment_on_second, second_spin);
 }

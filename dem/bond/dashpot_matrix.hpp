@@ -31,7 +31,8 @@ void spin_arm(const Vec<Real, 3>& r, Real (&X)[3][3]) {
   X[1][2] = r[0], X[2][0] = r[1], X[2][1] = -r[0];
 }
 
-/// With the sliding V - mean_spin x r: C = G^T D G, D = c_t I + (c_n - c_t) e e^T and the same of the rotations.
+/// With the sliding V - mean_spin x r: C = G^T D G, D = c_t I + (c_n - c_t) e e^T and the same of the
+/// rotations.
 template <class Real, int Dim>
 DashpotMatrix<Real, Dim> dashpot_matrix(const BondParameters<Real>& bond, const Vec<Real, Dim>& r,
                                         const Vec<Real, Dim>& e) {

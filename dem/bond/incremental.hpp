@@ -2,8 +2,8 @@
 
 #include "dem/bond/configuration.hpp"
 
-// The paper's incremental form (Eqs 3-6): strains summed over the steps, turned with the bond. Increments are taken
-// at the middle of the step, so that the sum is second order in the step.
+// The paper's incremental form (Eqs 3-6): strains summed over the steps, turned with the bond. Increments are
+// taken at the middle of the step, so that the sum is second order in the step.
 namespace fiberchain::dem {
 
 /// Strain summed so far. In the plane its components along and across the bond turn with it by themselves.
@@ -35,9 +35,9 @@ BondVector<Real, Dim> earlier(const BondVector<Real, Dim>& end, const Vec<Real, 
   return {vector, squared, end.inverse_length * inverse_sqrt_below_one(Real(1.0) - ratio)};
 }
 
-/// The smallest turn that brings the bond's old axis to the new one, as half-angle tangent vector: applying it needs no
-/// trigonometry. With r_0, r_1 = m -+ s / 2 it is r_0 x r_1 / (|r_0| |r_1| + r_0.r_1) = m x s / (2 m^2 (1 - k)), k = (m.s / 2 m^2)^2;
-/// against it what is left out is of fourth order in s / |m|.
+/// The smallest turn that brings the bond's old axis to the new one, as half-angle tangent vector: applying
+/// it needs no trigonometry. With r_0, r_1 = m -+ s / 2 it is r_0 x r_1 / (|r_0| |r_1| + r_0.r_1) = m x s /
+/// (2 m^2 (1 - k)), k = (m.s / 2 m^2)^2; against it what is left out is of fourth order in s / |m|.
 template <class Real>
 Vec<Real, 3> swing_of(const Vec<Real, 3>& middle, const Vec<Real, 3>& slide, const Real& inverse_length) {
   const Real scale = Real(0.5) * (inverse_length * inverse_length);
@@ -67,25 +67,28 @@ Vec<Real, 3> turn_by(const Vec<Real, 3>& half_tangent, const Real& scale, const 
 }
 
 template <class Real>
-void advance(BondHistory<Real, 2>& history, const BondVector<Real, 2>& end, const RelativeMotion<Real, 2>& motion,
-             const Real& dt) {
+void advance(BondHistory<Real, 2>& history, const BondVector<Real, 2>& end,
+             const RelativeMotion<Real, 2>& motion, const Real& dt) {
   const Vec<Real, 2> slide = dt * motion.velocity;
   const BondVector<Real, 2> middle = earlier(end, end.vector - Real(0.5) * slide);
   const Real turn = dt * motion.mean_spin[0];
   history.stretch = history.stretch + middle.inverse_length * dot(middle.vector, slide);
-  history.shear = history.shear + middle.inverse_length * (cross(middle.vector, slide)[0] - turn * middle.length_squared);
+  history.shear =
+      history.shear + middle.inverse_length * (cross(middle.vector, slide)[0] - turn * middle.length_squared);
   history.bend = history.bend + dt * motion.relative_spin;
 }
 
 template <class Real>
-void advance(BondHistory<Real, 3>& history, const BondVector<Real, 3>& end, const RelativeMotion<Real, 3>& motion,
-             const Real& dt) {
+void advance(BondHistory<Real, 3>& history, const BondVector<Real, 3>& end,
+             const RelativeMotion<Real, 3>& motion, const Real& dt) {
   const Vec<Real, 3> slide = dt * motion.velocity;
   const BondVector<Real, 3> middle = earlier(end, end.vector - Real(0.5) * slide);
   const Real axial_angle = dt * middle.inverse_length * dot(motion.mean_spin, middle.vector);
-  const Vec<Real, 3> turn = bond_turn(swing_of(middle.vector, slide, middle.inverse_length), end.inverse_length * end.vector, axial_angle);
+  const Vec<Real, 3> turn = bond_turn(swing_of(middle.vector, slide, middle.inverse_length),
+                                      end.inverse_length * end.vector, axial_angle);
   const Real scale = turn_scale(turn);
-  const Vec<Real, 3> half_slide = (Real(0.5) * dt) * plus_cross(motion.velocity, middle.vector, motion.mean_spin);
+  const Vec<Real, 3> half_slide =
+      (Real(0.5) * dt) * plus_cross(motion.velocity, middle.vector, motion.mean_spin);
   const Vec<Real, 3> half_rotation = (Real(0.5) * dt) * motion.relative_spin;
   history.displacement = turn_by(turn, scale, history.displacement + half_slide) + half_slide;
   history.rotation = turn_by(turn, scale, history.rotation + half_rotation) + half_rotation;
@@ -93,7 +96,8 @@ void advance(BondHistory<Real, 3>& history, const BondVector<Real, 3>& end, cons
 
 /// N of the summed strain.
 template <class Real>
-Real spring_tension(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history, const BondVector<Real, 2>&) {
+Real spring_tension(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history,
+                    const BondVector<Real, 2>&) {
   return tension(bond, history.stretch, bend_squared(history.bend));
 }
 
@@ -105,8 +109,8 @@ Real spring_tension(const BondParameters<Real>& bond, const BondHistory<Real, 3>
   return tension(bond, dot(history.displacement, e), dot(history.rotation, history.rotation) - twist * twist);
 }
 
-/// Force and moment of the summed strain by the same law (tension, shear, twist and bending with the chord's moment)
-/// and, with `damped`, of the dashpots. In the plane along and across the bond.
+/// Force and moment of the summed strain by the same law (tension, shear, twist and bending with the chord's
+/// moment) and, with `damped`, of the dashpots. In the plane along and across the bond.
 template <bool damped, class Real>
 BondAction<Real, 2> incremental_action(const BondParameters<Real>& bond, const BondHistory<Real, 2>& history,
                                        const BondVector<Real, 2>& b, const RelativeMotion<Real, 2>& motion) {
@@ -143,7 +147,8 @@ BondAction<Real, 3> incremental_action(const BondParameters<Real>& bond, const B
 }
 
 /// Elastic energy of the summed strain [J].
-inline double stored_energy(const BondParameters<double>& bond, const BondHistory<double, 2>& h, const Vec<double, 2>&) {
+inline double stored_energy(const BondParameters<double>& bond, const BondHistory<double, 2>& h,
+                            const Vec<double, 2>&) {
   const double N = tension(bond, h.stretch, bend_squared(h.bend));
   return 0.5 * (N * N / bond.stretch + bond.shear * h.shear * h.shear + bond.bend * bend_squared(h.bend));
 }
@@ -154,11 +159,12 @@ inline double stored_energy(const BondParameters<double>& bond, const BondHistor
   const double shear_squared = dot(h.displacement, h.displacement) - stretch * stretch;
   const double bend = dot(h.rotation, h.rotation) - twist * twist;
   const double N = tension(bond, stretch, bend);
-  return 0.5 * (N * N / bond.stretch + bond.shear * shear_squared + bond.bend * bend + bond.twist * twist * twist);
+  return 0.5 *
+         (N * N / bond.stretch + bond.shear * shear_squared + bond.bend * bend + bond.twist * twist * twist);
 }
 
-/// The history with which the incremental form carries the same force and moment as `loads`: where a march of it
-/// starts from an equilibrium. The shear torque of the bond's middle is taken off the moment first.
+/// The history with which the incremental form carries the same force and moment as `loads`: where a march of
+/// it starts from an equilibrium. The shear torque of the bond's middle is taken off the moment first.
 inline BondHistory<double, 2> history_of(const BondParameters<double>& bond, const Vec<double, 2>& separation,
                                          const BondLoads<double, 2>& loads) {
   const Vec<double, 2> e = unit(separation);

@@ -11,9 +11,9 @@ namespace fiberchain::dem {
 
 template <class Real, int Dim>
 struct BondKinematics {
-  Frame<Real, Dim> frame;      ///< mid-frame R_m
-  Vec<Real, Dim> separation;   ///< rho = R_m^T (x_2 - x_1) [m]
-  Spin<Real, Dim> rotation;    ///< Omega, rotation vector of sphere 2 against sphere 1, mid-frame [rad]
+  Frame<Real, Dim> frame;        ///< mid-frame R_m
+  Vec<Real, Dim> separation;     ///< rho = R_m^T (x_2 - x_1) [m]
+  Spin<Real, Dim> rotation;      ///< Omega, rotation vector of sphere 2 against sphere 1, mid-frame [rad]
   Spin<Real, Dim> half_tangent;  ///< g = tan(|Omega| / 4) Omega / |Omega|; needed in space only
 };
 

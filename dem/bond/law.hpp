@@ -12,20 +12,27 @@ namespace fiberchain::dem {
 
 template <class Real>
 struct BondParameters {
-  Real stretch, shear, twist, bend;          ///< K_n, K_t [N/m]; K_twist, K_bend [N m]
-  Real rest_length;                          ///< l_0 = 2R [m]
-  Real chord;                                ///< 0 or 1/24 [-]
+  Real stretch, shear, twist, bend;                      ///< K_n, K_t [N/m]; K_twist, K_bend [N m]
+  Real rest_length;                                      ///< l_0 = 2R [m]
+  Real chord;                                            ///< 0 or 1/24 [-]
   Real dash_stretch, dash_shear, dash_twist, dash_bend;  ///< dashpots, Eqs 7-10
-  Real own[law_parameter_count];             ///< parameters that one law alone knows
+  Real own[law_parameter_count];                         ///< parameters that one law alone knows
 };
 
 inline BondParameters<double> bond_parameters(const Fiber& fiber) {
   const BondStiffness K = bond_stiffness(fiber);
   const BondDashpot c = bond_dashpot(fiber);
   const double chord = fiber.bond_model == BondModel::corrected ? 1.0 / 24.0 : 0.0;
-  BondParameters<double> bond{.stretch = K.stretch, .shear = K.shear, .twist = K.twist, .bend = K.bend,
-                              .rest_length = bond_length(fiber), .chord = chord,
-                              .dash_stretch = c.stretch, .dash_shear = c.shear, .dash_twist = c.twist, .dash_bend = c.bend,
+  BondParameters<double> bond{.stretch = K.stretch,
+                              .shear = K.shear,
+                              .twist = K.twist,
+                              .bend = K.bend,
+                              .rest_length = bond_length(fiber),
+                              .chord = chord,
+                              .dash_stretch = c.stretch,
+                              .dash_shear = c.shear,
+                              .dash_twist = c.twist,
+                              .dash_bend = c.bend,
                               .own = {}};
   std::copy_n(fiber.law_parameters.begin(), law_parameter_count, bond.own);
   return bond;
@@ -89,7 +96,7 @@ ShearAngle<Real> shear_angle(const Vec<Real, Dim>& rho) {
 
 template <class Real, int Dim>
 struct BondStress {
-  Vec<Real, Dim> force;   ///< dU/drho, mid-frame [N]
+  Vec<Real, Dim> force;    ///< dU/drho, mid-frame [N]
   Spin<Real, Dim> moment;  ///< dU/dOmega, mid-frame [N m]
 };
 

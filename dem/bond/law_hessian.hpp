@@ -23,7 +23,8 @@ Eigen::Matrix<double, Dim, Dim> shear_hessian(const Vec<double, Dim>& rho, const
   const Vector e = eigen(rho) / shear.length;
   Vector perp = eigen(rho);
   perp[0] = 0;
-  const Vector bent = shear.ratio / shear.length * (rho[0] * perp - across * Vector::Unit(0));  // gamma e_gamma
+  const Vector bent =
+      shear.ratio / shear.length * (rho[0] * perp - across * Vector::Unit(0));  // gamma e_gamma
   Eigen::Matrix<double, Dim, Dim> hessian = Eigen::Matrix<double, Dim, Dim>::Identity() - e * e.transpose() -
                                             e * bent.transpose() - bent * e.transpose();
   if constexpr (Dim == 3) {
@@ -37,24 +38,28 @@ Eigen::Matrix<double, Dim, Dim> shear_hessian(const Vec<double, Dim>& rho, const
 
 /// Second derivative of U by (rho, Omega).
 template <int Dim>
-typename Sizes<Dim>::Hessian law_hessian(const BondParameters<double>& bond, const BondKinematics<double, Dim>& k) {
+typename Sizes<Dim>::Hessian law_hessian(const BondParameters<double>& bond,
+                                         const BondKinematics<double, Dim>& k) {
   using S = Sizes<Dim>;
   using Matrix = Eigen::Matrix<double, S::d, S::d>;
   const ShearAngle<double> shear = shear_angle(k.separation);
   const double l = shear.length, l0 = bond.rest_length;
   const double N = tension(bond, l - l0, bend_squared(k.rotation));
   const typename S::Displacement e = eigen(k.separation) / l;
-  const typename S::Rotation slope = 2 * l0 * bond.chord * eigen(scale_spin(0.0, 1.0, k.rotation));  // d(l-l_r)/dOmega
+  const typename S::Rotation slope =
+      2 * l0 * bond.chord * eigen(scale_spin(0.0, 1.0, k.rotation));  // d(l-l_r)/dOmega
   const Matrix radial = e * e.transpose();
   typename S::Hessian H;
-  H.template topLeftCorner<S::d, S::d>() = bond.stretch * radial + N / l * (Matrix::Identity() - radial) +
-                                           bond.shear * l0 * l0 / (l * l) * shear_hessian(k.separation, shear);
+  H.template topLeftCorner<S::d, S::d>() =
+      bond.stretch * radial + N / l * (Matrix::Identity() - radial) +
+      bond.shear * l0 * l0 / (l * l) * shear_hessian(k.separation, shear);
   H.template topRightCorner<S::d, S::s>() = bond.stretch * e * slope.transpose();
   H.template bottomLeftCorner<S::s, S::d>() = bond.stretch * slope * e.transpose();
   Vec<double, S::s> ones;
   for (double& one : ones.c) one = 1;
   H.template bottomRightCorner<S::s, S::s>() = bond.stretch * slope * slope.transpose();
-  H.template bottomRightCorner<S::s, S::s>().diagonal() += eigen(scale_spin(bond.twist, bending_coefficient(bond, N), ones));
+  H.template bottomRightCorner<S::s, S::s>().diagonal() +=
+      eigen(scale_spin(bond.twist, bending_coefficient(bond, N), ones));
   return H;
 }
 

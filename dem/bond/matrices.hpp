@@ -7,7 +7,6 @@
 // Eigen's view of the small vectors, for the Jacobian.
 namespace fiberchain::dem::tangent_detail {
 
-
 template <int Dim>
 struct Sizes {
   static constexpr int d = Dim, s = spin_size<Dim>, local = d + 2 * s;

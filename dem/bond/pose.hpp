@@ -31,7 +31,9 @@ template <class Real>
 struct Frame<Real, 2> {
   Vec<Real, 2> axis;
 
-  Vec<Real, 2> to_local(const Vec<Real, 2>& u) const { return {dot(axis, u), axis[0] * u[1] - axis[1] * u[0]}; }
+  Vec<Real, 2> to_local(const Vec<Real, 2>& u) const {
+    return {dot(axis, u), axis[0] * u[1] - axis[1] * u[0]};
+  }
   Vec<Real, 2> to_global(const Vec<Real, 2>& u) const {
     return {axis[0] * u[0] - axis[1] * u[1], axis[1] * u[0] + axis[0] * u[1]};
   }

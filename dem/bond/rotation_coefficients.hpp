@@ -12,7 +12,8 @@ struct RotationCoefficients {
 };
 
 inline RotationCoefficients rotation_coefficients_series(double w) {
-  constexpr double a1 = 1.0 / 24, a2 = 7.0 / 5760, a3 = 31.0 / 967680, a4 = 127.0 / 154828800, a5 = 73.0 / 3503554560;
+  constexpr double a1 = 1.0 / 24, a2 = 7.0 / 5760, a3 = 31.0 / 967680, a4 = 127.0 / 154828800,
+                   a5 = 73.0 / 3503554560;
   constexpr double t1 = 1.0 / 192, t2 = 1.0 / 7680, t3 = 17.0 / 5160960, t4 = 31.0 / 371589120;
   return {1 + w * (a1 + w * (a2 + w * (a3 + w * (a4 + w * a5)))),
           a1 + w * (2 * a2 + w * (3 * a3 + w * (4 * a4 + w * 5 * a5))),

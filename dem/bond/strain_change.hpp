@@ -4,7 +4,8 @@
 
 namespace fiberchain::dem {
 
-/// Change of a bond's strain (rho, Omega) by the motions of its spheres, to first order about the given kinematics.
+/// Change of a bond's strain (rho, Omega) by the motions of its spheres, to first order about the given
+/// kinematics.
 template <int Dim>
 struct StrainChange {
   Vec<double, Dim> separation;  ///< R_m^T (u_2 - u_1) - a_m x rho [m]

@@ -24,9 +24,9 @@ namespace tangent_detail {
 /// How the strain follows the local motions z = (delta r, a_1, a_2), all in the mid-frame.
 template <int Dim>
 struct StrainRates {
-  typename Sizes<Dim>::RotationRows mid;         ///< spin of the mid-frame a_m
-  typename Sizes<Dim>::DisplacementRows rho;     ///< delta rho = delta r - a_m x rho
-  typename Sizes<Dim>::RotationRows Omega;       ///< delta Omega = S^-1 (a_2 - a_1)
+  typename Sizes<Dim>::RotationRows mid;      ///< spin of the mid-frame a_m
+  typename Sizes<Dim>::DisplacementRows rho;  ///< delta rho = delta r - a_m x rho
+  typename Sizes<Dim>::RotationRows Omega;    ///< delta Omega = S^-1 (a_2 - a_1)
   typename Sizes<Dim>::RotationMatrix inverse_S;
 };
 
@@ -34,7 +34,8 @@ template <int Dim>
 StrainRates<Dim> strain_rates(const BondKinematics<double, Dim>& k, const RotationCoefficients& q) {
   using S = Sizes<Dim>;
   using RotationMatrix = typename S::RotationMatrix;
-  RotationMatrix first = 0.5 * RotationMatrix::Identity(), second = first, inverse_S = RotationMatrix::Identity();
+  RotationMatrix first = 0.5 * RotationMatrix::Identity(), second = first,
+                 inverse_S = RotationMatrix::Identity();
   if constexpr (Dim == 3) {
     const Eigen::Vector3d Omega = eigen(k.rotation);
     first += 0.5 * skew(k.half_tangent);
@@ -52,12 +53,11 @@ StrainRates<Dim> strain_rates(const BondKinematics<double, Dim>& k, const Rotati
 
 /// Derivative of mu = S^-1 m + t/2 x g, the moment that is opposite on the two spheres.
 template <int Dim>
-typename Sizes<Dim>::RotationRows opposite_moment_rates(const BondKinematics<double, Dim>& k,
-                                                        const RotationCoefficients& q,
-                                                        const BondStress<double, Dim>& stress,
-                                                        const StrainRates<Dim>& rates,
-                                                        const typename Sizes<Dim>::RotationRows& moment_rates,
-                                                        const typename Sizes<Dim>::RotationRows& half_torque_rates) {
+typename Sizes<Dim>::RotationRows opposite_moment_rates(
+    const BondKinematics<double, Dim>& k, const RotationCoefficients& q,
+    const BondStress<double, Dim>& stress, const StrainRates<Dim>& rates,
+    const typename Sizes<Dim>::RotationRows& moment_rates,
+    const typename Sizes<Dim>::RotationRows& half_torque_rates) {
   typename Sizes<Dim>::RotationRows mu = rates.inverse_S * moment_rates;
   if constexpr (Dim == 3) {
     const Eigen::Vector3d Omega = eigen(k.rotation);
@@ -93,10 +93,10 @@ LocalTangent<Dim> local_tangent(const BondParameters<double>& bond, const BondKi
   const BondStress<double, Dim> stress = bond_stress(bond, k.separation, k.rotation);
   const StrainRates<Dim> rates = strain_rates(k, q);
   const typename S::Hessian H = law_hessian(bond, k);
-  const typename S::DisplacementRows force = H.template topLeftCorner<d, d>() * rates.rho +
-                                             H.template topRightCorner<d, s>() * rates.Omega;
-  const typename S::RotationRows moment = H.template bottomLeftCorner<s, d>() * rates.rho +
-                                          H.template bottomRightCorner<s, s>() * rates.Omega;
+  const typename S::DisplacementRows force =
+      H.template topLeftCorner<d, d>() * rates.rho + H.template topRightCorner<d, s>() * rates.Omega;
+  const typename S::RotationRows moment =
+      H.template bottomLeftCorner<s, d>() * rates.rho + H.template bottomRightCorner<s, s>() * rates.Omega;
   const typename S::RotationRows half_torque =
       0.5 * (cross_matrix(k.separation) * force - cross_matrix(stress.force) * rates.rho);
   const typename S::RotationRows mu = opposite_moment_rates(k, q, stress, rates, moment, half_torque);

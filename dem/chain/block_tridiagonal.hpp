@@ -11,9 +11,9 @@ struct BlockTridiagonal {
   using Block = Eigen::Matrix<double, Size, Size>;
   using Vector = Eigen::Matrix<double, Size, 1>;
 
-  std::vector<Block> lower;     ///< row i, column i - 1; lower[0] is not used
+  std::vector<Block> lower;  ///< row i, column i - 1; lower[0] is not used
   std::vector<Block> diagonal;
-  std::vector<Block> upper;     ///< row i, column i + 1; the last is not used
+  std::vector<Block> upper;  ///< row i, column i + 1; the last is not used
 
   explicit BlockTridiagonal(int blocks) : lower(blocks), diagonal(blocks), upper(blocks) { set_zero(); }
 
@@ -28,9 +28,9 @@ struct BlockTridiagonal {
   }
 };
 
-/// Block elimination along the chain, kept for many right-hand sides; cost linear in the number of blocks. Pivoting stays
-/// inside a block, which suffices where the leading parts of the chain are themselves stable. A singular block leaves
-/// non-finite numbers in the solution: the caller checks.
+/// Block elimination along the chain, kept for many right-hand sides; cost linear in the number of blocks.
+/// Pivoting stays inside a block, which suffices where the leading parts of the chain are themselves stable.
+/// A singular block leaves non-finite numbers in the solution: the caller checks.
 template <int Size>
 class ChainFactors {
  public:

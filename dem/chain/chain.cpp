@@ -1,8 +1,8 @@
 #include "dem/chain/chain.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "dem/model/errors.hpp"
@@ -23,7 +23,9 @@ NaturalEnds<double, 3> no_offset(const Pose<double, 3>&) { return {{1, {0, 0, 0}
 
 /// Rotation that brings frame `from` to frame `to`, in the frame `from`.
 double offset(double from, double to) { return to - from; }
-Quaternion<double> offset(const Quaternion<double>& from, const Quaternion<double>& to) { return conjugate(from) * to; }
+Quaternion<double> offset(const Quaternion<double>& from, const Quaternion<double>& to) {
+  return conjugate(from) * to;
+}
 
 }  // namespace
 

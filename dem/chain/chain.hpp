@@ -15,7 +15,7 @@ using Poses = std::vector<Pose<double, Dim>>;
 template <int Dim>
 struct Chain {
   Fiber fiber;
-  Poses<Dim> poses;                              ///< aspect_ratio + 1 spheres, at rest
+  Poses<Dim> poses;                               ///< aspect_ratio + 1 spheres, at rest
   std::vector<NaturalEnds<double, Dim>> natural;  ///< a bond's ends at rest; empty: straight at rest
 };
 
@@ -43,6 +43,8 @@ double elastic_energy(const Chain<Dim>& chain, const Poses<Dim>& poses);
 inline Vec<double, 2> axis(const Pose<double, 2>& pose) {
   return {std::cos(pose.orientation), std::sin(pose.orientation)};
 }
-inline Vec<double, 3> axis(const Pose<double, 3>& pose) { return rotate(pose.orientation, Vec<double, 3>{1, 0, 0}); }
+inline Vec<double, 3> axis(const Pose<double, 3>& pose) {
+  return rotate(pose.orientation, Vec<double, 3>{1, 0, 0});
+}
 
 }  // namespace fiberchain::dem

@@ -36,17 +36,18 @@ SphereVector<Dim> sphere_inertias(const Fiber& fiber) {
 }
 
 template <int Dim>
-ChainVector<Dim> dashpot_forces(const Chain<Dim>& chain, const Poses<Dim>& poses, const ChainVector<Dim>& velocity) {
+ChainVector<Dim> dashpot_forces(const Chain<Dim>& chain, const Poses<Dim>& poses,
+                                const ChainVector<Dim>& velocity) {
   ChainVector<Dim> forces(poses.size(), SphereVector<Dim>::Zero());
   if (!damped(chain.fiber)) return forces;
   const BondParameters<double> bond = bond_parameters(chain.fiber);
   for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
     const Vec<double, Dim> r = poses[i + 1].position - poses[i].position;
-    const SphereVector<Dim> difference = velocity[i + 1] - velocity[i], mean = 0.5 * (velocity[i] + velocity[i + 1]);
+    const SphereVector<Dim> difference = velocity[i + 1] - velocity[i],
+                            mean = 0.5 * (velocity[i] + velocity[i + 1]);
     const RelativeMotion<double, Dim> motion{displacement_part<Dim>(difference), rotation_part<Dim>(mean),
                                              rotation_part<Dim>(difference)};
-    const BondLoads<double, Dim> loads =
-        act_at_middle(r, dashpot_action(bond, r, (1 / norm(r)) * r, motion));
+    const BondLoads<double, Dim> loads = act_at_middle(r, dashpot_action(bond, r, (1 / norm(r)) * r, motion));
     forces[i] += motion_of<Dim>(loads.force_on_first, loads.moment_on_first);
     forces[i + 1] += motion_of<Dim>(-loads.force_on_first, loads.moment_on_second);
   }
@@ -69,8 +70,9 @@ void add_dashpots(const Chain<Dim>& chain, const Poses<Dim>& poses, double facto
 }
 
 template <int Dim>
-ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary,
-                                ChainTangent<Dim> K, const MatrixFactors& factors) {
+ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses,
+                                const Boundary<Dim>& boundary, ChainTangent<Dim> K,
+                                const MatrixFactors& factors) {
   ChainTangent<Dim> A = std::move(K);
   const SphereVector<Dim> inertias = sphere_inertias<Dim>(chain.fiber);
   for (int i = 0; i < A.blocks(); ++i) {
@@ -82,13 +84,14 @@ ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses
   return A;
 }
 
-#define FIBERCHAIN_INSTANTIATE(Dim)                                                                              \
-  template ChainState<Dim> at_rest<Dim>(const Poses<Dim>&);                                                      \
-  template double total_energy<Dim>(const Chain<Dim>&, const ChainState<Dim>&);                                  \
-  template SphereVector<Dim> sphere_inertias<Dim>(const Fiber&);                                                 \
-  template ChainVector<Dim> dashpot_forces<Dim>(const Chain<Dim>&, const Poses<Dim>&, const ChainVector<Dim>&);  \
-  template void add_dashpots<Dim>(const Chain<Dim>&, const Poses<Dim>&, double, ChainTangent<Dim>&);             \
-  template ChainTangent<Dim> motion_matrix<Dim>(const Chain<Dim>&, const Poses<Dim>&, const Boundary<Dim>&,      \
+#define FIBERCHAIN_INSTANTIATE(Dim)                                                                         \
+  template ChainState<Dim> at_rest<Dim>(const Poses<Dim>&);                                                 \
+  template double total_energy<Dim>(const Chain<Dim>&, const ChainState<Dim>&);                             \
+  template SphereVector<Dim> sphere_inertias<Dim>(const Fiber&);                                            \
+  template ChainVector<Dim> dashpot_forces<Dim>(const Chain<Dim>&, const Poses<Dim>&,                       \
+                                                const ChainVector<Dim>&);                                   \
+  template void add_dashpots<Dim>(const Chain<Dim>&, const Poses<Dim>&, double, ChainTangent<Dim>&);        \
+  template ChainTangent<Dim> motion_matrix<Dim>(const Chain<Dim>&, const Poses<Dim>&, const Boundary<Dim>&, \
                                                 ChainTangent<Dim>, const MatrixFactors&);
 FIBERCHAIN_INSTANTIATE(2)
 FIBERCHAIN_INSTANTIATE(3)

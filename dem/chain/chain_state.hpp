@@ -25,7 +25,8 @@ double total_energy(const Chain<Dim>& chain, const ChainState<Dim>& state);
 
 /// Dashpot forces and moments on every sphere [N, N m].
 template <int Dim>
-ChainVector<Dim> dashpot_forces(const Chain<Dim>& chain, const Poses<Dim>& poses, const ChainVector<Dim>& velocity);
+ChainVector<Dim> dashpot_forces(const Chain<Dim>& chain, const Poses<Dim>& poses,
+                                const ChainVector<Dim>& velocity);
 
 /// A += factor times the matrix that gives minus the dashpot forces of the velocities.
 template <int Dim>
@@ -35,13 +36,14 @@ void add_dashpots(const Chain<Dim>& chain, const Poses<Dim>& poses, double facto
 template <int Dim>
 SphereVector<Dim> sphere_inertias(const Fiber& fiber);
 
-/// inertia M + damping C + stiffness K, identity rows at clamped spheres, with K (no sphere held) given: Newton's matrix of
-/// every implicit scheme.
+/// inertia M + damping C + stiffness K, identity rows at clamped spheres, with K (no sphere held) given:
+/// Newton's matrix of every implicit scheme.
 struct MatrixFactors {
   double inertia, damping, stiffness;
 };
 template <int Dim>
-ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary,
-                                ChainTangent<Dim> K, const MatrixFactors& factors);
+ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses,
+                                const Boundary<Dim>& boundary, ChainTangent<Dim> K,
+                                const MatrixFactors& factors);
 
 }  // namespace fiberchain::dem

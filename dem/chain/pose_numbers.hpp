@@ -11,7 +11,9 @@ template <int Dim>
 inline constexpr int pose_size = Dim + orientation_size<Dim>;
 
 inline void write(double angle, double* y) { y[0] = angle; }
-inline void write(const Quaternion<double>& q, double* y) { y[0] = q.w, y[1] = q.v[0], y[2] = q.v[1], y[3] = q.v[2]; }
+inline void write(const Quaternion<double>& q, double* y) {
+  y[0] = q.w, y[1] = q.v[0], y[2] = q.v[1], y[3] = q.v[2];
+}
 inline void read(const double* y, double& angle) { angle = y[0]; }
 inline void read(const double* y, Quaternion<double>& q) {
   q = normalized(Quaternion<double>{y[0], {y[1], y[2], y[3]}});

@@ -25,7 +25,8 @@ Vec<double, Dim> changed_separation(const BondKinematics<double, Dim>& k, const 
                                     const SphereVector<Dim>& second) {
   const SphereVector<Dim> difference = second - first;
   return k.separation + strain_change<Dim>(k, displacement_part<Dim>(difference), rotation_part<Dim>(first),
-                                           rotation_part<Dim>(second)).separation;
+                                           rotation_part<Dim>(second))
+                            .separation;
 }
 
 }  // namespace
@@ -100,12 +101,14 @@ ChainTangent<Dim> stiffness(const Chain<Dim>& chain, const Poses<Dim>& poses, co
 }
 
 template <int Dim>
-void move(const Chain<Dim>& chain, const Boundary<Dim>& boundary, Poses<Dim>& poses, const ChainVector<Dim>& motion) {
+void move(const Chain<Dim>& chain, const Boundary<Dim>& boundary, Poses<Dim>& poses,
+          const ChainVector<Dim>& motion) {
   const int last = static_cast<int>(poses.size()) - 1;
   const bool one_clamp = boundary.clamped.size() == 1;
   std::vector<Vec<double, Dim>> separation(last);
   if (one_clamp) {
-    for (int i = 0; i < last; ++i) separation[i] = changed_separation<Dim>(bond_kinematics(chain, poses, i), motion[i], motion[i + 1]);
+    for (int i = 0; i < last; ++i)
+      separation[i] = changed_separation<Dim>(bond_kinematics(chain, poses, i), motion[i], motion[i + 1]);
   }
   for (int i = 0; i <= last; ++i) {
     turn_by_vector(poses[i].orientation, rotation_part<Dim>(motion[i]));

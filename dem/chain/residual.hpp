@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "dem/model/loads.hpp"
-#include "dem/chain/chain.hpp"
 #include "dem/bond/tangent.hpp"
 #include "dem/chain/block_tridiagonal.hpp"
+#include "dem/chain/chain.hpp"
+#include "dem/model/loads.hpp"
 
 // Balance of forces on every sphere of a chain and its derivative.
 namespace fiberchain::dem {
@@ -46,7 +46,9 @@ Spin<double, Dim> rotation_part(const SphereVector<Dim>& v) {
 
 /// Turns an orientation by the rotation vector phi, exactly.
 inline void turn_by_vector(double& angle, const Vec<double, 1>& phi) { angle += phi[0]; }
-inline void turn_by_vector(Quaternion<double>& q, const Vec<double, 3>& phi) { q = normalized(rotation(phi) * q); }
+inline void turn_by_vector(Quaternion<double>& q, const Vec<double, 3>& phi) {
+  q = normalized(rotation(phi) * q);
+}
 
 /// Largest displacement / length or rotation; not-a-number if there is one.
 template <int Dim>
@@ -73,11 +75,12 @@ ChainVector<Dim> applied_loads(const Boundary<Dim>& boundary, int spheres);
 template <int Dim>
 ChainTangent<Dim> stiffness(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary);
 
-/// Moves the chain by displacements and left (global) rotations that agree with `motion` to first order. With one
-/// clamp the spheres turn and the bonds take their change of strain, sphere after sphere away from the clamp: a large
-/// rotation then stretches no bond, which saves most of Newton's steps on slender chains.
+/// Moves the chain by displacements and left (global) rotations that agree with `motion` to first order. With
+/// one clamp the spheres turn and the bonds take their change of strain, sphere after sphere away from the
+/// clamp: a large rotation then stretches no bond, which saves most of Newton's steps on slender chains.
 template <int Dim>
-void move(const Chain<Dim>& chain, const Boundary<Dim>& boundary, Poses<Dim>& poses, const ChainVector<Dim>& motion);
+void move(const Chain<Dim>& chain, const Boundary<Dim>& boundary, Poses<Dim>& poses,
+          const ChainVector<Dim>& motion);
 
 /// What is out of balance: the largest moment over any cross section of the chain divided by the size of the
 /// load's moment, and the same of the force. Bending answers to the first.

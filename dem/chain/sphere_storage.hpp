@@ -8,8 +8,8 @@
 
 namespace fiberchain::dem {
 
-/// The numbers of all spheres, fiber after fiber, and behind them a few rows that pad whole vectors. What acts on them from
-/// outside of their fibers is in ForceBuffers.
+/// The numbers of all spheres, fiber after fiber, and behind them a few rows that pad whole vectors. What
+/// acts on them from outside of their fibers is in ForceBuffers.
 struct SphereStorage {
   static constexpr int pads = 3;
 
@@ -28,10 +28,18 @@ struct SphereStorage {
   double* position_row(std::int64_t sphere) { return position_radius.data() + sphere * position_radius_size; }
   double* velocity_row(std::int64_t sphere) { return motions.data() + sphere * velocity_spin_size; }
 
-  Vec<double, 3> position(std::int64_t sphere) const { return three(position_radius.data() + sphere * position_radius_size); }
-  double radius(std::int64_t sphere) const { return position_radius.data()[sphere * position_radius_size + radius_offset]; }
-  Vec<double, 3> velocity(std::int64_t sphere) const { return three(motions.data() + sphere * velocity_spin_size); }
-  Vec<double, 3> spin(std::int64_t sphere) const { return three(motions.data() + sphere * velocity_spin_size + spin_offset); }
+  Vec<double, 3> position(std::int64_t sphere) const {
+    return three(position_radius.data() + sphere * position_radius_size);
+  }
+  double radius(std::int64_t sphere) const {
+    return position_radius.data()[sphere * position_radius_size + radius_offset];
+  }
+  Vec<double, 3> velocity(std::int64_t sphere) const {
+    return three(motions.data() + sphere * velocity_spin_size);
+  }
+  Vec<double, 3> spin(std::int64_t sphere) const {
+    return three(motions.data() + sphere * velocity_spin_size + spin_offset);
+  }
 
  private:
   static Vec<double, 3> three(const double* x) { return {x[0], x[1], x[2]}; }

@@ -21,11 +21,13 @@ void ContactHistories::reset() {
 void ContactHistories::reserve(std::size_t numbers) {
   const auto there = static_cast<std::size_t>(free_count);
   if (there >= numbers && !free.empty()) return;
-  const std::size_t before = std::max<std::size_t>(free.size(), 1), after = before + (numbers - there) + numbers / 4 + 16;
+  const std::size_t before = std::max<std::size_t>(free.size(), 1),
+                    after = before + (numbers - there) + numbers / 4 + 16;
   rows = grown(rows, after * contact_history_size);
   if (accounted) work = grown(work, after * contact_account_size);
   free.resize(after);
-  for (std::size_t number = after - 1; number >= before; --number) give_back(static_cast<std::int32_t>(number));
+  for (std::size_t number = after - 1; number >= before; --number)
+    give_back(static_cast<std::int32_t>(number));
 }
 
 SavedContact ContactHistories::at(std::int32_t number, const ContactKey& key) const {

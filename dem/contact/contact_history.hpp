@@ -16,8 +16,8 @@ struct SavedContact {
   double work[contact_account_size] = {};     ///< accounted only
 };
 
-/// The same of many contacts: a row each, which has the contact's number. Number 0 is nobody's: pairs that do not touch
-/// have it.
+/// The same of many contacts: a row each, which has the contact's number. Number 0 is nobody's: pairs that do
+/// not touch have it.
 struct ContactHistories {
   LaneArray rows, work;
   std::vector<std::int32_t> free;  ///< numbers; the first `free_count` are free

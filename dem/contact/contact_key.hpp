@@ -5,8 +5,8 @@
 
 namespace fiberchain::dem {
 
-/// What a contact may join: a sphere, the straight segment between two spheres of a fiber, a facet of a wall (a wall that is
-/// given by one shape is one facet).
+/// What a contact may join: a sphere, the straight segment between two spheres of a fiber, a facet of a wall
+/// (a wall that is given by one shape is one facet).
 enum class PrimitiveKind : std::uint8_t { facet, sphere, segment };
 
 struct Primitive {
@@ -24,8 +24,8 @@ constexpr bool is_facet(const Primitive& p) { return p.kind == PrimitiveKind::fa
 /// Segments follow behind all spheres.
 inline constexpr std::int64_t first_segment = std::int64_t{1} << 48;
 
-/// A primitive as one number for files and orders: a sphere's own; -1 - n of facet n; first_segment + n of segment n. A double
-/// holds it.
+/// A primitive as one number for files and orders: a sphere's own; -1 - n of facet n; first_segment + n of
+/// segment n. A double holds it.
 constexpr std::int64_t to_number(const Primitive& p) {
   if (p.kind == PrimitiveKind::facet) return -1 - p.number;
   return p.kind == PrimitiveKind::segment ? first_segment + p.number : p.number;
@@ -33,10 +33,12 @@ constexpr std::int64_t to_number(const Primitive& p) {
 
 constexpr Primitive primitive_of(std::int64_t number) {
   if (number < 0) return facet_primitive(-1 - number);
-  return number >= first_segment ? Primitive{PrimitiveKind::segment, number - first_segment} : sphere_primitive(number);
+  return number >= first_segment ? Primitive{PrimitiveKind::segment, number - first_segment}
+                                 : sphere_primitive(number);
 }
 
-/// A contact of an assembly: its two primitives, and which of their points of contact it is where they have more than one.
+/// A contact of an assembly: its two primitives, and which of their points of contact it is where they have
+/// more than one.
 struct ContactKey {
   Primitive first, second;
   std::int32_t slot = 0;

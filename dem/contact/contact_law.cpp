@@ -49,8 +49,9 @@ void check(const ContactProperties& properties) {
 int shape_index(const ContactLaw& law, const Wall& wall) {
   const auto found = std::ranges::find(law.shapes, &wall.shape.type());
   if (found == law.shapes.end()) {
-    throw InvalidInput(fmt::format("wall shape = {} is not allowed: the loops of contact law {} are not compiled for it",
-                                   wall.shape.type().name, law.name));
+    throw InvalidInput(
+        fmt::format("wall shape = {} is not allowed: the loops of contact law {} are not compiled for it",
+                    wall.shape.type().name, law.name));
   }
   return static_cast<int>(found - law.shapes.begin());
 }

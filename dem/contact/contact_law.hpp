@@ -9,8 +9,9 @@
 #include "dem/contact/kernels/contact_kernel.hpp"
 #include "dem/contact/laws/laws.hpp"
 
-// A contact law as an assembly calls it when the program runs: its functions on plain numbers, once a pair of bodies or a
-// contact, and the loops it is compiled into. All of it follows from the law's type (laws/laws.hpp).
+// A contact law as an assembly calls it when the program runs: its functions on plain numbers, once a pair of
+// bodies or a contact, and the loops it is compiled into. All of it follows from the law's type
+// (laws/laws.hpp).
 namespace fiberchain::dem {
 
 struct ContactLaw {
@@ -18,15 +19,17 @@ struct ContactLaw {
   int parameters_size;  ///< numbers of Parameters
   void (*parameters)(const EffectiveBody&, const ContactProperties&, double step, double* numbers);
   ContactStiffness (*stiffness)(const EffectiveBody&, const ContactProperties&, double overlap);
-  double (*reach)(const EffectiveBody&, const ContactProperties&);  ///< gap up to which it acts [m]
-  double (*overlap)(const double* history);                         ///< [m]
+  double (*reach)(const EffectiveBody&, const ContactProperties&);           ///< gap up to which it acts [m]
+  double (*overlap)(const double* history);                                  ///< [m]
   double (*stored_energy)(const double* parameters, const double* history);  ///< [J]
-  double (*normal_energy)(const double* parameters, const double* history);  ///< without the tangential spring [J]
+  double (*normal_energy)(const double* parameters,
+                          const double* history);  ///< without the tangential spring [J]
   double (*closing_power)(const double* parameters, const double* history);  ///< [W]
   /// Of this moment: the history stays.
   ContactAction<double> (*act)(const double* parameters, const TouchingPair<double>&, const double* history);
   const ContactKernel& (*kernel)(const ContactPhysics&, InstructionSet);
-  std::span<const WallShapeType* const> shapes;  ///< that its wall loops are compiled for, in the order of ContactKernel::walls
+  std::span<const WallShapeType* const>
+      shapes;  ///< that its wall loops are compiled for, in the order of ContactKernel::walls
 };
 
 /// A value of numbers only, from and to them.
@@ -51,14 +54,16 @@ struct WallShapeTypes<ShapeList<Shapes...>> {
   static constexpr const WallShapeType* list[] = {&wall_shape_type<Shapes<double>>...};
 };
 
-/// The functions of a law, with loops that are compiled for a list of laws and one of shapes (kernels/contacts.cpp).
+/// The functions of a law, with loops that are compiled for a list of laws and one of shapes
+/// (kernels/contacts.cpp).
 template <class Law, class Laws = ContactLaws, class Shapes = WallShapes>
 struct ContactLawOf {
   static_assert(index_in<Law>(Laws{}) < Laws::size, "the loops are not compiled for this law");
   using Parameters = typename Law::template Parameters<double>;
   using History = typename Law::template History<double>;
 
-  static void parameters(const EffectiveBody& body, const ContactProperties& properties, double step, double* numbers) {
+  static void parameters(const EffectiveBody& body, const ContactProperties& properties, double step,
+                         double* numbers) {
     to_numbers(Law::parameters(body, properties, step), numbers);
   }
   static double reach(const EffectiveBody& body, const ContactProperties& properties) {
@@ -77,12 +82,14 @@ struct ContactLawOf {
   static double closing_power(const double* parameters, const double* history) {
     return Law::closing_power(from_numbers<Parameters>(parameters), from_numbers<History>(history));
   }
-  static ContactAction<double> act(const double* parameters, const TouchingPair<double>& pair, const double* history) {
+  static ContactAction<double> act(const double* parameters, const TouchingPair<double>& pair,
+                                   const double* history) {
     History now = from_numbers<History>(history);
     return Law::template act<true>(from_numbers<Parameters>(parameters), pair, 0.0, now);
   }
   static const ContactKernel& kernel(const ContactPhysics& physics, InstructionSet set) {
-    return kernel_of<ContactKernelFamily<Laws, Shapes>::template Of>(set, contact_index(physics, index_in<Law>(Laws{})));
+    return kernel_of<ContactKernelFamily<Laws, Shapes>::template Of>(
+        set, contact_index(physics, index_in<Law>(Laws{})));
   }
 };
 
@@ -110,7 +117,8 @@ const ContactLaw& law_of(const ContactProperties& properties);
 /// Throws InvalidInput for friction that is negative or not finite.
 void check(const ContactProperties& properties);
 
-/// Number of a wall's shape among those of the law's loops. Throws InvalidInput where they are not compiled for it.
+/// Number of a wall's shape among those of the law's loops. Throws InvalidInput where they are not compiled
+/// for it.
 int shape_index(const ContactLaw& law, const Wall& wall);
 
 }  // namespace fiberchain::dem

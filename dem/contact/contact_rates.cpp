@@ -15,7 +15,8 @@ ContactRates contact_rates(const ContactBody& a, const ContactBody& b, const Con
                {neighbors * (across + 2 * tangential) / 3, neighbors * 5.0 / 3 * tangential, 2 * across}) /
            e.mass;
   };
-  return {about_sphere(law.normal, law.tangential), about_sphere(law.normal_dashpot, 0.5 * law.tangential_dashpot)};
+  return {about_sphere(law.normal, law.tangential),
+          about_sphere(law.normal_dashpot, 0.5 * law.tangential_dashpot)};
 }
 
 }  // namespace fiberchain::dem

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-
 namespace fiberchain::dem {
 namespace {
 
@@ -33,7 +32,8 @@ Contacts::Contacts(const Domain& domain, const ContactOptions& options, double s
 double Contacts::law_reach(const std::vector<ContactBody>& bodies) const {
   double reach = 0;
   for (const ContactBody& body : bodies) {
-    for (const ContactBody& other : bodies) reach = std::max(reach, law_.reach(effective_body(body, other), domain_.contacts));
+    for (const ContactBody& other : bodies)
+      reach = std::max(reach, law_.reach(effective_body(body, other), domain_.contacts));
     reach = std::max(reach, law_.reach(effective_body(body, wall_body(domain_)), domain_.contacts));
   }
   return reach;
@@ -102,7 +102,8 @@ void Contacts::set_parameters() {
   wall_parameters_.clear();
   const auto append = [&](std::vector<double>& table, const ContactBody& body, const ContactBody& other) {
     table.resize(table.size() + law_.parameters_size);
-    law_.parameters(effective_body(body, other), domain_.contacts, step_, &*table.end() - law_.parameters_size);
+    law_.parameters(effective_body(body, other), domain_.contacts, step_,
+                    &*table.end() - law_.parameters_size);
   };
   for (const ContactBody& body : bodies_) {
     for (const ContactBody& other : bodies_) append(pair_parameters_, body, other);
@@ -116,7 +117,8 @@ void Contacts::begin(SphereStorage& rows, Partition parts, double time, ThreadPo
   const std::vector<SavedContact> contacts = saved();
   set_parameters();
   const bool periodic = std::ranges::any_of(domain_.period.c, [](double p) { return p > 0; });
-  kernel_ = &law_.kernel({bodies_.size() == 1, periodic, domain_.contacts.rolling_friction > 0, accounted_}, instruction_set_);
+  kernel_ = &law_.kernel({bodies_.size() == 1, periodic, domain_.contacts.rolling_friction > 0, accounted_},
+                         instruction_set_);
   cut(parts.count());
   close_ = NeighborList({radius_, fiber_, domain_.period}, skin_ + law_reach_, std::move(parts), *kernel_);
   kind_of_sphere_.resize(spheres() + SphereStorage::pads, 0);
@@ -172,13 +174,27 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
   part.histories.reserve(may_begin(part));
   const double time_before = (std::round(time / step_) - 1) * step_;  // to the bit, as the step before had it
   const ContactView contacts = view(part, rows);
-  ContactTask task{part.near.view(), part.near.count, begin, end, loads.rows, part.touching.data(), part.histories.free.data(),
-                   part.histories.free_count, part.halo.data(), 0, 0, part.account, {}, 0, 0};
+  ContactTask task{part.near.view(),
+                   part.near.count,
+                   begin,
+                   end,
+                   loads.rows,
+                   part.touching.data(),
+                   part.histories.free.data(),
+                   part.histories.free_count,
+                   part.halo.data(),
+                   0,
+                   0,
+                   part.account,
+                   {},
+                   0,
+                   0};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < part.walls.size(); ++w) {
     if (!is_active(domain_.walls[w], time)) continue;
     kernel_->walls[shapes_[w]](contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
-    if (accounted_ && time > 0 && !is_active(domain_.walls[w], time_before)) task.wall_work += brought_by(part.walls[w], part);
+    if (accounted_ && time > 0 && !is_active(domain_.walls[w], time_before))
+      task.wall_work += brought_by(part.walls[w], part);
   }
   part.histories.free_count = task.free_count;
   for (int target = k; target <= reach_.last(k); ++target) part.halo_of_part[target].clear();
@@ -195,7 +211,8 @@ void Contacts::add_displacements(const std::vector<double>& paths) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     InnerPairList& soon = parts_[k].near;
     const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
-    soon.displacement_since += *first + *std::max_element(first, paths.begin() + reach_.last(static_cast<int>(k)) + 1);
+    soon.displacement_since +=
+        *first + *std::max_element(first, paths.begin() + reach_.last(static_cast<int>(k)) + 1);
     soon.stale = soon.stale || !(soon.displacement_since < (1 - 1e-9) * (inner_cutoff() - law_reach_));
   }
 }
@@ -253,7 +270,9 @@ const double* Contacts::parameters_of(const SavedContact& c) const {
   return pair_parameters_.data() + (kind * bodies_.size() + kind_of_sphere_[c.key.second.number]) * size;
 }
 
-double Contacts::energy_of(const SavedContact& c) const { return law_.stored_energy(parameters_of(c), c.history); }
+double Contacts::energy_of(const SavedContact& c) const {
+  return law_.stored_energy(parameters_of(c), c.history);
+}
 
 double Contacts::stored_energy() const {
   double sum = 0;
@@ -261,15 +280,19 @@ double Contacts::stored_energy() const {
   return sum;
 }
 
-double Contacts::closing_power(const SavedContact& c) const { return law_.closing_power(parameters_of(c), c.history); }
+double Contacts::closing_power(const SavedContact& c) const {
+  return law_.closing_power(parameters_of(c), c.history);
+}
 
 double Contacts::brought_by(const WallNeighbors& near, const Part& part) const {
   double energy = 0;
   for (std::size_t n = 0; n < near.count; ++n) {
     if (near.contact[n] == 0) continue;
-    const SavedContact contact = part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(0)});
+    const SavedContact contact =
+        part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(0)});
     // tangential springs of the first step come out of the motion
-    energy += law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
+    energy +=
+        law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
   }
   return energy;
 }
@@ -278,7 +301,8 @@ void Contacts::drop(WallNeighbors& near, int wall, Part& part) const {
   for (std::size_t n = 0; n < near.count; ++n) {
     if (near.contact[n] == 0) continue;
     if (accounted_) {
-      const SavedContact contact = part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(wall)});
+      const SavedContact contact =
+          part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(wall)});
       part.wall_work -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
     }
     part.histories.give_back(near.contact[n]);
@@ -289,8 +313,9 @@ void Contacts::drop(WallNeighbors& near, int wall, Part& part) const {
 std::vector<double> Contacts::accumulators() const {
   std::vector<double> all;
   for (const Part& s : parts_) {
-    all.insert(all.end(), {static_cast<double>(s.contacts), s.account.normal_dashpot, s.account.sliding, s.account.rolling, s.wall_work,
-                           s.power.normal_dashpot, s.power.sliding, s.power.rolling, s.wall_power});
+    all.insert(all.end(), {static_cast<double>(s.contacts), s.account.normal_dashpot, s.account.sliding,
+                           s.account.rolling, s.wall_work, s.power.normal_dashpot, s.power.sliding,
+                           s.power.rolling, s.wall_power});
   }
   return all;
 }
@@ -306,7 +331,8 @@ void Contacts::set_accumulators(const double* from) {
   }
 }
 
-TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorage& rows, double time, double& arm) const {
+TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorage& rows, double time,
+                                       double& arm) const {
   const std::int64_t first = c.key.first.number, second = c.key.second.number;
   const Vec<double, 3> x = rows.position(first), v = rows.velocity(first), w = rows.spin(first);
   Vec<double, 3> other_velocity{}, other_spin{};

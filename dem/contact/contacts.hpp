@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "dem/chain/fiber_group.hpp"
-#include "dem/contact/contact_state.hpp"
-#include "dem/contact/neighbor_list.hpp"
+#include "dem/chain/sphere_storage.hpp"
 #include "dem/contact/contact_history.hpp"
 #include "dem/contact/contact_law.hpp"
-#include "dem/chain/sphere_storage.hpp"
+#include "dem/contact/contact_state.hpp"
+#include "dem/contact/neighbor_list.hpp"
 #include "dem/parallel/force_buffers.hpp"
 #include "dem/parallel/thread_pool.hpp"
 
@@ -28,18 +28,22 @@ class Contacts {
   void check_periods(const std::vector<FiberGroup>& more) const;
   /// More fibers, after those that are there.
   void add(const Fiber& fiber, int count);
-  /// Once all have been added: cuts the spheres into parts and lists them; contacts that touch keep what they restore.
+  /// Once all have been added: cuts the spheres into parts and lists them; contacts that touch keep what they
+  /// restore.
   void begin(SphereStorage& rows, Partition parts, double time, ThreadPool& pool);
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
-  /// Gap that a listed pair may have beyond the reach of the contact law [m]: bodies may come nearer by that before others do.
+  /// Gap that a listed pair may have beyond the reach of the contact law [m]: bodies may come nearer by that
+  /// before others do.
   double skin() const { return skin_; }
 
-  /// Lists all spheres at these position_radius, who is close to whom; contacts that touch keep what they restore.
+  /// Lists all spheres at these position_radius, who is close to whom; contacts that touch keep what they
+  /// restore.
   void rebuild_neighbor_list(std::vector<Vec<double, 3>> position_radius, double time, ThreadPool& pool);
   /// The same at the rows' position_radius.
   void rebuild_neighbor_list(const SphereStorage& rows, double time, ThreadPool& pool);
-  /// Lists spheres that have come far rebuilt, where some have; how far any may move before it must be asked again [m].
+  /// Lists spheres that have come far rebuilt, where some have; how far any may move before it must be asked
+  /// again [m].
   double follow(const SphereStorage& rows, ThreadPool& pool);
   /// Whether a wall has moved so far that spheres near it may be missing: time for rebuild_neighbor_list().
   bool walls_moved_far(double time) const;
@@ -64,10 +68,10 @@ class Contacts {
   std::int64_t touching() const;
   /// Since the start up to this moment [J]: half of what the kick takes that is centered on it.
   ContactAccount<double> dissipated() const;
-  double wall_work() const;           ///< likewise [J]
+  double wall_work() const;  ///< likewise [J]
   /// The kick centered on the start's moment began before it.
   void begin_accounts();
-  double stored_energy() const;       ///< in the springs now [J]
+  double stored_energy() const;  ///< in the springs now [J]
 
   std::vector<ContactState> states(const SphereStorage& rows, double time) const;
   std::vector<SavedContact> saved() const;
@@ -82,8 +86,8 @@ class Contacts {
   /// Close pairs, in order, padded to whole vectors.
   struct PairList {
     std::vector<std::int32_t> first, second, contact;  ///< spheres, and numbers in the histories
-    std::size_t count = 0;  ///< without pads
-    int last_part = -1;   ///< of a second sphere
+    std::size_t count = 0;                             ///< without pads
+    int last_part = -1;                                ///< of a second sphere
 
     void clear();
   };
@@ -92,8 +96,8 @@ class Contacts {
     std::vector<std::int32_t> pair, first, second, contact;
     std::vector<std::uint8_t> touches;
     std::int32_t count = 0;
-    double displacement_since = 0;   ///< what other pairs may have come displacement_since since [m]
-    bool stale = true;  ///< to be made before it is used
+    double displacement_since = 0;  ///< what other pairs may have come displacement_since since [m]
+    bool stale = true;              ///< to be made before it is used
 
     void reserve(std::size_t numbers);
     InnerPairs view() { return {pair.data(), first.data(), second.data(), contact.data(), touches.data()}; }
@@ -140,7 +144,8 @@ class Contacts {
   int kind_of(const ContactBody& body);
   /// Largest gap at which any of these bodies and walls act on each other [m].
   double law_reach(const std::vector<ContactBody>& bodies) const;
-  TouchingPair<double> pair_at(const SavedContact& contact, const SphereStorage& rows, double time, double& arm) const;
+  TouchingPair<double> pair_at(const SavedContact& contact, const SphereStorage& rows, double time,
+                               double& arm) const;
   ContactView view(Part& part, const SphereStorage& rows);
   WallView wall_view(int wall, WallNeighbors& near, double time) const;
   /// Numbers in the histories that a step may need.
@@ -153,7 +158,8 @@ class Contacts {
   bool accounted_;
   InstructionSet instruction_set_;
   std::vector<ContactBody> bodies_;  ///< of each kind
-  std::vector<double> pair_parameters_, wall_parameters_;  ///< of the law, numbers of each pair of kinds, of each kind
+  std::vector<double> pair_parameters_,
+      wall_parameters_;  ///< of the law, numbers of each pair of kinds, of each kind
   std::vector<double> radius_;
   std::vector<std::int32_t> fiber_, kind_of_sphere_;
   double step_;

@@ -8,12 +8,14 @@ namespace {
 
 std::size_t whole_vectors(std::size_t count, int width) { return (count + width - 1) / width * width; }
 
-/// Of what spheres may move before one that is not rebuilt could touch: with less left it pays to list some rebuilt, ...
+/// Of what spheres may move before one that is not rebuilt could touch: with less left it pays to list some
+/// rebuilt, ...
 constexpr double kWorthwhile = 0.2;
 /// ... all that have moved more than this.
 constexpr double kStays = 0.4;
 
-/// Part of the skin up to which a pair is snapshot at every step: those are chosen rebuilt whenever one of the others might touch.
+/// Part of the skin up to which a pair is snapshot at every step: those are chosen rebuilt whenever one of
+/// the others might touch.
 constexpr double kNear = 0.18;
 /// Pairs of which near ones are chosen before more room is made for these: whole vectors.
 constexpr std::int32_t kPairsAtOnce = 1024;
@@ -32,7 +34,8 @@ void Contacts::rebuild_neighbor_list(const SphereStorage& rows, double time, Thr
   rebuild_neighbor_list(std::move(position_radius), time, pool);
 }
 
-void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> position_radius, double time, ThreadPool& pool) {
+void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> position_radius, double time,
+                                     ThreadPool& pool) {
   const std::vector<SavedContact> contacts = saved();
   for (Part& part : parts_) {
     part.histories.reset();
@@ -60,7 +63,8 @@ void Contacts::renew(ThreadPool& pool) {
     for (std::size_t w = 0; w < domain_.walls.size(); ++w) renew_wall(k, static_cast<int>(w));
   });
   std::vector<int> last(parts_.size());
-  for (std::size_t k = 0; k < parts_.size(); ++k) last[k] = std::max(static_cast<int>(k), parts_[k].pairs.last_part);
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    last[k] = std::max(static_cast<int>(k), parts_[k].pairs.last_part);
   reach_ = PartDependencies(std::move(last));
 }
 
@@ -116,9 +120,11 @@ void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& row
   std::int32_t found = 0;
   for (std::int32_t begin = 0; begin < count; begin += kPairsAtOnce) {
     near.reserve(static_cast<std::size_t>(found) + kPairsAtOnce + lanes_beyond);
-    found = kernel_->near(view(part, rows), begin, std::min(begin + kPairsAtOnce, count), inner_cutoff(), near.view(), found);
+    found = kernel_->near(view(part, rows), begin, std::min(begin + kPairsAtOnce, count), inner_cutoff(),
+                          near.view(), found);
   }
-  const auto leaving = std::count_if(near.second.begin(), near.second.begin() + found, [&](std::int32_t j) { return j >= part_end; });
+  const auto leaving = std::count_if(near.second.begin(), near.second.begin() + found,
+                                     [&](std::int32_t j) { return j >= part_end; });
   if (part.halo.size() < static_cast<std::size_t>(leaving)) part.halo.resize(leaving);
   for (; found % kernel_->width != 0; ++found) {
     near.pair[found] = near.contact[found] = 0;
@@ -127,7 +133,8 @@ void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& row
   }
   near.count = found;
   near.stale = false, near.displacement_since = 0;
-  if (part.touching.size() < static_cast<std::size_t>(found) + lanes_beyond) part.touching.resize(found + lanes_beyond);
+  if (part.touching.size() < static_cast<std::size_t>(found) + lanes_beyond)
+    part.touching.resize(found + lanes_beyond);
 }
 
 void Contacts::renew_wall(int k, int w) {
@@ -173,14 +180,16 @@ std::vector<SavedContact> Contacts::saved() const {
     const PairList& pairs = part.pairs;
     for (std::size_t p = 0; p < pairs.count; ++p) {
       if (pairs.contact[p] != 0) {
-        all.push_back(part.histories.at(pairs.contact[p], {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}));
+        all.push_back(part.histories.at(
+            pairs.contact[p], {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}));
       }
     }
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       const WallNeighbors& near = part.walls[w];
       for (std::size_t n = 0; n < near.count; ++n) {
         if (near.contact[n] == 0) continue;
-        all.push_back(part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]), facet_primitive(static_cast<std::int64_t>(w))}));
+        all.push_back(part.histories.at(near.contact[n], {sphere_primitive(near.slots[n]),
+                                                          facet_primitive(static_cast<std::int64_t>(w))}));
       }
     }
     std::ranges::sort(all.begin() + own, all.end(), {}, &SavedContact::key);
@@ -214,7 +223,8 @@ void Contacts::restore(const std::vector<SavedContact>& contacts) {
       if (at != end && *at == first) put(near.contact[at - near.slots.begin()]);
     } else {
       PairList& pairs = part.pairs;
-      const auto own = std::equal_range(pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), first);
+      const auto own = std::equal_range(
+          pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), first);
       for (auto p = own.first; p != own.second; ++p) {
         const std::size_t n = p - pairs.first.begin();
         if (pairs.second[n] == second) put(pairs.contact[n]);

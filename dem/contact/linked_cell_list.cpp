@@ -8,12 +8,14 @@ namespace fiberchain::dem {
 Box box_around(std::span<const Vec<double, 3>> position_radius) {
   Box box{position_radius[0], position_radius[0]};
   for (const Vec<double, 3>& x : position_radius) {
-    for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
+    for (int c = 0; c < 3; ++c)
+      box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
   }
   return box;
 }
 
-CellGeometry::CellGeometry(const Box& box, const Vec<double, 3>& period, double edge, double most) : low_(box.low) {
+CellGeometry::CellGeometry(const Box& box, const Vec<double, 3>& period, double edge, double most)
+    : low_(box.low) {
   most = std::min(most, 1e9);
   double length[3], cells[3];
   for (int a = 0; a < 3; ++a) {

@@ -16,11 +16,12 @@ struct Box {
 /// The least one around some position_radius, at least one.
 Box box_around(std::span<const Vec<double, 3>> position_radius);
 
-/// CellGeometry that fill a box. What stands outside of it counts for the cells at its border; along periodic axes the box is the
-/// period.
+/// CellGeometry that fill a box. What stands outside of it counts for the cells at its border; along periodic
+/// axes the box is the period.
 class CellGeometry {
  public:
-  /// No smaller than `edge` [m] and no more than `most` in all. `period`: 0 along axes that are not periodic [m].
+  /// No smaller than `edge` [m] and no more than `most` in all. `period`: 0 along axes that are not periodic
+  /// [m].
   CellGeometry(const Box& box, const Vec<double, 3>& period, double edge, double most);
 
   /// The cells at and next to a place along one axis, by what they add to a cell's index.
@@ -51,8 +52,8 @@ class LinkedCellList {
   /// The next number, at a finite place.
   void add(const Vec<double, 3>& place);
 
-  /// visit(number) for all that stand in the cells at and next to a place, nearer than an edge among them; until one
-  /// returns false. Whether none did.
+  /// visit(number) for all that stand in the cells at and next to a place, nearer than an edge among them;
+  /// until one returns false. Whether none did.
   template <class Visit>
   bool around(const Vec<double, 3>& place, const Visit& visit) const {
     const CellGeometry::Near x = cells_.near(place, 0), y = cells_.near(place, 1), z = cells_.near(place, 2);

@@ -1,8 +1,8 @@
 #include "dem/contact/neighbor_list.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "dem/model/errors.hpp"
 
@@ -15,7 +15,12 @@ constexpr double kSlack = 0.5;
 }  // namespace
 
 NeighborList::NeighborList(SphereSet spheres, double skin, Partition parts, const ContactKernel& kernel)
-    : spheres_(std::move(spheres)), skin_(skin), parts_(std::move(parts)), searches_(parts_.count()), incoming_(parts_.count()), kernel_(&kernel) {}
+    : spheres_(std::move(spheres)),
+      skin_(skin),
+      parts_(std::move(parts)),
+      searches_(parts_.count()),
+      incoming_(parts_.count()),
+      kernel_(&kernel) {}
 
 void NeighborList::list(std::vector<Vec<double, 3>> position_radius, ThreadPool& pool) {
   places_ = std::move(position_radius);
@@ -81,7 +86,8 @@ void NeighborList::sort() {
     if (spheres_.period[c] > 0) box.low[c] = 0;
   }
   slack_ = kSlack * reach;
-  const CellGeometry cells(box, spheres_.period, reach + slack_, 64.0 * static_cast<double>(places_.size()) + 64);
+  const CellGeometry cells(box, spheres_.period, reach + slack_,
+                           64.0 * static_cast<double>(places_.size()) + 64);
   sorted_.emplace(cells, places_, spheres_.radius, spheres_.fiber);
 }
 
@@ -98,7 +104,9 @@ void NeighborList::collect_incoming() {
     for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
       const int part = parts_.of(pairs[begin].first);
       const Pair behind{parts_.end(part), 0};
-      end = static_cast<std::size_t>(std::lower_bound(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end(), behind) - pairs.begin());
+      end = static_cast<std::size_t>(
+          std::lower_bound(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end(), behind) -
+          pairs.begin());
       incoming_[part].push_back({k, begin, end});
     }
   }
@@ -144,7 +152,8 @@ std::vector<Pair> NeighborList::found(int part) const {
   std::vector<Pair> pairs = searches_[part].own;
   for (const Incoming& from : incoming_[part]) {
     const auto first = searches_[from.part].earlier.begin();
-    pairs.insert(pairs.end(), first + static_cast<std::ptrdiff_t>(from.begin), first + static_cast<std::ptrdiff_t>(from.end));
+    pairs.insert(pairs.end(), first + static_cast<std::ptrdiff_t>(from.begin),
+                 first + static_cast<std::ptrdiff_t>(from.end));
   }
   std::ranges::sort(pairs);
   return pairs;

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "dem/chain/sphere_storage.hpp"
+#include "dem/contact/sorted_cells.hpp"
 #include "dem/parallel/partition.hpp"
 #include "dem/parallel/thread_pool.hpp"
-#include "dem/contact/sorted_cells.hpp"
 
-// Which spheres are close. Every sphere is listed at a place; who is close follows from these position_radius alone. A sphere that has
-// moved far from its place is listed at a new one, and only its neighbors are searched rebuilt.
+// Which spheres are close. Every sphere is listed at a place; who is close follows from these position_radius
+// alone. A sphere that has moved far from its place is listed at a new one, and only its neighbors are
+// searched rebuilt.
 namespace fiberchain::dem {
 
 struct Pair {
@@ -37,12 +38,13 @@ class NeighborList {
   const Partition& parts() const { return parts_; }
   const std::vector<Vec<double, 3>>& position_radius() const { return places_; }
 
-  /// Lists all spheres at these position_radius. Throws InvalidInput for position_radius that are not finite, and where a periodic side is
-  /// shorter than twice 2 R + skin.
+  /// Lists all spheres at these position_radius. Throws InvalidInput for position_radius that are not finite,
+  /// and where a periodic side is shorter than twice 2 R + skin.
   void list(std::vector<Vec<double, 3>> position_radius, ThreadPool& pool);
   /// How far any sphere is from its place [m].
   double farthest_moved(const SphereStorage& rows, ThreadPool& pool) const;
-  /// Lists those that are farther than `distance` [m] from their position_radius where they are now; throws as list().
+  /// Lists those that are farther than `distance` [m] from their position_radius where they are now; throws
+  /// as list().
   void update(const SphereStorage& rows, double distance, ThreadPool& pool);
 
   /// Spheres of a part that the last call has listed rebuilt, by rising number.

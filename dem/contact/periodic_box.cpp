@@ -17,8 +17,10 @@ PeriodicBox periodic_box(const Vec<double, 3>& length) {
 void check_periods(const Vec<double, 3>& length, double reach) {
   for (const double period : length.c) {
     if (period > 0 && period < 2 * reach) {
-      throw InvalidInput(fmt::format("period = {:g} m is not allowed: it must be at least {:g} m, twice what spheres see of "
-                                     "each other", period, 2 * reach));
+      throw InvalidInput(
+          fmt::format("period = {:g} m is not allowed: it must be at least {:g} m, twice what spheres see of "
+                      "each other",
+                      period, 2 * reach));
     }
   }
 }

@@ -6,22 +6,24 @@
 
 namespace fiberchain::dem {
 
-/// After which lengths along the axes a room repeats itself [m], and one over them [1/m]; both 0 where it does not.
+/// After which lengths along the axes a room repeats itself [m], and one over them [1/m]; both 0 where it
+/// does not.
 struct PeriodicBox {
   double length[3], inverse[3];
 };
 
 PeriodicBox periodic_box(const Vec<double, 3>& length);
 
-/// Throws InvalidInput where a room repeats itself before twice the `reach` [m] of what is in it: it would meet
-/// more than one image of another.
+/// Throws InvalidInput where a room repeats itself before twice the `reach` [m] of what is in it: it would
+/// meet more than one image of another.
 void check_periods(const Vec<double, 3>& length, double reach);
 
 /// A separation to the nearest image of the other end.
 template <class Real>
 Vec<Real, 3> nearest_image(const PeriodicBox& periods, Vec<Real, 3> r) {
   using std::nearbyint;  // of packs: their own
-  for (int c = 0; c < 3; ++c) r[c] = r[c] - Real(periods.length[c]) * nearbyint(r[c] * Real(periods.inverse[c]));
+  for (int c = 0; c < 3; ++c)
+    r[c] = r[c] - Real(periods.length[c]) * nearbyint(r[c] * Real(periods.inverse[c]));
   return r;
 }
 

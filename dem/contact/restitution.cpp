@@ -1,7 +1,7 @@
 #include "dem/contact/restitution.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include "dem/model/errors.hpp"
 
@@ -19,7 +19,8 @@ double acos_over_sine(double z) {
 
 double restitution_of(double damping_ratio) {
   if (!(damping_ratio >= 0)) {
-    throw InvalidInput(fmt::format("damping ratio = {} is not allowed: it must be 0 or greater", damping_ratio));
+    throw InvalidInput(
+        fmt::format("damping ratio = {} is not allowed: it must be 0 or greater", damping_ratio));
   }
   return std::exp(-2 * damping_ratio * acos_over_sine(damping_ratio));
 }

@@ -2,9 +2,11 @@
 
 namespace fiberchain::dem {
 
-SortedCells::SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> position_radius, std::span<const double> radius,
-                   std::span<const std::int32_t> fiber)
-    : cells_(cells), first_place_(position_radius.begin(), position_radius.end()), begin_(cells.count() + 1, 0) {
+SortedCells::SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> position_radius,
+                         std::span<const double> radius, std::span<const std::int32_t> fiber)
+    : cells_(cells),
+      first_place_(position_radius.begin(), position_radius.end()),
+      begin_(cells.count() + 1, 0) {
   const auto n = static_cast<std::int32_t>(position_radius.size());
   std::vector<std::int32_t> cell(n);
   for (std::int32_t i = 0; i < n; ++i) {

@@ -1,8 +1,8 @@
 #include "dem/equilibrium/dynamic_relaxation.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -37,22 +37,25 @@ template <int Dim>
 Clamps end_clamps(const RelaxCase<Dim>& job) {
   const int last = job.chain.fiber.aspect_ratio;
   Clamps clamps{false, false};
-  if (job.loading.empty()) throw InvalidInput("loading = none is not allowed: a march needs at least one set of loads");
+  if (job.loading.empty())
+    throw InvalidInput("loading = none is not allowed: a march needs at least one set of loads");
   for (const Boundary<Dim>& boundary : job.loading) {
     for (const Load<Dim>& load : boundary.loads) {
       if (load.sphere != 0 && load.sphere != last) {
-        throw InvalidInput(fmt::format("load at sphere {} is not allowed: a march loads the end spheres 0 and {}",
-                                       load.sphere, last));
+        throw InvalidInput(fmt::format(
+            "load at sphere {} is not allowed: a march loads the end spheres 0 and {}", load.sphere, last));
       }
     }
   }
   for (const int sphere : job.loading[0].clamped) {
     if (sphere != 0 && sphere != last) {
-      throw InvalidInput(fmt::format("clamped = {} is not allowed: a march clamps the end spheres 0 and {}", sphere, last));
+      throw InvalidInput(
+          fmt::format("clamped = {} is not allowed: a march clamps the end spheres 0 and {}", sphere, last));
     }
     (sphere == 0 ? clamps.first : clamps.last) = true;
   }
-  if (!clamps.first && !clamps.last) throw InvalidInput("clamped = none is not allowed: an equilibrium needs a clamp");
+  if (!clamps.first && !clamps.last)
+    throw InvalidInput("clamped = none is not allowed: an equilibrium needs a clamp");
   return clamps;
 }
 
@@ -75,9 +78,11 @@ RelaxResult<Dim> measure(const ChainBatch<Dim>& block, int index, const Lane<Dim
   for (int i = 0; i < spheres; ++i) {
     const MovingSphere<double, Dim> sphere = block.sphere(index, i);
     if (!std::isfinite(dot(sphere.pose.position, sphere.pose.position) + dot(sphere.spin, sphere.spin))) {
-      throw Diverged(fmt::format(
-          "the march diverged: fiber {}, sphere {} is not finite at step {:.0f} (dt = {:.6g} s); likely causes: a step "
-          "too large for this load or a load far beyond the bonds' stiffness", index, i, steps, lane.time_step));
+      throw Diverged(
+          fmt::format("the march diverged: fiber {}, sphere {} is not finite at step {:.0f} (dt = {:.6g} s); "
+                      "likely causes: a step "
+                      "too large for this load or a load far beyond the bonds' stiffness",
+                      index, i, steps, lane.time_step));
     }
     poses.push_back(sphere.pose);
     speed = std::max(speed, norm(sphere.velocity));
@@ -118,7 +123,8 @@ void march_block(std::vector<Lane<Dim>>& lanes, const RelaxOptions& options) {
     steps.push_back(lane.time_step);
     steps_per_period = std::max(steps_per_period, 2 * std::numbers::pi / (omega * lane.time_step));
   }
-  const Physics physics = physics_of<Dim>(chains, {.form = options.form, .settling_damping = options.drag > 0});
+  const Physics physics =
+      physics_of<Dim>(chains, {.form = options.form, .settling_damping = options.drag > 0});
   ChainBatch<Dim> block(chains, end_clamps(*lanes[0].job), steps, drag, physics, options.instruction_set);
   const int check_every = std::max(static_cast<int>(steps_per_period / 20), 1);
   const double ramp_steps = options.ramp_periods * steps_per_period;
@@ -146,9 +152,10 @@ void march_block(std::vector<Lane<Dim>>& lanes, const RelaxOptions& options) {
         lanes[i].result = std::move(now);
         ++resting;
       } else if (done > limit) {
-        throw NoConvergence(fmt::format("fiber {} is not at rest after {:.0f} steps: moment out of balance {:.3g}, speed "
-                                        "{:.3g}, both should be below {:.3g}", i, done, now.residual.moment, now.speed,
-                                        options.residual));
+        throw NoConvergence(
+            fmt::format("fiber {} is not at rest after {:.0f} steps: moment out of balance {:.3g}, speed "
+                        "{:.3g}, both should be below {:.3g}",
+                        i, done, now.residual.moment, now.speed, options.residual));
       }
     }
   }
@@ -162,9 +169,10 @@ double chosen_step(const Fiber& fiber, const RelaxOptions& options) {
   if (!options.step_ratio) return 0.8 * limit;
   const double step = *options.step_ratio * bond_time_step(fiber);
   if (step >= limit) {
-    throw InvalidInput(fmt::format("step_ratio = {} is not allowed: with bond damping {} the largest stable step of "
-                                   "this chain is {:.4f} t_b", *options.step_ratio, options.bond_damping,
-                                   limit / bond_time_step(fiber)));
+    throw InvalidInput(
+        fmt::format("step_ratio = {} is not allowed: with bond damping {} the largest stable step of "
+                    "this chain is {:.4f} t_b",
+                    *options.step_ratio, options.bond_damping, limit / bond_time_step(fiber)));
   }
   return step;
 }
@@ -172,18 +180,21 @@ double chosen_step(const Fiber& fiber, const RelaxOptions& options) {
 double first_bending_frequency(const Fiber& fiber) {
   constexpr double beta_1 = 1.8751040687119611;
   const double L = fiber_length(fiber);
-  return beta_1 * beta_1 * std::sqrt(bending_stiffness(fiber) * bond_length(fiber) / sphere_mass(fiber)) / (L * L);
+  return beta_1 * beta_1 * std::sqrt(bending_stiffness(fiber) * bond_length(fiber) / sphere_mass(fiber)) /
+         (L * L);
 }
 
 template <int Dim>
-std::vector<RelaxResult<Dim>> relax_to_equilibrium(const std::vector<RelaxCase<Dim>>& cases, const RelaxOptions& options) {
+std::vector<RelaxResult<Dim>> relax_to_equilibrium(const std::vector<RelaxCase<Dim>>& cases,
+                                                   const RelaxOptions& options) {
   check(options);
   // cases that can share a block: same length, kind, clamps and number of load sets
   std::map<std::tuple<int, bool, bool, bool, std::size_t>, std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Clamps clamps = end_clamps(cases[i]);
     groups[{cases[i].chain.fiber.aspect_ratio, cases[i].chain.natural.empty(), clamps.first, clamps.last,
-            cases[i].loading.size()}].push_back(i);
+            cases[i].loading.size()}]
+        .push_back(i);
   }
   const std::size_t width = chain_kernel(built_physics[0], options.instruction_set).width;
   std::vector<RelaxResult<Dim>> results(cases.size());
@@ -203,7 +214,9 @@ std::vector<RelaxResult<Dim>> relax_to_equilibrium(const std::vector<RelaxCase<D
   return results;
 }
 
-template std::vector<RelaxResult<2>> relax_to_equilibrium<2>(const std::vector<RelaxCase<2>>&, const RelaxOptions&);
-template std::vector<RelaxResult<3>> relax_to_equilibrium<3>(const std::vector<RelaxCase<3>>&, const RelaxOptions&);
+template std::vector<RelaxResult<2>> relax_to_equilibrium<2>(const std::vector<RelaxCase<2>>&,
+                                                             const RelaxOptions&);
+template std::vector<RelaxResult<3>> relax_to_equilibrium<3>(const std::vector<RelaxCase<3>>&,
+                                                             const RelaxOptions&);
 
 }  // namespace fiberchain::dem

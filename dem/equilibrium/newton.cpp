@@ -1,8 +1,8 @@
 #include "dem/equilibrium/newton.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <optional>
 
 #include "dem/model/errors.hpp"
@@ -15,10 +15,12 @@ void check_boundary(const Chain<Dim>& chain, const Boundary<Dim>& boundary) {
   const int last = chain.fiber.aspect_ratio;
   const auto require_sphere = [&](int sphere) {
     if (sphere < 0 || sphere > last) {
-      throw InvalidInput(fmt::format("sphere = {} is not allowed: the chain has spheres 0 to {}", sphere, last));
+      throw InvalidInput(
+          fmt::format("sphere = {} is not allowed: the chain has spheres 0 to {}", sphere, last));
     }
   };
-  if (boundary.clamped.empty()) throw InvalidInput("clamped = none is not allowed: an equilibrium needs a clamp");
+  if (boundary.clamped.empty())
+    throw InvalidInput("clamped = none is not allowed: an equilibrium needs a clamp");
   for (const int sphere : boundary.clamped) require_sphere(sphere);
   for (const Load<Dim>& load : boundary.loads) {
     require_sphere(load.sphere);
@@ -35,15 +37,16 @@ Boundary<Dim> between(const Boundary<Dim>& from, const Boundary<Dim>& to, double
   for (Load<Dim> load : from.loads) {
     now.loads.push_back({load.sphere, (1 - factor) * load.force, (1 - factor) * load.moment});
   }
-  for (Load<Dim> load : to.loads) now.loads.push_back({load.sphere, factor * load.force, factor * load.moment});
+  for (Load<Dim> load : to.loads)
+    now.loads.push_back({load.sphere, factor * load.force, factor * load.moment});
   return now;
 }
 
 /// A turn of more than this in one Newton step leaves the range where the step means anything.
 constexpr double largest_turn = 1.0;
 
-/// A slender chain's stretch stiffness over its bending stiffness, 16 r_f^3, times the rounding of a position bounds how
-/// small a Newton step can get; steps that stop shrinking below this are there.
+/// A slender chain's stretch stiffness over its bending stiffness, 16 r_f^3, times the rounding of a position
+/// bounds how small a Newton step can get; steps that stop shrinking below this are there.
 constexpr double round_off_step = 1e-6;
 
 template <int Dim>
@@ -56,7 +59,8 @@ std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, cons
     ++statistics.newton_iterations;
     const double step = size_of<Dim>(motion, length);
     const bool at_round_off = step < round_off_step && step > 0.25 * previous;
-    if (!(step <= largest_turn) || (iteration > 2 && step > 2 * previous && !at_round_off)) return std::nullopt;
+    if (!(step <= largest_turn) || (iteration > 2 && step > 2 * previous && !at_round_off))
+      return std::nullopt;
     move(chain, boundary, poses, motion);
     // quadratic convergence: the step taken from below the tolerance ends at round-off
     if (previous < tolerance || step == 0 || at_round_off) return poses;
@@ -68,7 +72,8 @@ std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, cons
 }  // namespace
 
 template <int Dim>
-ChainVector<Dim> remaining_motion(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary) {
+ChainVector<Dim> remaining_motion(const Chain<Dim>& chain, const Poses<Dim>& poses,
+                                  const Boundary<Dim>& boundary) {
   ChainVector<Dim> motion = net_forces(chain, poses, boundary, 1.0);
   ChainTangent<Dim> K = stiffness(chain, poses, boundary);
   solve_in_place(K, motion);
@@ -76,7 +81,8 @@ ChainVector<Dim> remaining_motion(const Chain<Dim>& chain, const Poses<Dim>& pos
 }
 
 template <int Dim>
-ChainVector<Dim> linear_response(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary) {
+ChainVector<Dim> linear_response(const Chain<Dim>& chain, const Poses<Dim>& poses,
+                                 const Boundary<Dim>& boundary) {
   ChainVector<Dim> motion = applied_loads(boundary, static_cast<int>(poses.size()));
   ChainTangent<Dim> K = stiffness(chain, poses, boundary);
   solve_in_place(K, motion);
@@ -84,8 +90,9 @@ ChainVector<Dim> linear_response(const Chain<Dim>& chain, const Poses<Dim>& pose
 }
 
 template <int Dim>
-Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>& start, const Boundary<Dim>& from,
-                                      const Boundary<Dim>& boundary, const SolveOptions& options) {
+Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>& start,
+                                      const Boundary<Dim>& from, const Boundary<Dim>& boundary,
+                                      const SolveOptions& options) {
   check_boundary(chain, from);
   check_boundary(chain, boundary);
   SolveStatistics statistics{0, 0, 0};
@@ -106,9 +113,11 @@ Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>&
       ++statistics.halvings;
     }
     if (step < options.smallest_load_step || statistics.load_steps > options.max_load_steps) {
-      throw NoConvergence(fmt::format(
-          "no equilibrium found beyond {:.6g} of the load ({} load steps, {} Newton iterations): the chain may "
-          "be unstable there", factor, statistics.load_steps, statistics.newton_iterations));
+      throw NoConvergence(
+          fmt::format("no equilibrium found beyond {:.6g} of the load ({} load steps, {} Newton iterations): "
+                      "the chain may "
+                      "be unstable there",
+                      factor, statistics.load_steps, statistics.newton_iterations));
     }
   }
   const Imbalance residual =

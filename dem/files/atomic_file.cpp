@@ -59,7 +59,8 @@ void remove_staged(const std::filesystem::path& directory, const std::string& na
   std::error_code ignored;  // a directory that is not there holds none
   for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
     const std::string file = entry.path().filename().string();
-    const bool own = file.starts_with("." + name) || file.starts_with(".." + name);  // the journal's begins with a dot itself
+    const bool own = file.starts_with("." + name) ||
+                     file.starts_with(".." + name);  // the journal's begins with a dot itself
     if (own && file.ends_with(".part")) ::unlink(entry.path().c_str());
   }
 }

@@ -30,8 +30,8 @@ class AtomicFile {
   int file_ = -1;
 };
 
-/// Removes what killed programs have left under temporary names for files whose names begin so. Nobody may be writing such
-/// files now.
+/// Removes what killed programs have left under temporary names for files whose names begin so. Nobody may be
+/// writing such files now.
 void remove_staged(const std::filesystem::path& directory, const std::string& name);
 
 /// Flushes the renames in a directory to the disk. File systems that cannot do that are let off.

@@ -21,7 +21,8 @@ std::optional<std::vector<std::string>> CsvReader::record() {
     std::vector<std::string> fields;
     std::size_t at = 0;
     do {
-      fields.push_back(at < text->size() && (*text)[at] == '"' ? quoted_field(*text, at) : plain_field(*text, at));
+      fields.push_back(at < text->size() && (*text)[at] == '"' ? quoted_field(*text, at)
+                                                               : plain_field(*text, at));
     } while (at++ < text->size());
     return fields;
   }

@@ -9,8 +9,8 @@
 
 namespace fiberchain::dem {
 
-/// Records of a CSV text (RFC 4180: quoted fields may hold commas, quotes and line ends), with the number of their line. A byte
-/// order mark and carriage returns are passed over.
+/// Records of a CSV text (RFC 4180: quoted fields may hold commas, quotes and line ends), with the number of
+/// their line. A byte order mark and carriage returns are passed over.
 class CsvReader {
  public:
   /// Called with "NAME:LINE: what is wrong"; must throw.

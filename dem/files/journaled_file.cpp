@@ -12,9 +12,9 @@
 #include <string>
 #include <utility>
 
+#include "dem/files/atomic_file.hpp"
 #include "dem/files/file_error.hpp"
 #include "dem/files/sha256.hpp"
-#include "dem/files/atomic_file.hpp"
 
 namespace fiberchain::dem {
 namespace {

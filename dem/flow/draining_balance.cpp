@@ -5,9 +5,13 @@
 namespace fiberchain::dem {
 
 template <int Dim>
-DrainingBalance<Dim>::DrainingBalance(const Chain<Dim>& chain, const Boundary<Dim>& boundary, const Fluid& fluid)
-    : chain_(chain), boundary_(boundary), fluid_(fluid),
-      loads_(applied_loads(boundary, static_cast<int>(chain.poses.size()))), drag_(drag_of<Dim>(fluid, chain.fiber)) {}
+DrainingBalance<Dim>::DrainingBalance(const Chain<Dim>& chain, const Boundary<Dim>& boundary,
+                                      const Fluid& fluid)
+    : chain_(chain),
+      boundary_(boundary),
+      fluid_(fluid),
+      loads_(applied_loads(boundary, static_cast<int>(chain.poses.size()))),
+      drag_(drag_of<Dim>(fluid, chain.fiber)) {}
 
 template <int Dim>
 ChainTangent<Dim> DrainingBalance<Dim>::resistance(const Poses<Dim>& poses) const {
@@ -25,7 +29,8 @@ ChainVector<Dim> DrainingBalance<Dim>::velocities(double time, const Poses<Dim>&
   const bool with_dashpots = damped(chain_.fiber);
   for (std::size_t i = 0; i < v.size(); ++i) {
     const SphereVector<Dim> pushed = forces[i] + loads_[i];
-    v[i] = with_dashpots ? (drag_.cwiseProduct(v[i]) + pushed).eval() : (v[i] + pushed.cwiseQuotient(drag_)).eval();
+    v[i] = with_dashpots ? (drag_.cwiseProduct(v[i]) + pushed).eval()
+                         : (v[i] + pushed.cwiseQuotient(drag_)).eval();
   }
   for (const int sphere : boundary_.clamped) v[sphere].setZero();
   if (with_dashpots) dem::solve_in_place<sphere_motions<Dim>>(resistance(poses), v);

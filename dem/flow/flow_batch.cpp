@@ -1,11 +1,11 @@
 #include "dem/flow/flow_batch.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
-#include "dem/motion/physics_of.hpp"
 #include "dem/motion/kernels/chain_lane.hpp"
+#include "dem/motion/physics_of.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -20,7 +20,8 @@ double first_step(const FlowPlan& plan) {
 }
 
 template <int Dim>
-ChainBatch<Dim> block_of(const std::vector<typename FlowBatch<Dim>::Member>& members, const FlowOptions& options) {
+ChainBatch<Dim> block_of(const std::vector<typename FlowBatch<Dim>::Member>& members,
+                         const FlowOptions& options) {
   std::vector<Chain<Dim>> chains;
   std::vector<double> steps;
   for (const auto& member : members) {
@@ -28,15 +29,17 @@ ChainBatch<Dim> block_of(const std::vector<typename FlowBatch<Dim>::Member>& mem
     steps.push_back(first_step(member.plan));
   }
   const Physics physics = physics_of<Dim>(chains, {.form = options.form, .fluid = true});
-  return {chains, members[0].plan.clamps, steps, std::vector<double>(chains.size(), 0.0), physics, options.instruction_set};
+  return {chains,  members[0].plan.clamps, steps, std::vector<double>(chains.size(), 0.0),
+          physics, options.instruction_set};
 }
 
 std::string failure_text(int sphere, double step, double dt, double time, double stable) {
-  const std::string cause = dt >= stable
-                                ? fmt::format("the step is beyond the stable one, {:.6g} s", stable)
-                                : std::string("a flow or load far beyond the bonds' stiffness, or a step too long for it");
-  return fmt::format("the run blew up: sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}", sphere,
-                     step, dt, time, cause);
+  const std::string cause =
+      dt >= stable ? fmt::format("the step is beyond the stable one, {:.6g} s", stable)
+                   : std::string("a flow or load far beyond the bonds' stiffness, or a step too long for it");
+  return fmt::format(
+      "the run blew up: sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}", sphere,
+      step, dt, time, cause);
 }
 
 }  // namespace
@@ -70,7 +73,9 @@ std::vector<FlowRecord> FlowBatch<Dim>::run(const FlowJobSample<Dim>& sample) {
       if (!whole(lane)) continue;
       const double time = (*members_[lane].times)[n];
       lanes_[lane].time = lanes_[lane].record.reached = time;
-      sample(lane, time, time > 0 ? state_now(block_, static_cast<int>(lane), spheres) : carried_state(*members_[lane].flow));
+      sample(lane, time,
+             time > 0 ? state_now(block_, static_cast<int>(lane), spheres)
+                      : carried_state(*members_[lane].flow));
     }
   }
   std::vector<FlowRecord> records;
@@ -112,7 +117,8 @@ template <int Dim>
 void FlowBatch<Dim>::count(std::size_t lane, int steps) {
   Lane& own = lanes_[lane];
   own.record.work.steps += steps;
-  own.record.work.bond_evaluations += static_cast<double>(steps) * members_[lane].flow->chain.fiber.aspect_ratio;
+  own.record.work.bond_evaluations +=
+      static_cast<double>(steps) * members_[lane].flow->chain.fiber.aspect_ratio;
   own.time += steps * own.step;
 }
 
@@ -126,7 +132,8 @@ void FlowBatch<Dim>::find_break(std::size_t lane, int steps) {
     count(lane, 1);
     const int sphere = broken_sphere(block_, static_cast<int>(lane), members_[lane].flow->chain.fiber);
     if (sphere < 0) continue;
-    own.record.failure = failure_text(sphere, own.record.work.steps, own.step, own.time, members_[lane].plan.stable);
+    own.record.failure =
+        failure_text(sphere, own.record.work.steps, own.step, own.time, members_[lane].plan.stable);
   }
 }
 

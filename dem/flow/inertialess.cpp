@@ -5,10 +5,10 @@
 #include <utility>
 #include <variant>
 
+#include "dem/chain/pose_numbers.hpp"
 #include "dem/flow/draining_balance.hpp"
 #include "dem/flow/interacting_balance.hpp"
 #include "dem/motion/cvode_session.hpp"
-#include "dem/chain/pose_numbers.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -86,8 +86,9 @@ struct InertialessMotion<Dim>::Solver {
     return std::sqrt(sum / (spheres * sphere_motions<Dim>));
   }
 
-  /// At the last poses that Newton's iterations previous_step to: the tension of predicted ones, whose strains are extrapolated, would
-  /// stiffen or soften the bonds across them by far more than the fiber's own.
+  /// At the last poses that Newton's iterations previous_step to: the tension of predicted ones, whose
+  /// strains are extrapolated, would stiffen or soften the bonds across them by far more than the fiber's
+  /// own.
   void set_up(const CvodeProblem::Newton& newton) {
     factors_at = newton.again > 0 || at_rates_before.empty() ? at_last_rates : at_rates_before;
     std::visit([&](auto& b) { b.set_up(newton.time, factors_at, newton.gamma); }, balance);
@@ -111,8 +112,8 @@ struct InertialessMotion<Dim>::Solver {
     return x;
   }
 
-  /// Newton's correction x of the motions; a kept matrix is made rebuilt where gamma has moved on, the matrix has served long,
-  /// or corrections do not shrink to a fifth.
+  /// Newton's correction x of the motions; a kept matrix is made rebuilt where gamma has moved on, the matrix
+  /// has served long, or corrections do not shrink to a fifth.
   void solve(const CvodeProblem::Newton& newton, const double* b, double* out) {
     const Poses<Dim> poses = unpack(newton.y);
     ChainVector<Dim> rhs(spheres);
@@ -143,19 +144,22 @@ template <int Dim>
 InertialessMotion<Dim>::InertialessMotion(const FlowCase<Dim>& flow, double tolerance) {
   check<Dim>(flow.fluid);
   const int n = static_cast<int>(flow.start.size());
-  solver_ = std::make_unique<Solver>(
-      Solver{balance_of(flow), n, flow.chain.fiber.aspect_ratio, tolerance * fiber_length(flow.chain.fiber), tolerance});
+  solver_ = std::make_unique<Solver>(Solver{balance_of(flow), n, flow.chain.fiber.aspect_ratio,
+                                            tolerance * fiber_length(flow.chain.fiber), tolerance});
   Solver& s = *solver_;
   CvodeProblem problem;
   problem.start.resize(n * pose_size<Dim>);
   problem.tolerances.resize(problem.start.size());
   for (int i = 0; i < n; ++i) write_pose(flow.start[i], problem.start.data() + i * pose_size<Dim>);
   for (std::size_t i = 0; i < problem.start.size(); ++i) {
-    problem.tolerances[i] = static_cast<int>(i % pose_size<Dim>) < Dim ? s.displacement_error : s.rotation_error;
+    problem.tolerances[i] =
+        static_cast<int>(i % pose_size<Dim>) < Dim ? s.displacement_error : s.rotation_error;
   }
   problem.max_steps = 1000000;
   problem.rates = [&s](double time, const double* y, double* rate) { s.rates(time, y, rate); };
-  problem.solve = [&s](const CvodeProblem::Newton& newton, const double* b, double* x) { s.solve(newton, b, x); };
+  problem.solve = [&s](const CvodeProblem::Newton& newton, const double* b, double* x) {
+    s.solve(newton, b, x);
+  };
   s.session.emplace(std::move(problem));
 }
 

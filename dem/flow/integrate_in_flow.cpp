@@ -1,12 +1,12 @@
 #include "dem/flow/integrate_in_flow.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include "dem/chain/flow_at_spheres.hpp"
-#include "dem/model/errors.hpp"
-#include "dem/flow/leapfrog_in_flow.hpp"
 #include "dem/flow/inertialess.hpp"
+#include "dem/flow/leapfrog_in_flow.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/cvode.hpp"
 
 namespace fiberchain::dem {
@@ -16,12 +16,13 @@ void check(const FlowCase<Dim>& flow) {
   check(flow.chain.fiber);
   check<Dim>(flow.fluid);
   if (flow.start.size() != flow.chain.poses.size()) {
-    throw InvalidInput(fmt::format("start = {} poses is not allowed: the chain has {} spheres", flow.start.size(),
-                                   flow.chain.poses.size()));
+    throw InvalidInput(fmt::format("start = {} poses is not allowed: the chain has {} spheres",
+                                   flow.start.size(), flow.chain.poses.size()));
   }
   if (flow.chain.fiber.rolling_friction > 0) {
-    throw InvalidInput(fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",
-                                   flow.chain.fiber.rolling_friction));
+    throw InvalidInput(
+        fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",
+                    flow.chain.fiber.rolling_friction));
   }
 }
 
@@ -43,14 +44,16 @@ template <int Dim>
 void check_case(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options) {
   check(flow);
   if (options.method != FlowMethod::inertialess && flow.fluid.hydrodynamics != Hydrodynamics::free_draining) {
-    throw InvalidInput(fmt::format("hydrodynamics: {} is built for method: inertialess only", name(flow.fluid.hydrodynamics)));
+    throw InvalidInput(fmt::format("hydrodynamics: {} is built for method: inertialess only",
+                                   name(flow.fluid.hydrodynamics)));
   }
   if (options.method != FlowMethod::leapfrog && options.form == BondForm::incremental) {
     throw InvalidInput("form: incremental is built for method: leapfrog only");
   }
   double before = 0;
   for (const double time : times) {
-    if (!(time >= before) || !std::isfinite(time)) throw InvalidInput("times must be finite and must not fall");
+    if (!(time >= before) || !std::isfinite(time))
+      throw InvalidInput("times must be finite and must not fall");
     before = time;
   }
 }
@@ -58,7 +61,8 @@ void check_case(const FlowCase<Dim>& flow, const std::vector<double>& times, con
 template <int Dim>
 CvodeMotion<Dim> motion_with_inertia(const FlowCase<Dim>& flow, double tolerance, double duration) {
   const double rate = largest_rate(flow.fluid.flow.gradient);
-  const CvodeTolerance errors{tolerance, fiber_length(flow.chain.fiber), 1, rate > 0 ? 1 / rate : duration, 1000000};
+  const CvodeTolerance errors{tolerance, fiber_length(flow.chain.fiber), 1, rate > 0 ? 1 / rate : duration,
+                              1000000};
   const auto velocity = [fluid = flow.fluid](double time, const Poses<Dim>& poses) {
     return undisturbed<Dim>(gradient_at(fluid.flow, time), poses);
   };
@@ -93,8 +97,10 @@ FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, c
     case FlowMethod::inertialess:
       return follow_by<Dim>(InertialessMotion<Dim>(flow, options.tolerance), times, sample);
     case FlowMethod::cvode:
-      return follow_by<Dim>(motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()), times, sample);
-    default: return leapfrog_in_flow(flow, times, options, sample);
+      return follow_by<Dim>(motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()),
+                            times, sample);
+    default:
+      return leapfrog_in_flow(flow, times, options, sample);
   }
 }
 
@@ -102,7 +108,9 @@ template void check<2>(const FlowCase<2>&);
 template void check<3>(const FlowCase<3>&);
 template ChainState<2> carried_state<2>(const FlowCase<2>&);
 template ChainState<3> carried_state<3>(const FlowCase<3>&);
-template FlowRecord follow<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&, const FlowSample<2>&);
-template FlowRecord follow<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&, const FlowSample<3>&);
+template FlowRecord follow<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&,
+                              const FlowSample<2>&);
+template FlowRecord follow<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&,
+                              const FlowSample<3>&);
 
 }  // namespace fiberchain::dem

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dem/model/fluid.hpp"
 #include "dem/chain/chain_state.hpp"
+#include "dem/model/fluid.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/physics.hpp"
 #include "dem/simd/instruction_set.hpp"
@@ -23,9 +23,12 @@ enum class FlowMethod {
 
 constexpr std::string_view name(FlowMethod method) {
   switch (method) {
-    case FlowMethod::cvode: return "cvode";
-    case FlowMethod::leapfrog: return "leapfrog";
-    default: return "inertialess";
+    case FlowMethod::cvode:
+      return "cvode";
+    case FlowMethod::leapfrog:
+      return "leapfrog";
+    default:
+      return "inertialess";
   }
 }
 
@@ -33,12 +36,13 @@ constexpr std::string_view name(FlowMethod method) {
 template <int Dim>
 struct FlowCase {
   Chain<Dim> chain;
-  Poses<Dim> start;          ///< may be strained
+  Poses<Dim> start;  ///< may be strained
   Fluid fluid;
   Boundary<Dim> boundary{};  ///< dead loads; clamped spheres with free draining only
 };
 
-/// Throws InvalidInput for a fiber, fluid or start that makes no sense, or rolling friction, which is not built in a fluid.
+/// Throws InvalidInput for a fiber, fluid or start that makes no sense, or rolling friction, which is not
+/// built in a fluid.
 template <int Dim>
 void check(const FlowCase<Dim>& flow);
 
@@ -48,10 +52,11 @@ ChainState<Dim> carried_state(const FlowCase<Dim>& flow);
 
 struct FlowOptions {
   FlowMethod method = FlowMethod::inertialess;
-  double tolerance = 1e-8;  ///< inertialess, cvode: local error relative to L and to 1 rad
-  BondForm form = BondForm::total;               ///< leapfrog only; the others have the total form
-  std::optional<double> step_ratio = std::nullopt;  ///< leapfrog: largest dt / t_b; left out: 0.8 of the stable step
-  bool allow_unstable = false;                   ///< leapfrog: march even beyond the stable step
+  double tolerance = 1e-8;          ///< inertialess, cvode: local error relative to L and to 1 rad
+  BondForm form = BondForm::total;  ///< leapfrog only; the others have the total form
+  std::optional<double> step_ratio =
+      std::nullopt;             ///< leapfrog: largest dt / t_b; left out: 0.8 of the stable step
+  bool allow_unstable = false;  ///< leapfrog: march even beyond the stable step
   InstructionSet instruction_set = best_instruction_set();
 };
 
@@ -66,8 +71,8 @@ struct FlowRecord {
   std::string failure;  ///< empty; else time, step, sphere and likely cause, and `reached` is before it
 };
 
-/// Follows one fiber and hands its state out at the times, which must rise from 0 or later. The leapfrog takes whole
-/// steps to each of them. Throws InvalidInput for a case that makes no sense or is not built.
+/// Follows one fiber and hands its state out at the times, which must rise from 0 or later. The leapfrog
+/// takes whole steps to each of them. Throws InvalidInput for a case that makes no sense or is not built.
 template <int Dim>
 FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
                   const FlowSample<Dim>& sample);

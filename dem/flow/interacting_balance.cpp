@@ -1,8 +1,8 @@
 #include "dem/flow/interacting_balance.hpp"
 
+#include "dem/chain/chain_state.hpp"
 #include "dem/chain/flow_at_spheres.hpp"
 #include "dem/model/errors.hpp"
-#include "dem/chain/chain_state.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -47,9 +47,11 @@ Eigen::MatrixXd damping_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses,
 }  // namespace
 
 template <int Dim>
-InteractingBalance<Dim>::InteractingBalance(const Chain<Dim>& chain, const Boundary<Dim>& boundary, const Fluid& fluid)
+InteractingBalance<Dim>::InteractingBalance(const Chain<Dim>& chain, const Boundary<Dim>& boundary,
+                                            const Fluid& fluid)
     : chain_(chain), fluid_(fluid), loads_(applied_loads(boundary, static_cast<int>(chain.poses.size()))) {
-  if (!boundary.clamped.empty()) throw InvalidInput("clamped spheres are built for hydrodynamics: free_draining only");
+  if (!boundary.clamped.empty())
+    throw InvalidInput("clamped spheres are built for hydrodynamics: free_draining only");
 }
 
 template <int Dim>
@@ -60,12 +62,14 @@ ChainVector<Dim> InteractingBalance<Dim>::velocities(double time, const Poses<Di
   const Mobility moves = mobility<Dim>(fluid_, sphere_radius(chain_.fiber), poses);
   Eigen::VectorXd all = stacked<Dim>(v) + moves.motion * stacked<Dim>(forces);
   if (moves.strain.cols() > 0) all += moves.strain * strain_components(A);
-  if (damped(chain_.fiber)) all = damping_matrix(chain_, poses, moves.motion).partialPivLu().solve(all).eval();
+  if (damped(chain_.fiber))
+    all = damping_matrix(chain_, poses, moves.motion).partialPivLu().solve(all).eval();
   unstack<Dim>(all, v);
   return v;
 }
 
-/// (I + M C + gamma M K - gamma G) x = (I + M C) b; how the mobility changes with the place is left to Newton's iterations.
+/// (I + M C + gamma M K - gamma G) x = (I + M C) b; how the mobility changes with the place is left to
+/// Newton's iterations.
 template <int Dim>
 void InteractingBalance<Dim>::set_up(double time, const Poses<Dim>& poses, double gamma) {
   constexpr int m = sphere_motions<Dim>;

@@ -7,8 +7,8 @@
 namespace fiberchain::dem {
 
 /// Balance of forces on the spheres of a chain without inertia that act on each other through the fluid:
-/// v = V + M (F - C v) + N E, F of the bonds and loads, C of the dashpots, M and N the mobility. Dense: time grows with the
-/// cube of the number of spheres.
+/// v = V + M (F - C v) + N E, F of the bonds and loads, C of the dashpots, M and N the mobility. Dense: time
+/// grows with the cube of the number of spheres.
 template <int Dim>
 class InteractingBalance {
  public:

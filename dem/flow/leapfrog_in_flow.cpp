@@ -1,13 +1,13 @@
 #include "dem/flow/leapfrog_in_flow.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
 #include <tuple>
 
-#include "dem/model/errors.hpp"
 #include "dem/flow/flow_batch.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -17,7 +17,8 @@ template <int Dim>
 void check_built(const FlowCase<Dim>& flow, const FlowOptions& options) {
   check(flow);
   if (options.form == BondForm::incremental && !flow.chain.natural.empty()) {
-    throw InvalidInput("form = incremental is not allowed: bonds curved at rest in a fluid have the total form only");
+    throw InvalidInput(
+        "form = incremental is not allowed: bonds curved at rest in a fluid have the total form only");
   }
 }
 
@@ -27,8 +28,8 @@ Clamps clamps_of(const FlowCase<Dim>& flow) {
   Clamps clamps{false, false};
   for (const int sphere : flow.boundary.clamped) {
     if (sphere != 0 && sphere != last) {
-      throw InvalidInput(fmt::format("clamped = {} is not allowed: the leapfrog clamps the end spheres 0 and {}", sphere,
-                                     last));
+      throw InvalidInput(fmt::format(
+          "clamped = {} is not allowed: the leapfrog clamps the end spheres 0 and {}", sphere, last));
     }
     (sphere == 0 ? clamps.first : clamps.last) = true;
   }
@@ -39,20 +40,28 @@ double largest_step(const Fiber& fiber, double stable, const FlowOptions& option
   if (!options.step_ratio) return 0.8 * stable;
   const double ratio = *options.step_ratio, t_b = bond_time_step(fiber);
   if (!(ratio > 0) || !std::isfinite(ratio)) {
-    throw InvalidInput(fmt::format("step_ratio = {} is not allowed: it must be finite and greater than 0", ratio));
+    throw InvalidInput(
+        fmt::format("step_ratio = {} is not allowed: it must be finite and greater than 0", ratio));
   }
   if (ratio * t_b >= stable && !options.allow_unstable) {
-    throw InvalidInput(fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain in its fluid is "
-                                   "{:.6g} t_b", ratio, stable / t_b));
+    throw InvalidInput(
+        fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain in its fluid is "
+                    "{:.6g} t_b",
+                    ratio, stable / t_b));
   }
   return ratio * t_b;
 }
 
-/// What can share a block: equal length, damped or not, straight or not, clamped alike, equal numbers of steps.
+/// What can share a block: equal length, damped or not, straight or not, clamped alike, equal numbers of
+/// steps.
 template <int Dim>
 auto kind_of(const FlowJob<Dim>& job, const FlowPlan& plan) {
-  return std::tuple{job.flow.chain.fiber.aspect_ratio, damped(job.flow.chain.fiber), job.flow.chain.natural.empty(),
-                    plan.clamps.first, plan.clamps.last, plan.counts};
+  return std::tuple{job.flow.chain.fiber.aspect_ratio,
+                    damped(job.flow.chain.fiber),
+                    job.flow.chain.natural.empty(),
+                    plan.clamps.first,
+                    plan.clamps.last,
+                    plan.counts};
 }
 
 }  // namespace
@@ -76,15 +85,15 @@ FlowPlan plan_of(const FlowCase<Dim>& flow, const std::vector<double>& times, co
 }
 
 template <int Dim>
-FlowRecord leapfrog_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
-                              const FlowSample<Dim>& sample) {
+FlowRecord leapfrog_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
+                            const FlowOptions& options, const FlowSample<Dim>& sample) {
   FlowBatch<Dim> march({{&flow, &times, plan_of(flow, times, options)}}, options);
   return march.run([&](std::size_t, double time, const ChainState<Dim>& state) { sample(time, state); })[0];
 }
 
 template <int Dim>
-std::vector<FlowRecord> leapfrog_many_in_flow(const std::vector<FlowJob<Dim>>& jobs, const FlowOptions& options,
-                                                const FlowJobSample<Dim>& sample) {
+std::vector<FlowRecord> leapfrog_many_in_flow(const std::vector<FlowJob<Dim>>& jobs,
+                                              const FlowOptions& options, const FlowJobSample<Dim>& sample) {
   std::vector<FlowPlan> plans;
   for (const FlowJob<Dim>& job : jobs) plans.push_back(plan_of(job.flow, job.times, options));
   std::map<decltype(kind_of(jobs[0], plans[0])), std::vector<std::size_t>> groups;
@@ -108,12 +117,12 @@ std::vector<FlowRecord> leapfrog_many_in_flow(const std::vector<FlowJob<Dim>>& j
   return records;
 }
 
-#define FIBERCHAIN_INSTANTIATE(Dim)                                                                              \
-  template FlowPlan plan_of<Dim>(const FlowCase<Dim>&, const std::vector<double>&, const FlowOptions&);          \
-  template FlowRecord leapfrog_in_flow<Dim>(const FlowCase<Dim>&, const std::vector<double>&,                  \
-                                              const FlowOptions&, const FlowSample<Dim>&);                       \
-  template std::vector<FlowRecord> leapfrog_many_in_flow<Dim>(const std::vector<FlowJob<Dim>>&,                \
-                                                                const FlowOptions&, const FlowJobSample<Dim>&);
+#define FIBERCHAIN_INSTANTIATE(Dim)                                                                     \
+  template FlowPlan plan_of<Dim>(const FlowCase<Dim>&, const std::vector<double>&, const FlowOptions&); \
+  template FlowRecord leapfrog_in_flow<Dim>(const FlowCase<Dim>&, const std::vector<double>&,           \
+                                            const FlowOptions&, const FlowSample<Dim>&);                \
+  template std::vector<FlowRecord> leapfrog_many_in_flow<Dim>(                                          \
+      const std::vector<FlowJob<Dim>>&, const FlowOptions&, const FlowJobSample<Dim>&);
 FIBERCHAIN_INSTANTIATE(2)
 FIBERCHAIN_INSTANTIATE(3)
 #undef FIBERCHAIN_INSTANTIATE

@@ -6,8 +6,8 @@ namespace fiberchain::dem {
 
 /// follow() by the leapfrog.
 template <int Dim>
-FlowRecord leapfrog_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
-                              const FlowSample<Dim>& sample);
+FlowRecord leapfrog_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
+                            const FlowOptions& options, const FlowSample<Dim>& sample);
 
 /// A fiber to follow and the times of interest.
 template <int Dim>
@@ -20,11 +20,11 @@ struct FlowJob {
 template <int Dim>
 using FlowJobSample = std::function<void(std::size_t job, double time, const ChainState<Dim>& state)>;
 
-/// leapfrog_in_flow() of many fibers. Those of one length that take equal numbers of steps march side by side; a
-/// record does not depend on what marches beside it but by round-off where a fiber marches alone. One that blows up
-/// stops, the others go on.
+/// leapfrog_in_flow() of many fibers. Those of one length that take equal numbers of steps march side by
+/// side; a record does not depend on what marches beside it but by round-off where a fiber marches alone. One
+/// that blows up stops, the others go on.
 template <int Dim>
-std::vector<FlowRecord> leapfrog_many_in_flow(const std::vector<FlowJob<Dim>>& jobs, const FlowOptions& options,
-                                                const FlowJobSample<Dim>& sample);
+std::vector<FlowRecord> leapfrog_many_in_flow(const std::vector<FlowJob<Dim>>& jobs,
+                                              const FlowOptions& options, const FlowJobSample<Dim>& sample);
 
 }  // namespace fiberchain::dem

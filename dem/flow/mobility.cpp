@@ -1,12 +1,12 @@
 #include "dem/flow/mobility.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
-#include "dem/model/errors.hpp"
 #include "dem/flow/pair_mobility.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -26,7 +26,8 @@ struct Scale {
   double radius, factor;
 };
 
-/// Powers of R that a motion carries: a velocity by a force goes with 1/R, every spin or moment with 1/R more.
+/// Powers of R that a motion carries: a velocity by a force goes with 1/R, every spin or moment with 1/R
+/// more.
 template <int Dim>
 double power(const Scale& scale, int row, int column) {
   const int angular = (row >= Dim) + (column >= Dim);
@@ -55,7 +56,8 @@ using DipoleBlock = Eigen::Matrix<double, 6, 5>;
 
 DipoleBlock motion_by_dipoles(const pair::Line& l, const std::array<pair::Matrix, 5>& basis) {
   DipoleBlock block;
-  for (int k = 0; k < 5; ++k) block.col(k) << pair::translation_by_dipole(l, basis[k]), pair::spin_by_dipole(l, basis[k]);
+  for (int k = 0; k < 5; ++k)
+    block.col(k) << pair::translation_by_dipole(l, basis[k]), pair::spin_by_dipole(l, basis[k]);
   return block;
 }
 
@@ -73,7 +75,8 @@ Eigen::MatrixXd motions_by_forces(const Poses<Dim>& poses, const Scale& scale) {
       const PairBlock block = pair_block(line(poses, i, j, scale.radius));
       for (int a = 0; a < m; ++a) {
         for (int b = 0; b < m; ++b) {
-          M(i * m + a, j * m + b) = M(j * m + b, i * m + a) = power<Dim>(scale, a, b) * block(kept[a], kept[b]);
+          M(i * m + a, j * m + b) = M(j * m + b, i * m + a) =
+              power<Dim>(scale, a, b) * block(kept[a], kept[b]);
         }
       }
     }
@@ -83,8 +86,10 @@ Eigen::MatrixXd motions_by_forces(const Poses<Dim>& poses, const Scale& scale) {
 
 void check_apart(double gap, int i, int j) {
   if (gap >= 1.8) return;
-  throw Diverged(fmt::format("spheres {} and {} are {:.3g} R apart: stresslets are for spheres that do not overlap; likely "
-                             "cause: a fiber that folds onto itself, or bonds too soft for the flow", j, i, gap));
+  throw Diverged(fmt::format(
+      "spheres {} and {} are {:.3g} R apart: stresslets are for spheres that do not overlap; likely "
+      "cause: a fiber that folds onto itself, or bonds too soft for the flow",
+      j, i, gap));
 }
 
 /// Adds what the stresslets do that keep the spheres rigid: S = -strains^-1 (E + motions^T F).
@@ -95,7 +100,8 @@ void add_stresslets(const Poses<Dim>& poses, const Scale& scale, Mobility& mobil
   const auto basis = pair::strain_basis();
   const int n = static_cast<int>(poses.size());
   const double R = scale.radius, by_strain = scale.factor / (R * R * R);
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(n * m, n * 5), strains = Eigen::MatrixXd::Zero(n * 5, n * 5);
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(n * m, n * 5),
+                  strains = Eigen::MatrixXd::Zero(n * 5, n * 5);
   strains.diagonal().setConstant(pair::own_strain * by_strain);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < i; ++j) {
@@ -138,7 +144,8 @@ Eigen::Matrix<double, 5, 1> strain_components(const Gradient& A) {
 template <int Dim>
 Mobility mobility(const Fluid& fluid, double radius, const Poses<Dim>& poses) {
   const Scale scale{radius, 1 / (8 * std::numbers::pi * fluid.viscosity)};
-  Mobility result{motions_by_forces<Dim>(poses, scale), Eigen::MatrixXd(poses.size() * sphere_motions<Dim>, 0)};
+  Mobility result{motions_by_forces<Dim>(poses, scale),
+                  Eigen::MatrixXd(poses.size() * sphere_motions<Dim>, 0)};
   if (fluid.hydrodynamics == Hydrodynamics::stresslets) add_stresslets<Dim>(poses, scale, result);
   return result;
 }

@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 #include <array>
 
-// What a sphere in creeping flow does to another of the same radius, in units of 1 / (8 pi mu) and R: exact averages over
-// both spheres of the field of a force, torque or stresslet spread evenly over the surface (Faxen's laws).
+// What a sphere in creeping flow does to another of the same radius, in units of 1 / (8 pi mu) and R: exact
+// averages over both spheres of the field of a force, torque or stresslet spread evenly over the surface
+// (Faxen's laws).
 namespace fiberchain::dem::pair {
 
 using Vector = Eigen::Vector3d;
@@ -41,7 +42,8 @@ inline Matrix translation_by_torque(const Line& l) {
 inline Matrix spin_by_torque(const Line& l) {
   const Matrix ee = l.e * l.e.transpose();
   const double r = l.r, r3 = r * r * r;
-  if (r < 2) return (1 - 27.0 / 32 * r + 5.0 / 64 * r3) * Matrix::Identity() + (9.0 / 32 * r - 3.0 / 64 * r3) * ee;
+  if (r < 2)
+    return (1 - 27.0 / 32 * r + 5.0 / 64 * r3) * Matrix::Identity() + (9.0 / 32 * r - 3.0 / 64 * r3) * ee;
   return (3 * ee - Matrix::Identity()) / (2 * r3);
 }
 
@@ -61,8 +63,10 @@ inline Vector spin_by_dipole(const Line& l, const Matrix& S) {
 inline Matrix strain_by_dipole(const Line& l, const Matrix& S) {
   const Vector Se = S * l.e;
   const double s = l.e.dot(Se), r3 = l.r * l.r * l.r;
-  const Matrix P = l.e * Se.transpose() + Se * l.e.transpose(), I = Matrix::Identity(), ee = l.e * l.e.transpose();
-  return 3 / r3 * (s * I + P - 5 * s * ee + 2.0 / (5 * l.r * l.r) * (2 * S - 10 * P - 5 * s * I + 35 * s * ee));
+  const Matrix P = l.e * Se.transpose() + Se * l.e.transpose(), I = Matrix::Identity(),
+               ee = l.e * l.e.transpose();
+  return 3 / r3 *
+         (s * I + P - 5 * s * ee + 2.0 / (5 * l.r * l.r) * (2 * S - 10 * P - 5 * s * I + 35 * s * ee));
 }
 
 /// Of one sphere alone: velocity by force, spin by torque, strain rate by dipole.
@@ -76,7 +80,8 @@ inline std::array<Matrix, 5> strain_basis() {
   basis[0].diagonal() << h, -h, 0;
   basis[1].diagonal() << -k, -k, 2 * k;
   constexpr int pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
-  for (int n = 0; n < 3; ++n) basis[2 + n](pairs[n][0], pairs[n][1]) = basis[2 + n](pairs[n][1], pairs[n][0]) = h;
+  for (int n = 0; n < 3; ++n)
+    basis[2 + n](pairs[n][0], pairs[n][1]) = basis[2 + n](pairs[n][1], pairs[n][0]) = h;
   return basis;
 }
 

@@ -12,8 +12,10 @@ CellGeometry cells_for(const Box& box, const Vec<double, 3>& period, double reac
 }  // namespace
 
 InsertionGrid::InsertionGrid(const Box& box, const Vec<double, 3>& period, double largest_radius, double gap,
-                       std::int64_t expected)
-    : periods_(periodic_box(period)), gap_(gap), cells_(cells_for(box, period, 2 * largest_radius + gap, expected)) {}
+                             std::int64_t expected)
+    : periods_(periodic_box(period)),
+      gap_(gap),
+      cells_(cells_for(box, period, 2 * largest_radius + gap, expected)) {}
 
 void InsertionGrid::add(const Vec<double, 3>& center, double radius) {
   cells_.add(center);

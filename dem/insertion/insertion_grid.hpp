@@ -21,7 +21,7 @@ class InsertionGrid {
   /// along axes whose `period` is above 0. Throws InvalidInput when a period is less than twice the largest
   /// distance that is not free.
   InsertionGrid(const Box& box, const Vec<double, 3>& period, double largest_radius, double gap,
-             std::int64_t expected);
+                std::int64_t expected);
 
   void add(const Vec<double, 3>& center, double radius);
 

@@ -76,8 +76,7 @@ Quaternion<double> rotation_for(const Chain<3>& chain, const InsertionOrientatio
 /// Places fibers one by one.
 class Inserter {
  public:
-  Inserter(const InsertionRules& rules, const Domain& domain, double largest_radius,
-         std::int64_t spheres)
+  Inserter(const InsertionRules& rules, const Domain& domain, double largest_radius, std::int64_t spheres)
       : rules_(rules),
         domain_(domain),
         grid_(rules.region, domain.period, largest_radius, rules.gap, spheres) {}
@@ -161,7 +160,8 @@ class Inserter {
   InsertionGrid grid_;
 };
 
-/// Neighbors in space become neighbors in memory: fibers in the order of their middles along the region's longest side.
+/// Neighbors in space become neighbors in memory: fibers in the order of their middles along the region's
+/// longest side.
 void sort_by_place(std::vector<ChainState<3>>& fibers, const Box& region) {
   int longest = 0;
   for (int a = 1; a < 3; ++a) {
@@ -219,11 +219,14 @@ std::vector<FiberGroup> fill(const std::vector<InsertionCount>& counts, const In
     for (std::int64_t i = 0; i < counts[g].count; ++i, ++done) {
       auto state = filler.insert(counts[g].chain, static_cast<std::uint64_t>(first[g] + i));
       if (!state) {
-        throw NoRoom(fmt::format(
-            "fiber {} of {} found no place in {} attempts: between walls and other fibers, the region ({:.3g} m x {:.3g} m x "
-            "{:.3g} m) is too small or too full for fibers {:.3g} m long; make it larger or taller, or fill in batches",
-            done + 1, fibers, rules.attempts, rules.region.high[0] - rules.region.low[0], rules.region.high[1] - rules.region.low[1],
-            rules.region.high[2] - rules.region.low[2], fiber_length(counts[g].chain.fiber)));
+        throw NoRoom(
+            fmt::format("fiber {} of {} found no place in {} attempts: between walls and other fibers, the "
+                        "region ({:.3g} m x {:.3g} m x "
+                        "{:.3g} m) is too small or too full for fibers {:.3g} m long; make it larger or "
+                        "taller, or fill in batches",
+                        done + 1, fibers, rules.attempts, rules.region.high[0] - rules.region.low[0],
+                        rules.region.high[1] - rules.region.low[1],
+                        rules.region.high[2] - rules.region.low[2], fiber_length(counts[g].chain.fiber)));
       }
       groups[g].fibers.push_back(std::move(*state));
     }

@@ -7,8 +7,8 @@
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
 
-// Fibers at random position_radius, one after the other, where no sphere overlaps another or a wall. The same seed
-// gives the same packing on any machine and any number of threads.
+// Fibers at random position_radius, one after the other, where no sphere overlaps another or a wall. The same
+// seed gives the same packing on any machine and any number of threads.
 namespace fiberchain::dem {
 
 /// Which ways fibers point: the direction from their first sphere to their last.
@@ -46,9 +46,9 @@ struct InsertionCount {
 /// One group a count, its fibers beside each other and beside spheres that are there already. Each fiber
 /// draws its orientation, then its place uniformly among those where it lies in the region, until nothing is
 /// in its way; the largest chains come first. What is in the way favors aligned neighbors, as for any random
-/// insertion: a dense filling is not quite as isotropic as asked. Fibers of a group are numbered in the order of their
-/// middles along the region's longest side. Throws InvalidInput for rules that make no
-/// sense, NoRoom when a fiber finds no place.
+/// insertion: a dense filling is not quite as isotropic as asked. Fibers of a group are numbered in the order
+/// of their middles along the region's longest side. Throws InvalidInput for rules that make no sense, NoRoom
+/// when a fiber finds no place.
 std::vector<FiberGroup> fill(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
                              const Domain& domain, const PlacedSpheres& present = {});
 

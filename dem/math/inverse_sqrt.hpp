@@ -9,8 +9,9 @@
 
 namespace fiberchain::dem {
 
-/// 1 / sqrt(q) to round-off, q > 1e-300. Where a processor has an estimate, within 2^-14, a series takes it from there, to
-/// fifth order in what is missing: division and root would wait for each other and for those of other vectors.
+/// 1 / sqrt(q) to round-off, q > 1e-300. Where a processor has an estimate, within 2^-14, a series takes it
+/// from there, to fifth order in what is missing: division and root would wait for each other and for those
+/// of other vectors.
 template <class Real>
 Real inverse_sqrt(const Real& q) {
 #ifdef __AVX512F__

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-// 1 / sqrt(q) and atan(x) / x where the argument is nearly always close to one value: polynomials that a processor
-// takes a fraction of the time for, with the exact function where the argument is not close. Every lane decides for
-// itself, so that a result does not depend on its neighbors or on how many there are.
+// 1 / sqrt(q) and atan(x) / x where the argument is nearly always close to one value: polynomials that a
+// processor takes a fraction of the time for, with the exact function where the argument is not close. Every
+// lane decides for itself, so that a result does not depend on its neighbors or on how many there are.
 namespace fiberchain::dem {
 
 constexpr double select(bool condition, double yes, double no) { return condition ? yes : no; }
@@ -35,12 +35,13 @@ Real inverse_sqrt_near_one(const Real& q) {
   if constexpr (Selectable<Real>) {
     const Real h = q - Real(1.0);
     // minimax, within 1.41e-6; then one step of third order, 7e-18
-    const Real guess = polynomial(h, 0.99999859089844625, -0.49999703796270046,
-                                  0.37675864755959006, -0.31443586184350294);
+    const Real guess =
+        polynomial(h, 0.99999859089844625, -0.49999703796270046, 0.37675864755959006, -0.31443586184350294);
     const Real rest = Real(1.0) - q * (guess * guess);
     const Real close = guess + guess * (rest * (Real(0.5) + Real(0.375) * rest));
     const auto near = h * h < Real(0.08 * 0.08);
-    if (all(near)) [[likely]] return close;
+    if (all(near)) [[likely]]
+      return close;
     return select(near, close, Real(1.0) / sqrt(q));
   } else {
     return Real(1.0) / sqrt(q);
@@ -66,7 +67,8 @@ Real atan_ratio(const Real& x_squared) {
     const Real series = polynomial(x_squared, 1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13,
                                    -1.0 / 15, 1.0 / 17, -1.0 / 19, 1.0 / 21);
     const auto near = x_squared < Real(0.04);
-    if (all(near)) [[likely]] return series;
+    if (all(near)) [[likely]]
+      return series;
     return select(near, series, exact());
   } else {
     return exact();

@@ -59,7 +59,8 @@ constexpr Vec<Real, 3> cross(const Vec<Real, 3>& a, const Vec<Real, 3>& b) {
 /// u + a x b, every product added as it is made: two fused operations a component where there are such.
 template <class Real>
 constexpr Vec<Real, 3> plus_cross(const Vec<Real, 3>& u, const Vec<Real, 3>& a, const Vec<Real, 3>& b) {
-  return {(u[0] + a[1] * b[2]) - a[2] * b[1], (u[1] + a[2] * b[0]) - a[0] * b[2], (u[2] + a[0] * b[1]) - a[1] * b[0]};
+  return {(u[0] + a[1] * b[2]) - a[2] * b[1], (u[1] + a[2] * b[0]) - a[0] * b[2],
+          (u[2] + a[0] * b[1]) - a[1] * b[0]};
 }
 
 /// Two vectors in the plane: the component about z.

@@ -15,8 +15,8 @@ namespace fiberchain::dem {
 /// A wall that may move at constant speed and be there for a while only.
 struct Wall {
   WallShape shape;
-  Vec<double, 3> velocity{};  ///< [m/s]
-  double from = 0;            ///< there from this time [s]
+  Vec<double, 3> velocity{};                               ///< [m/s]
+  double from = 0;                                         ///< there from this time [s]
   double until = std::numeric_limits<double>::infinity();  ///< and gone from this one: a wall that opens
 };
 
@@ -35,9 +35,9 @@ struct Domain {
   std::vector<Wall> walls;
   double wall_youngs_modulus = 0;  ///< [Pa]; 0: rigid walls
   double wall_poisson_ratio = 0.3;
-  Vec<double, 3> period{};         ///< length of the periodic cell along x, y, z [m]; 0: not periodic
-  Vec<double, 3> gravity{};        ///< [m/s^2]
-  std::optional<Fluid> fluid;      ///< free draining only
+  Vec<double, 3> period{};     ///< length of the periodic cell along x, y, z [m]; 0: not periodic
+  Vec<double, 3> gravity{};    ///< [m/s^2]
+  std::optional<Fluid> fluid;  ///< free draining only
   ContactProperties contacts;
 };
 

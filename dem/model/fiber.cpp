@@ -39,9 +39,12 @@ std::string_view name(BondModel model) { return model == BondModel::paper ? "pap
 
 std::string_view name(DashpotLaw law) {
   switch (law) {
-    case DashpotLaw::retardation_time: return "retardation_time";
-    case DashpotLaw::bending_only: return "bending_only";
-    default: return "bond_damping";
+    case DashpotLaw::retardation_time:
+      return "retardation_time";
+    case DashpotLaw::bending_only:
+      return "bending_only";
+    default:
+      return "bond_damping";
   }
 }
 
@@ -53,16 +56,19 @@ void check(const Fiber& fiber) {
   // nu recovered from E and G carries their rounding
   const double nu = poisson_ratio(fiber.material);
   require_poisson_ratio(nu > 0.5 && nu < 0.5 + 1e-12 ? 0.5 : nu);
-  require(fiber.aspect_ratio >= 1, "aspect_ratio", fiber.aspect_ratio, "it must be a whole number, 1 or more");
+  require(fiber.aspect_ratio >= 1, "aspect_ratio", fiber.aspect_ratio,
+          "it must be a whole number, 1 or more");
   require(std::isfinite(fiber.bond_damping) && fiber.bond_damping >= 0, "bond_damping", fiber.bond_damping,
           "it must be finite and 0 or more");
   require(std::isfinite(fiber.retardation_time) && fiber.retardation_time >= 0, "retardation_time",
           fiber.retardation_time, "it must be finite and 0 or more");
   require(std::isfinite(fiber.rolling_friction) && fiber.rolling_friction >= 0, "rolling_friction",
           fiber.rolling_friction, "it must be finite and 0 or more");
-  for (const double own : fiber.law_parameters) require(std::isfinite(own), "law_parameters", own, "they must be finite");
+  for (const double own : fiber.law_parameters)
+    require(std::isfinite(own), "law_parameters", own, "they must be finite");
   if (fiber.dashpots == DashpotLaw::retardation_time) {
-    require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping, "dashpots set by a retardation time take no xi_b");
+    require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping,
+            "dashpots set by a retardation time take no xi_b");
   } else {
     require(fiber.retardation_time == 0, "retardation_time", fiber.retardation_time,
             "dashpots set by xi_b take no retardation time");

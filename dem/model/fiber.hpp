@@ -41,13 +41,13 @@ inline constexpr int law_parameter_count = 3;
 /// A straight fiber: aspect_ratio bonds of length 2R join aspect_ratio + 1 touching spheres.
 struct Fiber {
   Material material;
-  double diameter;                       ///< d = 2R [m]
-  int aspect_ratio;                      ///< r_f = L / d, the number of bonds
+  double diameter;   ///< d = 2R [m]
+  int aspect_ratio;  ///< r_f = L / d, the number of bonds
   BondModel bond_model = BondModel::paper;
-  double bond_damping = 0.0;             ///< xi_b of Eqs 7-10 [-]; 0 with DashpotLaw::retardation_time
+  double bond_damping = 0.0;  ///< xi_b of Eqs 7-10 [-]; 0 with DashpotLaw::retardation_time
   DashpotLaw dashpots = DashpotLaw::bond_damping;
-  double retardation_time = 0.0;         ///< tau [s]; 0 unless DashpotLaw::retardation_time
-  double rolling_friction = 0.0;         ///< xi_r of Eq 21 [-]
+  double retardation_time = 0.0;  ///< tau [s]; 0 unless DashpotLaw::retardation_time
+  double rolling_friction = 0.0;  ///< xi_r of Eq 21 [-]
   std::array<double, law_parameter_count> law_parameters{};  ///< of a bond law that has its own, in its units
 };
 

@@ -1,7 +1,7 @@
 #include "dem/model/fluid.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <numbers>
 
 #include "dem/model/errors.hpp"
@@ -12,7 +12,8 @@ namespace {
 void check_trace(const Gradient& A) {
   const double trace = A[0][0] + A[1][1] + A[2][2];
   if (std::abs(trace) > 1e-12 * largest_rate(A)) {
-    throw InvalidInput(fmt::format("gradient: a trace of {:g} 1/s is not allowed: an incompressible fluid has 0", trace));
+    throw InvalidInput(
+        fmt::format("gradient: a trace of {:g} 1/s is not allowed: an incompressible fluid has 0", trace));
   }
 }
 

@@ -16,9 +16,12 @@ enum class Hydrodynamics {
 
 constexpr std::string_view name(Hydrodynamics hydrodynamics) {
   switch (hydrodynamics) {
-    case Hydrodynamics::interactions: return "interactions";
-    case Hydrodynamics::stresslets: return "stresslets";
-    default: return "free_draining";
+    case Hydrodynamics::interactions:
+      return "interactions";
+    case Hydrodynamics::stresslets:
+      return "stresslets";
+    default:
+      return "free_draining";
   }
 }
 
@@ -30,8 +33,8 @@ struct Fluid {
   bool compressible = false;  ///< allow a gradient with non-zero trace, which Stokes' drag is not made for
 };
 
-/// Throws InvalidInput unless mu > 0 and finite, the gradient (at the start) is finite, has trace 0 within round-off
-/// where not `compressible`, and in the plane keeps the fiber in it.
+/// Throws InvalidInput unless mu > 0 and finite, the gradient (at the start) is finite, has trace 0 within
+/// round-off where not `compressible`, and in the plane keeps the fiber in it.
 template <int Dim>
 void check(const Fluid& fluid);
 

@@ -1,8 +1,8 @@
 #include "dem/model/velocity_gradient.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "dem/model/errors.hpp"
@@ -12,7 +12,8 @@ namespace {
 
 void require_positive(const char* what, double value) {
   if (!(value > 0) || !std::isfinite(value)) {
-    throw InvalidInput(fmt::format("{} = {} is not allowed: it must be finite and greater than 0", what, value));
+    throw InvalidInput(
+        fmt::format("{} = {} is not allowed: it must be finite and greater than 0", what, value));
   }
 }
 
@@ -26,7 +27,9 @@ Gradient scaled(double factor, const Gradient& gradient) {
 
 }  // namespace
 
-Gradient gradient_at(const Flow& flow, double time) { return flow.at_time ? flow.at_time(time) : flow.gradient; }
+Gradient gradient_at(const Flow& flow, double time) {
+  return flow.at_time ? flow.at_time(time) : flow.gradient;
+}
 
 double largest_rate(const Gradient& A) {
   double size = 0;
@@ -51,7 +54,8 @@ Flow start_up(const Gradient& gradient, double time) {
 
 Flow oscillation(const Gradient& gradient, double period, double phase) {
   require_positive("period", period);
-  return {gradient, [=](double t) { return scaled(std::cos(2 * std::numbers::pi * t / period + phase), gradient); }};
+  return {gradient,
+          [=](double t) { return scaled(std::cos(2 * std::numbers::pi * t / period + phase), gradient); }};
 }
 
 }  // namespace fiberchain::dem

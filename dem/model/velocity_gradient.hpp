@@ -12,8 +12,9 @@ using Gradient = Square<double, 3>;
 
 /// The undisturbed flow u = A(t) x, at rest at the origin.
 struct Flow {
-  Gradient gradient{};                            ///< A, constant in time
-  std::function<Gradient(double)> at_time = {};  ///< A(t) in place of `gradient` where given; t [s] since the start
+  Gradient gradient{};  ///< A, constant in time
+  std::function<Gradient(double)> at_time =
+      {};  ///< A(t) in place of `gradient` where given; t [s] since the start
 };
 
 Gradient gradient_at(const Flow& flow, double time);

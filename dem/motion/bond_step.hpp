@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/motion/rolling_slot.hpp"
 #include "dem/motion/moving_sphere.hpp"
+#include "dem/motion/rolling_slot.hpp"
 
 // One bond in one step, for the three engines of the leapfrog: its law, its dashpots, its rolling friction.
 namespace fiberchain::dem {
@@ -13,9 +13,9 @@ struct ChainBlock {
   using Number = Real;
   int bonds;
   Clamps clamps;
-  MovingSphere<Real, Dim>* spheres;          ///< bonds + 1
+  MovingSphere<Real, Dim>* spheres;                ///< bonds + 1
   BondLawHistory<BondLaw<P>, Real, Dim>* history;  ///< bonds, of laws that have one
-  const NaturalEnds<Real, Dim>* natural;     ///< bonds, curved chains only
+  const NaturalEnds<Real, Dim>* natural;           ///< bonds, curved chains only
   MarchParameters<Real, Dim> parameters;     ///< a copy, which no store to a sphere or a history can alias
   Real* workspace = nullptr;                 ///< slots of the solve along the chain
   const EndLoad<Real, Dim>* dead = nullptr;  ///< bonds + 1, fluid only: dead loads, null if there are none
@@ -26,8 +26,8 @@ struct ChainBlock {
 template <Physics P, class Real>
 using HistoryOf = BondLawHistory<BondLaw<P>, Real, P.dimension>;
 
-/// Bond `bond` between spheres a and b as its law sees it. Poses where the law needs them, line and motion where it or the
-/// dashpots do.
+/// Bond `bond` between spheres a and b as its law sees it. Poses where the law needs them, line and motion
+/// where it or the dashpots do.
 template <Physics P, class Real>
 BondConfiguration<Real, P.dimension> configuration(const ChainBlock<P, Real>& chain, int bond,
                                                    const MovingSphere<Real, P.dimension>& a,
@@ -78,7 +78,8 @@ void add_rolling(const ChainBlock<P, Real>& chain, int bond, const HistoryOf<P, 
   }
 }
 
-/// Forces of one bond at the poses now; `dt` is the step that led here (0 before the first). The history moves on.
+/// Forces of one bond at the poses now; `dt` is the step that led here (0 before the first). The history
+/// moves on.
 template <Physics P, class Real>
 BondLoads<Real, P.dimension> bond_step(const ChainBlock<P, Real>& chain, int bond,
                                        const MovingSphere<Real, P.dimension>& a,

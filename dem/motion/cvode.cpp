@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dem/motion/cvode_session.hpp"
 #include "dem/chain/pose_numbers.hpp"
+#include "dem/motion/cvode_session.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -80,9 +80,9 @@ struct CvodeMotion<Dim>::Solver {
     ++work.factorizations;
   }
 
-  /// (I - g J) x = b: with b = (b_x, b_v), (M + g C + g^2 K) x_v = M b_v - g K b_x and x_x = b_x + g x_v. The changes of
-  /// the orientation's rate with the orientation itself and of the medium's velocity along the way are left to Newton's
-  /// iterations.
+  /// (I - g J) x = b: with b = (b_x, b_v), (M + g C + g^2 K) x_v = M b_v - g K b_x and x_x = b_x + g x_v. The
+  /// changes of the orientation's rate with the orientation itself and of the medium's velocity along the way
+  /// are left to Newton's iterations.
   void solve(const double* b, double* x, double gamma) {
     ChainVector<Dim> displaced(spheres()), rhs(spheres());
     for (int i = 0; i < spheres(); ++i) {
@@ -116,15 +116,17 @@ struct CvodeMotion<Dim>::Solver {
     for (std::size_t i = 0; i < errors.size(); ++i) {
       const int own = static_cast<int>(i % sphere_size<Dim>), moving = own - pose_size<Dim>;
       const bool angular = moving < 0 ? own >= Dim : moving >= Dim;
-      errors[i] = tolerance.relative * (angular ? tolerance.angle : tolerance.length) / (moving < 0 ? 1 : tolerance.time);
+      errors[i] = tolerance.relative * (angular ? tolerance.angle : tolerance.length) /
+                  (moving < 0 ? 1 : tolerance.time);
     }
     return errors;
   }
 };
 
 template <int Dim>
-CvodeMotion<Dim>::CvodeMotion(const Chain<Dim>& chain, const Boundary<Dim>& boundary, const ChainState<Dim>& start,
-                              const CvodeTolerance& tolerance, std::optional<Medium<Dim>> medium)
+CvodeMotion<Dim>::CvodeMotion(const Chain<Dim>& chain, const Boundary<Dim>& boundary,
+                              const ChainState<Dim>& start, const CvodeTolerance& tolerance,
+                              std::optional<Medium<Dim>> medium)
     : solver_(std::make_unique<Solver>()) {
   Solver& s = *solver_;
   s.chain = chain;

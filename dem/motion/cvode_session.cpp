@@ -1,14 +1,14 @@
 #include "dem/motion/cvode_session.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cvode/cvode.h>
-#include <exception>
 #include <fmt/format.h>
-#include <new>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_linearsolver.h>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include "dem/model/errors.hpp"
@@ -67,7 +67,8 @@ struct CvodeSession::Memory {
     double time, gamma, rl1;
     N_Vector predicted, y, rate, zn1;
     void* user;
-    if (CVodeGetNonlinearSystemData(own.cvode.get(), &time, &predicted, &y, &rate, &gamma, &rl1, &zn1, &user) < 0) {
+    if (CVodeGetNonlinearSystemData(own.cvode.get(), &time, &predicted, &y, &rate, &gamma, &rl1, &zn1,
+                                    &user) < 0) {
       return SUNLS_MEM_FAIL;
     }
     const bool same = time == own.last_time && gamma == own.last_gamma;
@@ -88,7 +89,8 @@ struct CvodeSession::Memory {
 CvodeSession::CvodeSession(CvodeProblem problem) : memory_(std::make_unique<Memory>()) {
   for (const double value : problem.tolerances) {
     if (!(value > 0) || !std::isfinite(value)) {
-      throw InvalidInput(fmt::format("tolerance = {} is not allowed: it must be finite and greater than 0", value));
+      throw InvalidInput(
+          fmt::format("tolerance = {} is not allowed: it must be finite and greater than 0", value));
     }
   }
   Memory& m = *memory_;
@@ -108,7 +110,9 @@ CvodeSession::CvodeSession(CvodeProblem problem) : memory_(std::make_unique<Memo
   m.linear->ops->gettype = Memory::matrix_embedded;
   m.linear->ops->solve = Memory::solve;
   m.linear->content = &m;
-  require(CVodeSetErrHandlerFn(cvode, [](int, const char*, const char*, char*, void*) {}, nullptr), "CVodeSetErrHandlerFn");
+  require(CVodeSetErrHandlerFn(
+              cvode, [](int, const char*, const char*, char*, void*) {}, nullptr),
+          "CVodeSetErrHandlerFn");
   require(CVodeInit(cvode, Memory::rates, 0.0, m.y.get()), "CVodeInit");
   require(CVodeSVtolerances(cvode, 0.0, m.tolerances.get()), "CVodeSVtolerances");
   require(CVodeSetUserData(cvode, &m), "CVodeSetUserData");
@@ -126,8 +130,10 @@ const double* CvodeSession::at(double time) {
     if (memory_->thrown) std::rethrow_exception(std::exchange(memory_->thrown, nullptr));
     if (flag < 0) {
       CVodeGetCurrentTime(memory_->cvode.get(), &reached);
-      throw Diverged(fmt::format("CVODE gave up at t = {:.6g} s: {}; likely cause: a tolerance below the rounding of the "
-                                 "positions", reached, CVodeGetReturnFlagName(flag)));
+      throw Diverged(fmt::format(
+          "CVODE gave up at t = {:.6g} s: {}; likely cause: a tolerance below the rounding of the "
+          "positions",
+          reached, CVodeGetReturnFlagName(flag)));
     }
   }
   return data(memory_->y.get());

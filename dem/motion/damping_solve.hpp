@@ -4,8 +4,9 @@
 #include "dem/motion/bond_step.hpp"
 #include "dem/simd/as_numbers.hpp"
 
-// Leapfrog with the dashpots centered in the step: (M + dt/2 C) (v+ - v-) = dt (F - C v-), F - C v- being the forces
-// of the lagged scheme. Block-tridiagonal along the chain: eliminated from the first sphere to the last.
+// Leapfrog with the dashpots centered in the step: (M + dt/2 C) (v+ - v-) = dt (F - C v-), F - C v- being the
+// forces of the lagged scheme. Block-tridiagonal along the chain: eliminated from the first sphere to the
+// last.
 namespace fiberchain::dem {
 
 /// Of one sphere: change = forward - coupling * change of the next.
@@ -36,7 +37,8 @@ DashpotMatrix<Real, P.dimension> half_step_dashpots(const ChainBlock<P, Real>& c
   constexpr int Dim = P.dimension;
   const MarchParameters<Real, Dim>& p = chain.parameters;
   BondParameters<Real> law = p.bond;
-  for (Real* c : {&law.dash_stretch, &law.dash_shear, &law.dash_twist, &law.dash_bend}) *c = Real(0.5) * p.step * *c;
+  for (Real* c : {&law.dash_stretch, &law.dash_shear, &law.dash_twist, &law.dash_bend})
+    *c = Real(0.5) * p.step * *c;
   const BondVector<Real, Dim> line = bond_vector<Real, Dim>(
       chain.spheres[bond + 1].pose.position - chain.spheres[bond].pose.position, p.inverse_length);
   return dashpot_matrix(law, line.vector, line.inverse_length * line.vector);
@@ -63,7 +65,8 @@ void eliminate(const ChainBlock<P, Real>& chain, EliminationSlot<Real, P.dimensi
       if (!last) A = A + C.first;
       factorize(A);
       const MovingSphere<Real, Dim>& sphere = chain.spheres[i];
-      slot.forward = solved(A, chain.parameters.step * stacked<Real, Dim>(sphere.force, sphere.moment) - pushed);
+      slot.forward =
+          solved(A, chain.parameters.step * stacked<Real, Dim>(sphere.force, sphere.moment) - pushed);
       slot.coupling = last ? zero_matrix<Real, N>() : solved(A, C.coupling);
     }
     if (!last) {

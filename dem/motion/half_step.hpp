@@ -6,10 +6,11 @@
 // Between the velocities of the leapfrog, half a step before the poses, and those of the poses' moment.
 namespace fiberchain::dem {
 
-/// Velocity half a step on, or the one it came from. What a stiff drag has forgotten of that is taken as the fluid's:
-/// it has no part in what follows.
+/// Velocity half a step on, or the one it came from. What a stiff drag has forgotten of that is taken as the
+/// fluid's: it has no part in what follows.
 template <int N>
-void relax(Vec<double, N>& v, const Relaxation& half, const Vec<double, N>& fluid, const Vec<double, N>& force, bool back) {
+void relax(Vec<double, N>& v, const Relaxation& half, const Vec<double, N>& fluid,
+           const Vec<double, N>& force, bool back) {
   const Vec<double, N> pull = half.follow * fluid + half.gain * force;
   if (!back) {
     v = half.keep * v + pull;
@@ -18,13 +19,15 @@ void relax(Vec<double, N>& v, const Relaxation& half, const Vec<double, N>& flui
   }
 }
 
-/// A sphere's velocity and spin half a step of `dt` on, or back, under its forces, a load and the flow of gradient A.
+/// A sphere's velocity and spin half a step of `dt` on, or back, under its forces, a load and the flow of
+/// gradient A.
 template <int Dim>
 void move_half_step(MovingSphere<double, Dim>& s, const EndLoad<double, Dim>& load, const Fiber& fiber,
                     const StokesDrag& drag, const Gradient& A, double dt, bool back) {
-  relax(s.velocity, relaxation(drag.translation, sphere_mass(fiber), dt / 2), velocity_at<Dim>(A, s.pose.position),
-        s.force + load.force, back);
-  relax(s.spin, relaxation(drag.rotation, sphere_inertia(fiber), dt / 2), spin_of<Dim>(A), s.moment + load.moment, back);
+  relax(s.velocity, relaxation(drag.translation, sphere_mass(fiber), dt / 2),
+        velocity_at<Dim>(A, s.pose.position), s.force + load.force, back);
+  relax(s.spin, relaxation(drag.rotation, sphere_inertia(fiber), dt / 2), spin_of<Dim>(A),
+        s.moment + load.moment, back);
 }
 
 }  // namespace fiberchain::dem

@@ -1,8 +1,8 @@
 #include "dem/motion/implicit.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "dem/bond/strain_change.hpp"
 #include "dem/model/errors.hpp"
@@ -10,7 +10,8 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Size of the strain change in energy: its inner product weighted by the stiffnesses, and what it pushes with.
+/// Size of the strain change in energy: its inner product weighted by the stiffnesses, and what it pushes
+/// with.
 template <int Dim>
 BondStress<double, Dim> weighted(const BondParameters<double>& bond, const StrainChange<Dim>& z) {
   Vec<double, Dim> force = bond.shear * z.separation;
@@ -20,14 +21,16 @@ BondStress<double, Dim> weighted(const BondParameters<double>& bond, const Strai
 
 /// Stress at the middle of the step, corrected so that its work is U(end) - U(start).
 template <int Dim>
-BondStress<double, Dim> consistent_stress(const BondParameters<double>& bond, const BondKinematics<double, Dim>& middle,
-                                          const StrainChange<Dim>& z, double energy_change, double position_size) {
+BondStress<double, Dim> consistent_stress(const BondParameters<double>& bond,
+                                          const BondKinematics<double, Dim>& middle,
+                                          const StrainChange<Dim>& z, double energy_change,
+                                          double position_size) {
   BondStress<double, Dim> stress = bond_stress(bond, middle.separation, middle.rotation);
   const double work = dot(stress.force, z.separation) + dot(stress.moment, z.rotation);
   const BondStress<double, Dim> push = weighted<Dim>(bond, z);
   const double size = dot(push.force, z.separation) + dot(push.moment, z.rotation);
-  // where the strain changes by less than this, the energies differ by rounding only, and there is nothing to correct:
-  // the correction is of third order in the change
+  // where the strain changes by less than this, the energies differ by rounding only, and there is nothing to
+  // correct: the correction is of third order in the change
   const double least = bond.stretch * position_size * position_size * 1e-14;
   const double scale = (energy_change - work) * size / (size * size + least * least);
   return {stress.force + scale * push.force, stress.moment + scale * push.moment};
@@ -52,18 +55,24 @@ void move_by(Poses<Dim>& poses, const ChainVector<Dim>& velocity, double time) {
 template <int Dim>
 ImplicitMotion<Dim>::ImplicitMotion(Chain<Dim> chain, Boundary<Dim> boundary, ChainState<Dim> state,
                                     ImplicitOptions options)
-    : chain_(std::move(chain)), boundary_(std::move(boundary)), state_(std::move(state)), options_(options),
-      acceleration_(state_.poses.size(), SphereVector<Dim>::Zero()), before_(acceleration_) {
+    : chain_(std::move(chain)),
+      boundary_(std::move(boundary)),
+      state_(std::move(state)),
+      options_(options),
+      acceleration_(state_.poses.size(), SphereVector<Dim>::Zero()),
+      before_(acceleration_) {
   if (state_.poses.size() != chain_.poses.size() || state_.velocity.size() != state_.poses.size() ||
       state_.spin.size() != state_.poses.size()) {
     throw InvalidInput("a motion needs a pose, a velocity and a spin for every sphere of its chain");
   }
   for (const int sphere : boundary_.clamped) state_.velocity[sphere] = {}, state_.spin[sphere] = {};
-  for (int i = 0; i < chain_.fiber.aspect_ratio; ++i) energy_.push_back(energy_of_bond(chain_, state_.poses, i));
+  for (int i = 0; i < chain_.fiber.aspect_ratio; ++i)
+    energy_.push_back(energy_of_bond(chain_, state_.poses, i));
 }
 
 template <int Dim>
-typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector<Dim>& mean_velocity, double dt) const {
+typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector<Dim>& mean_velocity,
+                                                               double dt) const {
   Trial t{state_.poses, applied_loads(boundary_, static_cast<int>(state_.poses.size()))};
   Poses<Dim> end = state_.poses;
   move_by<Dim>(t.middle, mean_velocity, dt / 2);
@@ -73,9 +82,10 @@ typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector
   for (int i = 0; i < chain_.fiber.aspect_ratio; ++i) {
     const double energy_change = energy_of_bond(chain_, end, i) - energy_[i];
     const auto k = bond_kinematics(chain_, t.middle, i);
-    const SphereVector<Dim> first = dt * mean_velocity[i], second = dt * mean_velocity[i + 1], difference = second - first;
-    const StrainChange<Dim> z = strain_change<Dim>(k, displacement_part<Dim>(difference), rotation_part<Dim>(first),
-                                                   rotation_part<Dim>(second));
+    const SphereVector<Dim> first = dt * mean_velocity[i], second = dt * mean_velocity[i + 1],
+                            difference = second - first;
+    const StrainChange<Dim> z = strain_change<Dim>(k, displacement_part<Dim>(difference),
+                                                   rotation_part<Dim>(first), rotation_part<Dim>(second));
     const auto loads = bond_loads(k, consistent_stress(bond, k, z, energy_change, length));
     t.out_of_balance[i] += motion_of<Dim>(loads.force_on_first, loads.moment_on_first);
     t.out_of_balance[i + 1] += motion_of<Dim>(-loads.force_on_first, loads.moment_on_second);
@@ -83,7 +93,8 @@ typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector
   const ChainVector<Dim> dashpots = dashpot_forces(chain_, t.middle, mean_velocity);
   const SphereVector<Dim> inertias = sphere_inertias<Dim>(chain_.fiber);
   for (std::size_t i = 0; i < dashpots.size(); ++i) {
-    const SphereVector<Dim> change = 2 * (mean_velocity[i] - motion_of<Dim>(state_.velocity[i], state_.spin[i]));
+    const SphereVector<Dim> change =
+        2 * (mean_velocity[i] - motion_of<Dim>(state_.velocity[i], state_.spin[i]));
     t.out_of_balance[i] += dashpots[i] - inertias.cwiseProduct(change) / dt;
   }
   for (const int sphere : boundary_.clamped) t.out_of_balance[sphere].setZero();
@@ -92,7 +103,8 @@ typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector
 
 template <int Dim>
 ChainTangent<Dim> ImplicitMotion<Dim>::matrix(const Poses<Dim>& middle, double dt) const {
-  return motion_matrix(chain_, middle, boundary_, stiffness(chain_, middle, Boundary<Dim>{}), {2 / dt, 1.0, dt / 2});
+  return motion_matrix(chain_, middle, boundary_, stiffness(chain_, middle, Boundary<Dim>{}),
+                       {2 / dt, 1.0, dt / 2});
 }
 
 template <int Dim>
@@ -118,7 +130,8 @@ bool ImplicitMotion<Dim>::solve_step(double dt) {
   const double length = fiber_length(chain_.fiber);
   ChainVector<Dim> mean(state_.poses.size());
   for (std::size_t i = 0; i < mean.size(); ++i) {
-    const SphereVector<Dim> expected = work_.steps > 1 ? (2 * acceleration_[i] - before_[i]).eval() : acceleration_[i];
+    const SphereVector<Dim> expected =
+        work_.steps > 1 ? (2 * acceleration_[i] - before_[i]).eval() : acceleration_[i];
     mean[i] = motion_of<Dim>(state_.velocity[i], state_.spin[i]) + dt / 2 * expected;
   }
   if (factors_step_ != dt) factors_.reset();
@@ -164,8 +177,10 @@ void ImplicitMotion<Dim>::step(double dt) {
     } else if (++halved <= halvings) {
       length /= 2;
     } else {
-      throw Diverged(fmt::format("the implicit step did not converge at step {:.0f} (dt = {:.6g} s); likely cause: a step "
-                                 "too long for how fast the chain turns", work_.steps, dt));
+      throw Diverged(fmt::format(
+          "the implicit step did not converge at step {:.0f} (dt = {:.6g} s); likely cause: a step "
+          "too long for how fast the chain turns",
+          work_.steps, dt));
     }
   }
 }

@@ -5,10 +5,10 @@
 #include "dem/chain/chain_state.hpp"
 #include "dem/motion/integrator.hpp"
 
-// Implicit midpoint with the bonds' forces corrected along the motion so that their work is exactly the change of their
-// energy (Gonzalez's discrete gradient, J. Nonlinear Sci. 6 (1996) 449, bond by bond on the strains). Momentum and
-// angular momentum are kept as the corrected forces are those of some strain; energy changes by the work of the loads
-// and the dissipation of the dashpots only, whatever the step.
+// Implicit midpoint with the bonds' forces corrected along the motion so that their work is exactly the
+// change of their energy (Gonzalez's discrete gradient, J. Nonlinear Sci. 6 (1996) 449, bond by bond on the
+// strains). Momentum and angular momentum are kept as the corrected forces are those of some strain; energy
+// changes by the work of the loads and the dissipation of the dashpots only, whatever the step.
 namespace fiberchain::dem {
 
 struct ImplicitOptions {
@@ -20,10 +20,11 @@ struct ImplicitOptions {
 template <int Dim>
 class ImplicitMotion {
  public:
-  ImplicitMotion(Chain<Dim> chain, Boundary<Dim> boundary, ChainState<Dim> state, ImplicitOptions options = {});
+  ImplicitMotion(Chain<Dim> chain, Boundary<Dim> boundary, ChainState<Dim> state,
+                 ImplicitOptions options = {});
 
-  /// One step of dt [s]; taken in halves where Newton's method does not converge. Throws Diverged when that does not
-  /// help, the state staying the last that was reached.
+  /// One step of dt [s]; taken in halves where Newton's method does not converge. Throws Diverged when that
+  /// does not help, the state staying the last that was reached.
   void step(double dt);
 
   const ChainState<Dim>& state() const { return state_; }
@@ -46,7 +47,7 @@ class ImplicitMotion {
   ChainState<Dim> state_;
   ImplicitOptions options_;
   ChainVector<Dim> acceleration_, before_;  ///< of the last two steps, for the first guess of the next
-  std::vector<double> energy_;     ///< of the bonds now
+  std::vector<double> energy_;              ///< of the bonds now
   std::optional<ChainFactors<sphere_motions<Dim>>> factors_;  ///< kept from step to step while they serve
   double factors_step_ = 0;
   Work work_;

@@ -5,8 +5,8 @@
 #include "dem/motion/local_flow.hpp"
 #include "dem/motion/rolling.hpp"
 
-// Leapfrog: velocities at half steps, poses and forces at full steps, dashpots at the lagged velocity (the paper's
-// way). One sweep along the chain moves each sphere and evaluates the bond behind it.
+// Leapfrog: velocities at half steps, poses and forces at full steps, dashpots at the lagged velocity (the
+// paper's way). One sweep along the chain moves each sphere and evaluates the bond behind it.
 namespace fiberchain::dem {
 
 template <class Real>
@@ -38,10 +38,11 @@ void add_load(MovingSphere<Real, Dim>& sphere, const EndLoad<Real, Dim>& load) {
   sphere.moment = sphere.moment + load.moment;
 }
 
-/// Settling drag: v(1 + dt c/2) = v(1 - dt c/2) + dt a, centered in the step, stable whatever c. Stokes' drag: the
-/// velocity goes over to the fluid's at the sphere as exp(-c t), exactly.
+/// Settling drag: v(1 + dt c/2) = v(1 - dt c/2) + dt a, centered in the step, stable whatever c. Stokes'
+/// drag: the velocity goes over to the fluid's at the sphere as exp(-c t), exactly.
 template <Physics P, class Real, int Dim>
-void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p, const LocalFlow<P, Real>& flow) {
+void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p,
+          const LocalFlow<P, Real>& flow) {
   const Vec<Real, Dim> change = p.impulse * sphere.force;
   const Spin<Real, Dim> spin_change = p.angular_impulse * sphere.moment;
   if constexpr (P.fluid) {
@@ -71,7 +72,8 @@ void clear_forces(MovingSphere<Real, Dim>& sphere) {
   for (Real& c : sphere.moment.c) c = Real(0.0);
 }
 
-/// The forces of bond `bond` at the poses now onto its two spheres; `dt` is the step that previous_step here (0 at the start).
+/// The forces of bond `bond` at the poses now onto its two spheres; `dt` is the step that previous_step here
+/// (0 at the start).
 template <Physics P, class Real>
 void add_bond(const ChainBlock<P, Real>& chain, int bond, MovingSphere<Real, P.dimension>& first,
               MovingSphere<Real, P.dimension>& second, const Real& dt) {
@@ -86,7 +88,8 @@ void add_bond(const ChainBlock<P, Real>& chain, int bond, MovingSphere<Real, P.d
 template <Physics P, class Real>
 void start_march(const ChainBlock<P, Real>& chain) {
   for (int i = 0; i <= chain.bonds; ++i) clear_forces(chain.spheres[i]);
-  for (int i = 0; i < chain.bonds; ++i) add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], Real(0.0));
+  for (int i = 0; i < chain.bonds; ++i)
+    add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], Real(0.0));
 }
 
 template <Physics P, class Real>
@@ -110,8 +113,8 @@ void kick_together(const ChainBlock<P, Real>& chain) {
   }
 }
 
-/// One step; `steps_before` counts from the start of the load ramp. The sphere whose second bond is still to come stays
-/// in registers.
+/// One step; `steps_before` counts from the start of the load ramp. The sphere whose second bond is still to
+/// come stays in registers.
 template <Physics P, class Real>
 void march_step(const ChainBlock<P, Real>& chain, double steps_before, const LocalFlow<P, Real>& flow = {}) {
   load_ends<P, Real>(chain, steps_before);

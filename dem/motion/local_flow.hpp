@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dem/math/small_matrix.hpp"
-#include "dem/motion/physics.hpp"
 #include "dem/motion/moving_sphere.hpp"
+#include "dem/motion/physics.hpp"
 
 namespace fiberchain::dem {
 

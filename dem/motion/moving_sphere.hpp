@@ -4,8 +4,8 @@
 #include "dem/bond/pose.hpp"
 #include "dem/motion/physics.hpp"
 
-// The state of a marching chain and what marches it. Every type consists of `Real`s only, so that a block of lanes is
-// an array of doubles in which lane k of number n stands at n * width + k.
+// The state of a marching chain and what marches it. Every type consists of `Real`s only, so that a block of
+// lanes is an array of doubles in which lane k of number n stands at n * width + k.
 namespace fiberchain::dem {
 
 /// One sphere: pose at the step, velocities half a step before, forces at the step.
@@ -24,8 +24,8 @@ struct EndLoad {
   Spin<Real, Dim> moment;
 };
 
-/// Dead loads on the two end spheres, going from one set to another: (1 - f) from + f to, where f rises smoothly
-/// from 0 to 1 over 1 / rate steps and stays there.
+/// Dead loads on the two end spheres, going from one set to another: (1 - f) from + f to, where f rises
+/// smoothly from 0 to 1 over 1 / rate steps and stays there.
 template <class Real, int Dim>
 struct LoadRamp {
   EndLoad<Real, Dim> first_from, first_to, last_from, last_to;
@@ -35,13 +35,15 @@ struct LoadRamp {
 template <class Real, int Dim>
 struct MarchParameters {
   BondParameters<Real> bond;
-  Real inverse_length;   ///< 1 / l_0 [1/m]
-  Real impulse;          ///< velocity per force over a step: dt / m, in a fluid (1 - keep) / (6 pi mu R) [s/kg]
-  Real angular_impulse;  ///< spin per moment over a step: dt / J, in a fluid (1 - spin_keep) / (8 pi mu R^3) [s/(kg m^2)]
+  Real inverse_length;  ///< 1 / l_0 [1/m]
+  Real impulse;  ///< velocity per force over a step: dt / m, in a fluid (1 - keep) / (6 pi mu R) [s/kg]
+  Real angular_impulse;  ///< spin per moment over a step: dt / J, in a fluid (1 - spin_keep) / (8 pi mu R^3)
+                         ///< [s/(kg m^2)]
   Real step;             ///< dt [s]
   Real drag;             ///< force per momentum [1/s]
   Real rolling_arm;      ///< xi_r R / 2 [m]
-  Real keep, follow;     ///< fluid: parts of the sphere's and the fluid's velocity in the next one; their sum is 1
+  Real keep,
+      follow;  ///< fluid: parts of the sphere's and the fluid's velocity in the next one; their sum is 1
   Real spin_keep, spin_follow;
   LoadRamp<Real, Dim> ramp;
 };

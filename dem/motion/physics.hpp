@@ -18,9 +18,12 @@ enum class Rolling {
 
 constexpr std::string_view name(Rolling rolling) {
   switch (rolling) {
-    case Rolling::set_valued: return "set_valued";
-    case Rolling::explicit_sign: return "explicit_sign";
-    default: return "none";
+    case Rolling::set_valued:
+      return "set_valued";
+    case Rolling::explicit_sign:
+      return "explicit_sign";
+    default:
+      return "none";
   }
 }
 
@@ -28,9 +31,9 @@ constexpr std::string_view name(Rolling rolling) {
 struct Physics {
   int dimension;  ///< 2: position and angle; 3: position and unit quaternion
   BondForm form;
-  bool damped;    ///< dashpots in the bonds, their force taken at the lagged velocity unless `solved`
-  bool settling_damping;      ///< force on every sphere against its velocity, to settle a chain
-  bool curved;    ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
+  bool damped;            ///< dashpots in the bonds, their force taken at the lagged velocity unless `solved`
+  bool settling_damping;  ///< force on every sphere against its velocity, to settle a chain
+  bool curved;  ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
   bool solved = false;  ///< dashpots centered in the step and solved for: stable up to the undamped limit
   Rolling rolling = Rolling::none;
   bool fluid = false;  ///< Stokes' settling_damping of a flow on every sphere, solved within the step
@@ -59,7 +62,8 @@ constexpr void rest_shapes(Physics physics, const Emit& emit) {
 template <BondForm... forms, class Emit>
 constexpr void each_physics(std::integer_sequence<BondForm, forms...>, const Emit& emit) {
   for (const int dimension : {2, 3}) {
-    Physics plain{.dimension = dimension, .form = {}, .damped = false, .settling_damping = false, .curved = false};
+    Physics plain{
+        .dimension = dimension, .form = {}, .damped = false, .settling_damping = false, .curved = false};
     for (const bool damped : {false, true}) {
       for (const bool settling_damping : {false, true}) {
         plain.damped = damped, plain.settling_damping = settling_damping;
@@ -109,9 +113,11 @@ inline constexpr auto built_physics =
 
 /// The same of one law, which may be from outside of the library.
 template <BondForm form>
-inline constexpr auto built_physics_of = physics_detail::list_physics(std::integer_sequence<BondForm, form>{});
+inline constexpr auto built_physics_of =
+    physics_detail::list_physics(std::integer_sequence<BondForm, form>{});
 
-/// What is also built for one chain along the lanes: no settling_damping, straight at rest, nothing to solve along the chain.
+/// What is also built for one chain along the lanes: no settling_damping, straight at rest, nothing to solve
+/// along the chain.
 constexpr bool built_for_single_chain(const Physics& p) {
   return !p.settling_damping && !p.curved && !p.solved && p.rolling != Rolling::set_valued;
 }

@@ -8,8 +8,9 @@ template <int Dim>
 Physics physics_of(std::span<const Chain<Dim>> chains, const MarchOptions& options) {
   const bool any_damped = std::ranges::any_of(chains, [](const Chain<Dim>& c) { return damped(c.fiber); });
   const bool any_curved = std::ranges::any_of(chains, [](const Chain<Dim>& c) { return !c.natural.empty(); });
-  const bool any_rolls = options.rolling != Rolling::none &&
-                         std::ranges::any_of(chains, [](const Chain<Dim>& c) { return c.fiber.rolling_friction > 0; });
+  const bool any_rolls =
+      options.rolling != Rolling::none &&
+      std::ranges::any_of(chains, [](const Chain<Dim>& c) { return c.fiber.rolling_friction > 0; });
   return {.dimension = Dim,
           .form = options.form,
           .damped = any_damped || any_rolls,  // rolling friction is built with dashpots only

@@ -10,10 +10,10 @@ namespace fiberchain::dem {
 /// Physics of a march that its fibers do not tell.
 struct MarchOptions {
   BondForm form = BondForm::total;
-  bool settling_damping = false;      ///< drag that settles the chain
-  bool centered_dashpots = false;     ///< dashpots, where there are any, centered in the step and solved for
-  Rolling rolling = Rolling::none;    ///< scheme of the rolling friction, for fibers that have any
-  bool fluid = false;                 ///< a flow drags the spheres
+  bool settling_damping = false;    ///< drag that settles the chain
+  bool centered_dashpots = false;   ///< dashpots, where there are any, centered in the step and solved for
+  Rolling rolling = Rolling::none;  ///< scheme of the rolling friction, for fibers that have any
+  bool fluid = false;               ///< a flow drags the spheres
 };
 
 /// The one physics of fibers that march together: what none of them has is not in it.

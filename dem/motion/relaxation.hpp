@@ -9,9 +9,10 @@
 // Stokes' drag within a step: solved, not lagged.
 namespace fiberchain::dem {
 
-/// A step of m dv/dt = F + c (u - v) with constant F and u, exactly: v -> keep v + follow u + gain F. Without drag
-/// v -> v + dt/m F. The leapfrog with it is symmetric in time, hence of second order while c dt / m is below about 1; a
-/// longer step has forgotten its velocity and is Euler's, x -> x + dt (u + F / c), of first order.
+/// A step of m dv/dt = F + c (u - v) with constant F and u, exactly: v -> keep v + follow u + gain F. Without
+/// drag v -> v + dt/m F. The leapfrog with it is symmetric in time, hence of second order while c dt / m is
+/// below about 1; a longer step has forgotten its velocity and is Euler's, x -> x + dt (u + F / c), of first
+/// order.
 struct Relaxation {
   double keep;    ///< exp(-c dt / m)
   double follow;  ///< 1 - keep

@@ -3,11 +3,11 @@
 #include "dem/math/small_matrix.hpp"
 #include "dem/motion/bond_step.hpp"
 
-// Rolling friction of the bonds, T_r = xi_r |F_n| R/2 against the relative spin w (Eq 21), as a set-valued law: at w = 0
-// any moment up to T_r. With l the angular impulse over J, taken from one sphere of a bond and given to the other, and
-// the ball of radius r = dt T_r / J: l = proj(l + w / a), a the number of its spheres that are free to turn. As
-// w = w_free - a l + l_before + l_after this is l = proj((w_free + l_before + l_after) / a), solved by Newton's method,
-// its matrix eliminated along the chain.
+// Rolling friction of the bonds, T_r = xi_r |F_n| R/2 against the relative spin w (Eq 21), as a set-valued
+// law: at w = 0 any moment up to T_r. With l the angular impulse over J, taken from one sphere of a bond and
+// given to the other, and the ball of radius r = dt T_r / J: l = proj(l + w / a), a the number of its spheres
+// that are free to turn. As w = w_free - a l + l_before + l_after this is l = proj((w_free + l_before +
+// l_after) / a), solved by Newton's method, its matrix eliminated along the chain.
 namespace fiberchain::dem {
 
 /// Projection of p onto the ball and its derivative G: the identity inside, (r / |p|)(I - n n^T) outside.
@@ -26,7 +26,8 @@ Projection<Real, S> project(const Vec<Real, S>& p, const Real& radius) {
   const Real inverse = Real(1.0) / sqrt(size);
   const Real scale = select(outside, radius * inverse, Real(1.0));
   const Real take = select(outside, Real(S == 1 ? 0.0 : 1.0) * scale * inverse * inverse, Real(0.0));
-  const Real keep = select(outside, Real(S == 1 ? 0.0 : 1.0) * scale, Real(1.0));  // in the plane nothing is left
+  const Real keep =
+      select(outside, Real(S == 1 ? 0.0 : 1.0) * scale, Real(1.0));  // in the plane nothing is left
   Projection<Real, S> result{scale * p, {}};
   for (int i = 0; i < S; ++i) {
     for (int j = 0; j < S; ++j) result.derivative[i][j] = (i == j ? keep : Real(0.0)) - take * p[i] * p[j];
@@ -55,8 +56,8 @@ template <Physics P, class Real>
 auto rolling_iteration(const ChainBlock<P, Real>& chain, const decltype(Real(0.0) > Real(0.0))& done) {
   constexpr int S = spin_size<P.dimension>;
   auto* slots = rolling_slots(chain);
-  // with both ends clamped and every bond sticking the impulses are known but for a common one: any will do, and the
-  // matrix is kept from being singular
+  // with both ends clamped and every bond sticking the impulses are known but for a common one: any will do,
+  // and the matrix is kept from being singular
   const Real firm = Real(chain.clamps.first && chain.clamps.last ? 1 - 1e-9 : 1.0);
   for (int i = 0; i < chain.bonds; ++i) {
     const Real share = Real(mobility(chain, i));

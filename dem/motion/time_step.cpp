@@ -14,8 +14,8 @@ struct Wave {
   double ww, wp, pp;
 };
 
-/// Bond stiffness (or dashpots) across the chain at phase angle k between neighbors, displacements in units of l:
-/// shear |2 sin(k/2) w - cos(k/2) phi|^2, bending |2 sin(k/2) phi|^2.
+/// Bond stiffness (or dashpots) across the chain at phase angle k between neighbors, displacements in units
+/// of l: shear |2 sin(k/2) w - cos(k/2) phi|^2, bending |2 sin(k/2) phi|^2.
 Wave across(double shear, double bend, double length, double k) {
   const double s = 2 * std::sin(k / 2), c = std::cos(k / 2), shear_moment = shear * length * length;
   return {shear_moment * s * s, -shear_moment * s * c, shear_moment * c * c + bend * s * s};
@@ -53,7 +53,8 @@ double limit_bound(double k, double c, const Body& body) {
 }
 
 double across_limit(const Wave& K, const Wave& C, const Sphere& sphere) {
-  double low = 0, high = std::min(limit_bound(K.pp, C.pp, sphere.p), K.ww > 0 ? limit_bound(K.ww, C.ww, sphere.w) : 1e300);
+  double low = 0, high = std::min(limit_bound(K.pp, C.pp, sphere.p),
+                                  K.ww > 0 ? limit_bound(K.ww, C.ww, sphere.w) : 1e300);
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     (stable(K, C, sphere, middle) ? low : high) = middle;
@@ -64,7 +65,8 @@ double across_limit(const Wave& K, const Wave& C, const Sphere& sphere) {
 /// Along or about the chain, 2 sin(k/2) at its largest, k = pi.
 double along_limit(double stiffness, double dashpot, const Body& body) {
   if (body.drag == 0) return scalar_limit(4 * stiffness, 4 * dashpot, body.mass);
-  return across_limit({0, 0, 4 * stiffness}, {0, 0, 4 * dashpot}, {{1, 0}, body});  // one unknown: the first is at rest
+  return across_limit({0, 0, 4 * stiffness}, {0, 0, 4 * dashpot},
+                      {{1, 0}, body});  // one unknown: the first is at rest
 }
 
 /// Over all waves of the endless chain, `settling` the drag [1/s] that adds to the dashpots.

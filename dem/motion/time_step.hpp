@@ -5,18 +5,19 @@
 
 namespace fiberchain::dem {
 
-/// Largest stable step [s] of the leapfrog with lagged damping on an endless straight chain, whose spectrum bounds that
-/// of every finite one. A wave with stiffness, dashpot and mass matrices K, C, M is stable while
-/// 4 M - 2 dt C - dt^2 K is positive definite: the amplification leaves the unit circle at -1. `drag` [1/s] adds to C.
-/// Holds for the bond model and damping of the fiber at hand. Throws InvalidInput as check() does.
+/// Largest stable step [s] of the leapfrog with lagged damping on an endless straight chain, whose spectrum
+/// bounds that of every finite one. A wave with stiffness, dashpot and mass matrices K, C, M is stable while
+/// 4 M - 2 dt C - dt^2 K is positive definite: the amplification leaves the unit circle at -1. `drag` [1/s]
+/// adds to C. Holds for the bond model and damping of the fiber at hand. Throws InvalidInput as check() does.
 double stable_time_step(const Fiber& fiber, double drag = 0.0);
 
-/// The same of the leapfrog with the dashpots solved within the step: that of the undamped chain, whatever the dashpots.
+/// The same of the leapfrog with the dashpots solved within the step: that of the undamped chain, whatever
+/// the dashpots.
 double undamped_time_step(const Fiber& fiber);
 
-/// The same in a fluid, whose drag c is solved within the step: while 2 c coth(c dt / (2 m)) - 2 C - dt K is positive
-/// definite, c and m those of displacement and spin. Drag makes the stable step longer: without dashpots it grows from
-/// 2 / w to 2 c / K.
+/// The same in a fluid, whose drag c is solved within the step: while 2 c coth(c dt / (2 m)) - 2 C - dt K is
+/// positive definite, c and m those of displacement and spin. Drag makes the stable step longer: without
+/// dashpots it grows from 2 / w to 2 c / K.
 double stable_time_step(const Fiber& fiber, const Fluid& fluid);
 
 }  // namespace fiberchain::dem

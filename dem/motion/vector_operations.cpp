@@ -1,16 +1,18 @@
 #include "dem/motion/vector_operations.hpp"
 
+#include <nvector/nvector_serial.h>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <nvector/nvector_serial.h>
 
 namespace fiberchain::dem {
 namespace {
 
 Eigen::Map<Eigen::ArrayXd> array(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength(v)}; }
 
-void linear_sum(double a, N_Vector x, double b, N_Vector y, N_Vector z) { array(z) = a * array(x) + b * array(y); }
+void linear_sum(double a, N_Vector x, double b, N_Vector y, N_Vector z) {
+  array(z) = a * array(x) + b * array(y);
+}
 void constant(double c, N_Vector z) { array(z).setConstant(c); }
 void product(N_Vector x, N_Vector y, N_Vector z) { array(z) = array(x) * array(y); }
 void quotient(N_Vector x, N_Vector y, N_Vector z) { array(z) = array(x) / array(y); }

@@ -21,7 +21,8 @@ ForceBuffers::ForceBuffers(const Partition& parts, int threads)
 
 /// From the thread's own stack, else another thread's, else a new one.
 int ForceBuffers::free_buffer(int thread) {
-  while (true) {  // there are as many buffers as parts: one is free, though it may change stacks during the search
+  while (true) {  // there are as many buffers as parts: one is free, though it may change stacks during the
+                  // search
     for (int k = 0; k < threads_; ++k) {
       if (const int buffer = free_.pop((thread + k) % threads_); buffer >= 0) return buffer;
     }
@@ -49,14 +50,16 @@ std::vector<double> ForceBuffers::all() const {
   std::vector<double> numbers;
   for (int k = 0; k < parts_.count(); ++k) {
     const double* own = rows_[k];
-    numbers.insert(numbers.end(), own, own + static_cast<std::ptrdiff_t>(parts_.end(k) - parts_.begin(k)) * load_size);
+    numbers.insert(numbers.end(), own,
+                   own + static_cast<std::ptrdiff_t>(parts_.end(k) - parts_.begin(k)) * load_size);
   }
   return numbers;
 }
 
 void ForceBuffers::set(const double* numbers, std::size_t count) {
   for (int k = 0; k < parts_.count(); ++k) {
-    const std::size_t begin = static_cast<std::size_t>(parts_.begin(k)) * load_size, end = static_cast<std::size_t>(parts_.end(k)) * load_size;
+    const std::size_t begin = static_cast<std::size_t>(parts_.begin(k)) * load_size,
+                      end = static_cast<std::size_t>(parts_.end(k)) * load_size;
     double* own = take(k, 0).rows;
     std::copy(numbers + std::min(begin, count), numbers + std::min(end, count), own);
   }

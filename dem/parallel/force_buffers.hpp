@@ -15,9 +15,9 @@ struct LoadRange {
   std::int64_t first;
 };
 
-/// Force and moment from outside the fiber on the spheres of a part, from the contacts' work to the motion after it: rows
-/// of `load_size`. A LIFO pool of buffers for each thread: the next one taken is still in the thread's L2 cache, however
-/// many spheres there are. Nothing is locked.
+/// Force and moment from outside the fiber on the spheres of a part, from the contacts' work to the motion
+/// after it: rows of `load_size`. A LIFO pool of buffers for each thread: the next one taken is still in the
+/// thread's L2 cache, however many spheres there are. Nothing is locked.
 class ForceBuffers {
  public:
   ForceBuffers() = default;

@@ -7,7 +7,9 @@ constexpr std::uint64_t kChange = std::uint64_t{1} << 32;
 
 std::uint32_t top_of(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
 
-std::uint64_t changed_to(std::uint64_t word, std::uint32_t top) { return (word & ~(kChange - 1)) + kChange + top; }
+std::uint64_t changed_to(std::uint64_t word, std::uint32_t top) {
+  return (word & ~(kChange - 1)) + kChange + top;
+}
 
 }  // namespace
 
@@ -17,7 +19,8 @@ void IndexStacks::push(int stack, int index) {
   std::uint64_t word = head.load(std::memory_order_relaxed);
   do {
     below_[index].store(top_of(word), std::memory_order_relaxed);
-  } while (!head.compare_exchange_weak(word, changed_to(word, top), std::memory_order_acq_rel, std::memory_order_relaxed));
+  } while (!head.compare_exchange_weak(word, changed_to(word, top), std::memory_order_acq_rel,
+                                       std::memory_order_relaxed));
 }
 
 int IndexStacks::pop(int stack) {
@@ -25,7 +28,8 @@ int IndexStacks::pop(int stack) {
   std::uint64_t word = head.load(std::memory_order_acquire);
   while (top_of(word) != 0) {
     const std::uint32_t below = below_[top_of(word) - 1].load(std::memory_order_relaxed);
-    if (head.compare_exchange_weak(word, changed_to(word, below), std::memory_order_acq_rel, std::memory_order_acquire)) {
+    if (head.compare_exchange_weak(word, changed_to(word, below), std::memory_order_acq_rel,
+                                   std::memory_order_acquire)) {
       return static_cast<int>(top_of(word)) - 1;
     }
   }

@@ -6,7 +6,8 @@
 
 namespace fiberchain::dem {
 
-/// Stacks of the indices 0, 1, ..., each of which lies on one of them at most. Any thread pushes and pops without a lock.
+/// Stacks of the indices 0, 1, ..., each of which lies on one of them at most. Any thread pushes and pops
+/// without a lock.
 class IndexStacks {
  public:
   IndexStacks() = default;
@@ -18,13 +19,14 @@ class IndexStacks {
   int pop(int stack);
 
  private:
-  /// Index + 1 of the top, 0 of an empty stack, in the low half. The high half counts the changes: a top that was popped
-  /// and pushed again in between differs (ABA problem).
+  /// Index + 1 of the top, 0 of an empty stack, in the low half. The high half counts the changes: a top that
+  /// was popped and pushed again in between differs (ABA problem).
   struct alignas(64) Head {
     std::atomic<std::uint64_t> word{0};
   };
   std::vector<Head> heads_;
-  std::vector<std::atomic<std::uint32_t>> below_;  ///< of each index: index + 1 of the one below it, 0 at the bottom
+  std::vector<std::atomic<std::uint32_t>>
+      below_;  ///< of each index: index + 1 of the one below it, 0 at the bottom
 };
 
 }  // namespace fiberchain::dem

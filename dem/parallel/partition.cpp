@@ -32,7 +32,8 @@ Partition cache_sized_partition(const std::vector<std::int32_t>& ends) {
   const std::int64_t spheres = ends.back(), count = std::clamp(spheres / cache_sized_part, kFewest, kMost);
   std::vector<std::int32_t> begins{0};
   for (const std::int32_t end : ends) {
-    if (static_cast<std::int64_t>(end) * count >= spheres * static_cast<std::int64_t>(begins.size())) begins.push_back(end);
+    if (static_cast<std::int64_t>(end) * count >= spheres * static_cast<std::int64_t>(begins.size()))
+      begins.push_back(end);
   }
   return Partition(std::move(begins));
 }

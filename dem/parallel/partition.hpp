@@ -5,8 +5,8 @@
 
 namespace fiberchain::dem {
 
-/// Spheres of consecutive numbers, cut into pieces. Where the cuts are follows from the scene alone, so that sums over a
-/// part are the same for any number of threads.
+/// Spheres of consecutive numbers, cut into pieces. Where the cuts are follows from the scene alone, so that
+/// sums over a part are the same for any number of threads.
 class Partition {
  public:
   Partition() = default;
@@ -45,8 +45,8 @@ inline constexpr std::int64_t cache_sized_part = 2048;
 /// Spheres in parts of about as many each.
 Partition even_partition(std::int32_t spheres, int count);
 
-/// Cuts that lie nearest to those of parts which the inner cache of a processor holds, with what their contacts and bonds
-/// remember; each piece of a scene (`ends`, one past its last sphere, rising) stays whole.
+/// Cuts that lie nearest to those of parts which the inner cache of a processor holds, with what their
+/// contacts and bonds remember; each piece of a scene (`ends`, one past its last sphere, rising) stays whole.
 Partition cache_sized_partition(const std::vector<std::int32_t>& ends);
 
 }  // namespace fiberchain::dem

@@ -33,7 +33,8 @@ void ThreadPool::do_all(int thread) {
   const int n = threads();
   for (int k = 0; k < n; ++k) {
     Share& share = shares_[(thread + k) % n];
-    for (int i = share.next.fetch_add(1, std::memory_order_relaxed); i < share.end; i = share.next.fetch_add(1, std::memory_order_relaxed)) {
+    for (int i = share.next.fetch_add(1, std::memory_order_relaxed); i < share.end;
+         i = share.next.fetch_add(1, std::memory_order_relaxed)) {
       call_(what_, i, thread);
     }
   }
@@ -50,7 +51,8 @@ void ThreadPool::start_and_finish() {
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
   do_all(0);
-  for (unsigned done = done_.load(std::memory_order_acquire); done != helpers;) done = wait_for_change(done_, done);
+  for (unsigned done = done_.load(std::memory_order_acquire); done != helpers;)
+    done = wait_for_change(done_, done);
 }
 
 void ThreadPool::serve(int thread) {

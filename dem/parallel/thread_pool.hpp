@@ -6,8 +6,8 @@
 
 namespace fiberchain::dem {
 
-/// Threads that share loops. They look for work for some microseconds and then sleep: a thread that spins while another
-/// program has its processor would hold everybody up.
+/// Threads that share loops. They look for work for some microseconds and then sleep: a thread that spins
+/// while another program has its processor would hold everybody up.
 class ThreadPool {
  public:
   /// `threads` with the caller.
@@ -18,15 +18,17 @@ class ThreadPool {
 
   int threads() const { return static_cast<int>(workers_.size()) + 1; }
 
-  /// work(i, thread) for all i below `count`, each thread consecutive ones of its own, then what others have left; back
-  /// when all are done. `work` must not throw.
+  /// work(i, thread) for all i below `count`, each thread consecutive ones of its own, then what others have
+  /// left; back when all are done. `work` must not throw.
   template <class Work>
   void each(int count, Work&& work) {
     if (workers_.empty()) {
       for (int i = 0; i < count; ++i) work(i, 0);
       return;
     }
-    call_ = [](void* what, int i, int thread) { (*static_cast<std::remove_reference_t<Work>*>(what))(i, thread); };
+    call_ = [](void* what, int i, int thread) {
+      (*static_cast<std::remove_reference_t<Work>*>(what))(i, thread);
+    };
     what_ = &work;
     count_ = count;
     start_and_finish();

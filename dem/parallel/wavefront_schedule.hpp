@@ -8,9 +8,10 @@
 
 namespace fiberchain::dem {
 
-/// Two pieces of work a part: the first may read what the second changes of its own and of later parts, up to the last
-/// one that it reaches, and leaves something for them. So second(k) waits for first(j) of all j <= k that reach k, and for
-/// nothing else: a part's numbers are still in the inner cache when its second piece comes.
+/// Two pieces of work a part: the first may read what the second changes of its own and of later parts, up to
+/// the last one that it reaches, and leaves something for them. So second(k) waits for first(j) of all j <= k
+/// that reach k, and for nothing else: a part's numbers are still in the inner cache when its second piece
+/// comes.
 class WavefrontSchedule {
  public:
   explicit WavefrontSchedule(int parts) : first_(parts), second_(parts) {}
@@ -52,7 +53,8 @@ class WavefrontSchedule {
   enum Progress : int { open, taken, done };
   static bool take(std::atomic<int>& piece) {
     int expected = open;
-    return piece.load(std::memory_order_relaxed) == open && piece.compare_exchange_strong(expected, taken, std::memory_order_relaxed);
+    return piece.load(std::memory_order_relaxed) == open &&
+           piece.compare_exchange_strong(expected, taken, std::memory_order_relaxed);
   }
   static void wait_until_done(const std::atomic<int>& piece);
 

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <utility>
 
-#include "dem/record/errors.hpp"
-#include "dem/record/columns.hpp"
 #include "dem/files/csv_reader.hpp"
 #include "dem/files/numbers.hpp"
+#include "dem/record/columns.hpp"
+#include "dem/record/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {

@@ -4,7 +4,8 @@
 
 #include "dem/files/file_error.hpp"
 
-// What can go wrong with files of results. Every message is one line, names the thing at fault and what is allowed.
+// What can go wrong with files of results. Every message is one line, names the thing at fault and what is
+// allowed.
 namespace fiberchain::dem {
 
 /// The user asked for something impossible: an option out of range, a file that cannot be read.

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "dem/record/errors.hpp"
 #include "dem/files/atomic_file.hpp"
+#include "dem/record/errors.hpp"
 
 namespace fiberchain::dem {
 

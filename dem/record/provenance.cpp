@@ -11,8 +11,8 @@
 #include <ctime>
 #include <fstream>
 
-#include "dem/record/build_info.hpp"
 #include "dem/files/numbers.hpp"
+#include "dem/record/build_info.hpp"
 
 namespace fiberchain::dem {
 namespace {

@@ -9,11 +9,11 @@
 #include <iterator>
 #include <utility>
 
-#include "dem/record/errors.hpp"
-#include "dem/record/csv.hpp"
-#include "dem/record/table.hpp"
-#include "dem/files/numbers.hpp"
 #include "dem/files/atomic_file.hpp"
+#include "dem/files/numbers.hpp"
+#include "dem/record/csv.hpp"
+#include "dem/record/errors.hpp"
+#include "dem/record/table.hpp"
 
 namespace fiberchain::dem {
 namespace {

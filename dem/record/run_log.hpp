@@ -10,16 +10,16 @@
 
 namespace fiberchain::dem {
 
-/// How a run went, as CSV (dem/record/csv.hpp) that grows by a whole line at a time, each given to the system at
-/// once. Its first column is "step".
+/// How a run went, as CSV (dem/record/csv.hpp) that grows by a whole line at a time, each given to the system
+/// at once. Its first column is "step".
 class RunLog {
  public:
   /// A new log of an empty table under its provenance, in place of what stood there.
   /// @throws OutputError
   RunLog(const std::filesystem::path& path, const Table& empty, const Provenance& provenance);
 
-  /// Goes on with a log of such a table without its lines later than `last_step` and without one that a kill cut off; begins
-  /// it if there is none.
+  /// Goes on with a log of such a table without its lines later than `last_step` and without one that a kill
+  /// cut off; begins it if there is none.
   /// @throws OutputError, InputError if what stands there is no log of ours
   static RunLog resume(const std::filesystem::path& path, const Table& empty, const Provenance& provenance,
                        std::int64_t last_step);

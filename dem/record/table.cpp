@@ -6,13 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "dem/record/errors.hpp"
 #include "dem/record/columns.hpp"
+#include "dem/record/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
-/// The cell as its column wants it: an integer in a number's place becomes a number; NaN and "" become Missing.
+/// The cell as its column wants it: an integer in a number's place becomes a number; NaN and "" become
+/// Missing.
 Cell fitted(const Column& column, const Cell& cell) {
   if (std::holds_alternative<Missing>(cell)) return cell;
   const bool is_text = std::holds_alternative<std::string>(cell);

@@ -9,9 +9,9 @@
 #include <cstring>
 #include <system_error>
 
-#include "dem/record/errors.hpp"
-#include "dem/files/journaled_file.hpp"
 #include "dem/files/atomic_file.hpp"
+#include "dem/files/journaled_file.hpp"
+#include "dem/record/errors.hpp"
 #include "dem/trajectory/vtk.hpp"
 
 namespace fiberchain::dem {
@@ -79,7 +79,7 @@ void remove_leftovers(const RunFiles& files) {
 }
 
 std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
-                                                   const std::string& program, const Say& say) {
+                                          const std::string& program, const Say& say) {
   const fs::path last = files.checkpoint(), previous = previous_checkpoint(last);
   if (!fs::exists(last) && !fs::exists(previous)) return std::nullopt;
   std::string reason;

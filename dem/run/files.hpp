@@ -38,9 +38,10 @@ void remove_leftovers(const RunFiles& files);
 /// as NAME.checkpoint.bad; nothing if there is none at all.
 /// @throws InputError if no checkpoint can be used, or it belongs to another scene or program
 std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
-                                                   const std::string& program, const Say& say);
+                                          const std::string& program, const Say& say);
 
-/// Exclusive lock of a directory by one run; the system releases it at the end of the process, a kill included.
+/// Exclusive lock of a directory by one run; the system releases it at the end of the process, a kill
+/// included.
 class DirectoryLock {
  public:
   /// @throws OutputError if another run has it, or it cannot be had

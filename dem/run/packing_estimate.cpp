@@ -34,13 +34,15 @@ double checkpointed_of(const PackingScene& scene) {
          assumed_contacts * numbers_of_contact * kDouble;
 }
 
-/// Rows and columns of parallel fibers whose spheres overlap by 1e-4 of the diameter with those above and beside them.
+/// Rows and columns of parallel fibers whose spheres overlap by 1e-4 of the diameter with those above and
+/// beside them.
 std::vector<ChainState<3>> stack_of(const Chain<3>& chain, std::int64_t fibers) {
   const double pitch = chain.fiber.diameter * (1 - 1e-4);
   const auto rows = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(fibers))));
   std::vector<ChainState<3>> stack;
   for (std::int64_t n = 0; n < fibers; ++n) {
-    const Vec<double, 3> first{0, static_cast<double>(n % rows) * pitch, static_cast<double>(n / rows) * pitch};
+    const Vec<double, 3> first{0, static_cast<double>(n % rows) * pitch,
+                               static_cast<double>(n / rows) * pitch};
     stack.push_back(placed(chain, FiberStart{first, {1, 0, 0}}));
   }
   return stack;
@@ -49,10 +51,13 @@ std::vector<ChainState<3>> stack_of(const Chain<3>& chain, std::int64_t fibers) 
 }  // namespace
 
 PackingMemory memory_of(const PackingScene& scene) {
-  const auto spheres = static_cast<double>(spheres_in(scene)), bonds = spheres - static_cast<double>(fibers_in(scene));
-  // reference position, first and present position in the cells, radius three times, fiber three times, cell, slot, flags
+  const auto spheres = static_cast<double>(spheres_in(scene)),
+             bonds = spheres - static_cast<double>(fibers_in(scene));
+  // reference position, first and present position in the cells, radius three times, fiber three times, cell,
+  // slot, flags
   constexpr double listed = 3 * kVector + 3 * kDouble + 5 * kIndex + 4;
-  // of a pair, in the list in use and that in the making: two spheres, number of the contact; in the inner list, four and a flag
+  // of a pair, in the list in use and that in the making: two spheres, number of the contact; in the inner
+  // list, four and a flag
   constexpr double pair = 2 * 3 * kIndex + 4 * kIndex + 1;
   const double history = kDouble * (contact_history_size + (scene.account_energy ? contact_account_size : 0));
   constexpr double state = sizeof(Pose<double, 3>) + 2 * kVector;
@@ -66,21 +71,27 @@ PackingMemory memory_of(const PackingScene& scene) {
 }
 
 double peak(const PackingMemory& memory) {
-  return memory.spheres + memory.bonds + memory.neighbor_list + memory.contacts + std::max(memory.start, memory.output);
+  return memory.spheres + memory.bonds + memory.neighbor_list + memory.contacts +
+         std::max(memory.start, memory.output);
 }
 
 PackingFileSizes file_sizes_of(const PackingScene& scene, std::int64_t steps) {
-  const auto spheres = static_cast<double>(spheres_in(scene)), bonds = spheres - static_cast<double>(fibers_in(scene));
+  const auto spheres = static_cast<double>(spheres_in(scene)),
+             bonds = spheres - static_cast<double>(fibers_in(scene));
   const auto intervals = [&](int asked) { return static_cast<double>(std::min<std::int64_t>(asked, steps)); };
   const double frames = intervals(scene.output.frames) + 1;
   constexpr double number = 18, single = sizeof(float);  // digits of a double in a CSV file
-  const double head = kDouble + 2 * kIndex, bond_head = 2 * kDouble;  // radius, fiber, sphere; numbers of the spheres
-  const double sphere_frame = kVector + 3 * single, bond_frame = 4 * single;  // position, velocity; force, angle
+  const double head = kDouble + 2 * kIndex,
+               bond_head = 2 * kDouble;  // radius, fiber, sphere; numbers of the spheres
+  const double sphere_frame = kVector + 3 * single,
+               bond_frame = 4 * single;  // position, velocity; force, angle
   // points and lines in base64: position twice, velocity, force, angle, radius, numbers
   constexpr double vtk_sphere = (2 * kVector + 8 * single + 6 * kIndex) * 4 / 3;
-  return {.trajectory = spheres * head + bonds * bond_head + frames * (spheres * sphere_frame + bonds * bond_frame),
+  return {.trajectory =
+              spheres * head + bonds * bond_head + frames * (spheres * sphere_frame + bonds * bond_frame),
           .checkpoints = 2 * spheres * checkpointed_of(scene),
-          .log = (intervals(scene.output.samples) + 1) * number * static_cast<double>(run_log_table(scene).columns().size()),
+          .log = (intervals(scene.output.samples) + 1) * number *
+                 static_cast<double>(run_log_table(scene).columns().size()),
           .vtk = scene.output.vtk ? frames * spheres * vtk_sphere : 0};
 }
 
@@ -120,7 +131,8 @@ StepCost measure_step_cost(const PackingScene& scene, double step, int threads, 
 double sphere_steps_of(const PackingScene& scene, const PackingPlan& plan) {
   double sum = 0;
   for (const PackingFiberKind& kind : scene.kinds) {
-    sum += static_cast<double>(kind.starts.size()) * (kind.fiber.aspect_ratio + 1) * static_cast<double>(plan.steps);
+    sum += static_cast<double>(kind.starts.size()) * (kind.fiber.aspect_ratio + 1) *
+           static_cast<double>(plan.steps);
   }
   for (int n = 0; n < scene.batches.number; ++n) {
     const auto present = static_cast<double>(plan.steps - batch_step(scene, n, plan.step));

@@ -29,7 +29,7 @@ struct PackingFileSizes {
   double trajectory;   ///< before compression
   double checkpoints;  ///< the last two
   double log;
-  double vtk;          ///< 0 where not asked for
+  double vtk;  ///< 0 where not asked for
 };
 PackingFileSizes file_sizes_of(const PackingScene& scene, std::int64_t steps);
 
@@ -40,8 +40,8 @@ struct StepCost {
   int threads;
 };
 
-/// Marches a dense stack of parallel straight fibers of the scene's first kind for some `seconds`, each sphere in four
-/// contacts, with the scene's gravity, fluid and contact law; walls and periods are left out.
+/// Marches a dense stack of parallel straight fibers of the scene's first kind for some `seconds`, each
+/// sphere in four contacts, with the scene's gravity, fluid and contact law; walls and periods are left out.
 StepCost measure_step_cost(const PackingScene& scene, double step, int threads, double seconds = 0.05);
 
 /// Sum over the steps of the spheres present: batches come one by one.

@@ -2,15 +2,16 @@
 
 #include <utility>
 
+#include "dem/model/errors.hpp"
 #include "dem/record/errors.hpp"
 #include "dem/run/session.hpp"
-#include "dem/model/errors.hpp"
 #include "dem/trajectory/h5md.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
-/// An assembly of the fibers present after so many steps, at arbitrary positions: a checkpoint sets their state.
+/// An assembly of the fibers present after so many steps, at arbitrary positions: a checkpoint sets their
+/// state.
 Assembly stand_ins(const PackingScene& scene, PackingStart start, std::int64_t step) {
   PackingScene anywhere = scene;  // where walls stand when batches come is not where they stand now
   anywhere.domain.walls.clear();
@@ -40,8 +41,9 @@ void refuse_what_is_there(const RunFiles& files) {
   if (!std::filesystem::exists(trajectory)) return;
   const TrajectoryReader reader(trajectory);
   if (reader.frames() == 0 || reader.steps().back() == 0) return;
-  throw InputError(fmt::format("{}: holds a run up to step {}, of which no checkpoint is there to go on from; --force begins anew",
-                               trajectory.string(), reader.steps().back()));
+  throw InputError(fmt::format(
+      "{}: holds a run up to step {}, of which no checkpoint is there to go on from; --force begins anew",
+      trajectory.string(), reader.steps().back()));
 }
 
 }  // namespace
@@ -51,8 +53,8 @@ RunBegin begin_run(const PackingJob& job, const Say& say) {
   const StepChoice choice = start.choice;
   const std::int64_t steps = start.steps;
   if (job.resume) {
-    const auto checkpoint = find_checkpoint(job.files, scene_fingerprint(job.text, job.scene),
-                                            program_of(job.provenance), say);
+    const auto checkpoint =
+        find_checkpoint(job.files, scene_fingerprint(job.text, job.scene), program_of(job.provenance), say);
     if (checkpoint) {
       RunBegin begin{stand_ins(job.scene, std::move(start), checkpoint->step), choice, steps, true};
       restore(begin.assembly, *checkpoint, job.files);

@@ -39,9 +39,11 @@ ReleaseResult release(const ReleaseScene& scene) {
   result.mode = first_mode(scene.fiber);
   ReleaseOptions options = scene.motion;
   options.energy = has_energy(scene);
-  const ReleaseRecord<Dim> record = ring_down<Dim>({build_release<Dim>(scene, result.mode.period)}, options)[0];
+  const ReleaseRecord<Dim> record =
+      ring_down<Dim>({build_release<Dim>(scene, result.mode.period)}, options)[0];
   for (const TipSample<Dim>& tip : record.samples) {
-    result.samples.push_back({tip.time, in_space<Dim>(tip.position), in_space<Dim>(tip.velocity), tip.energy});
+    result.samples.push_back(
+        {tip.time, in_space<Dim>(tip.position), in_space<Dim>(tip.velocity), tip.energy});
   }
   result.time_step = record.time_step;
   result.integrator = record.integrator;

@@ -35,9 +35,9 @@ struct CantileverResult {
 
 /// The free end at one moment.
 struct FreeEnd {
-  double time;                      ///< since the release [s]
+  double time;                        ///< since the release [s]
   Vec<double, 3> position, velocity;  ///< [m], [m/s]
-  double energy;                    ///< elastic and kinetic [J]; 0 where the scene's physics has none
+  double energy;                      ///< elastic and kinetic [J]; 0 where the scene's physics has none
 };
 
 struct ReleaseResult {
@@ -50,7 +50,7 @@ struct ReleaseResult {
 
 /// The centers of the spheres at one moment.
 struct FiberShape {
-  double time;  ///< [s]
+  double time;          ///< [s]
   Positions positions;  ///< [m]
 };
 

@@ -24,10 +24,12 @@ PackingJob job_of(const SceneText& text, const PackingScene& scene, const RunOpt
 
 void check_earlier(const RunFiles& files, EarlierRun earlier) {
   if (earlier == EarlierRun::replace) remove_files(files);
-  const auto there = earlier == EarlierRun::refuse ? files_there(files) : std::vector<std::filesystem::path>{};
+  const auto there =
+      earlier == EarlierRun::refuse ? files_there(files) : std::vector<std::filesystem::path>{};
   if (there.empty()) return;
-  throw InputError(fmt::format("{} is there already, of a run before, which is neither to be resumed nor replaced",
-                               there.front().string()));
+  throw InputError(
+      fmt::format("{} is there already, of a run before, which is neither to be resumed nor replaced",
+                  there.front().string()));
 }
 
 }  // namespace

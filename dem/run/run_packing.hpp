@@ -12,17 +12,19 @@ enum class EarlierRun { refuse, resume, replace };
 
 /// How a packing is run, and who is told. The defaults are silent and do not stop it.
 struct RunOptions {
-  std::filesystem::path directory = ".";  ///< of NAME.h5, NAME-log.csv, NAME.checkpoint; made if it is not there
-  int threads = 1;                        ///< results do not depend on it
+  std::filesystem::path directory =
+      ".";          ///< of NAME.h5, NAME-log.csv, NAME.checkpoint; made if it is not there
+  int threads = 1;  ///< results do not depend on it
   EarlierRun earlier = EarlierRun::refuse;
-  Say say = [](const std::string&) {};                       ///< messages
+  Say say = [](const std::string&) {};                         ///< messages
   std::function<bool()> asked_to_stop = [] { return false; };  ///< the run then writes a checkpoint and ends
-  std::function<void(const Assembly&)> sampled = {};  ///< called at every line of the log, the first and last included
+  std::function<void(const Assembly&)> sampled =
+      {};  ///< called at every line of the log, the first and last included
 };
 
 /// Runs a packing to its end, its files named as the scene's. A run that blows up ends with `failure`.
-/// @throws InvalidInput, NoRoom; InputError for an earlier run that is neither to be resumed nor replaced, or a checkpoint
-/// that cannot be used; OutputError
+/// @throws InvalidInput, NoRoom; InputError for an earlier run that is neither to be resumed nor replaced, or
+/// a checkpoint that cannot be used; OutputError
 PackingEndState run_scene(const SceneText& text, const PackingScene& scene, const RunOptions& options = {});
 
 }  // namespace fiberchain::dem

@@ -10,7 +10,8 @@ namespace fiberchain::dem {
 
 using SceneResult = std::variant<CantileverResult, ReleaseResult, FlowResult, PackingEndState>;
 
-/// Reads a scene file and runs it. A packing writes its files as it goes, the other kinds return their result only.
+/// Reads a scene file and runs it. A packing writes its files as it goes, the other kinds return their result
+/// only.
 /// @throws SceneError naming file, line, key and what is allowed; else as the run_scene() of the kind
 SceneResult run_scene(const std::filesystem::path& path, const RunOptions& options = {});
 

@@ -15,7 +15,8 @@ using V = Vec<double, 3>;
 /// Height of the lowest corner of the scene box [m].
 double floor_of(const PackingScene& scene, const V& up) {
   double lowest = 0;
-  for (int a = 0; a < 3; ++a) lowest += std::min(up[a] * scene.scene_box.low[a], up[a] * scene.scene_box.high[a]);
+  for (int a = 0; a < 3; ++a)
+    lowest += std::min(up[a] * scene.scene_box.low[a], up[a] * scene.scene_box.high[a]);
   return lowest;
 }
 
@@ -31,13 +32,13 @@ double bending_mean(const Assembly& assembly) {
 
 Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
 
-const std::vector<std::string> kColumns = {"step",         "simulated_time",  "contacts",
-                                           "height",       "bending_mean"};
+const std::vector<std::string> kColumns = {"step", "simulated_time", "contacts", "height", "bending_mean"};
 /// Terms of the balance that a run knows: those stored, and where energy is accounted all.
 std::vector<EnergyMechanism> known_terms(bool accounted) {
   std::vector<EnergyMechanism> terms;
-  std::ranges::copy_if(energy_mechanisms, std::back_inserter(terms),
-                       [&](const EnergyMechanism& term) { return accounted || term.role == EnergyRole::stored; });
+  std::ranges::copy_if(energy_mechanisms, std::back_inserter(terms), [&](const EnergyMechanism& term) {
+    return accounted || term.role == EnergyRole::stored;
+  });
   return terms;
 }
 
@@ -93,7 +94,8 @@ std::vector<std::string> energy_columns(bool accounted) {
 
 NamedRow energy_cells(const EnergyBalance& energy, bool accounted) {
   NamedRow row;
-  for (const EnergyMechanism& term : known_terms(accounted)) row.emplace_back(term.column, energy.*term.value);
+  for (const EnergyMechanism& term : known_terms(accounted))
+    row.emplace_back(term.column, energy.*term.value);
   if (accounted) row.emplace_back(energy_total.column, total(energy));
   return row;
 }
@@ -107,9 +109,10 @@ Table run_log_table(const PackingScene& scene) {
 }
 
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left) {
-  NamedRow row = {{"step", moment.step},           {"simulated_time", moment.time},  {"contacts", moment.contacts},
-                  {"height", moment.height},       {"bending_mean", moment.bending_mean},
-                  {"step_rate", known(step_rate)}, {"time_left", known(time_left)}};
+  NamedRow row = {
+      {"step", moment.step},          {"simulated_time", moment.time},       {"contacts", moment.contacts},
+      {"height", moment.height},      {"bending_mean", moment.bending_mean}, {"step_rate", known(step_rate)},
+      {"time_left", known(time_left)}};
   const NamedRow energies = energy_cells(moment.energy, scene.account_energy);
   row.insert(row.end(), energies.begin(), energies.end());
   Table table = run_log_table(scene);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "dem/record/table.hpp"
 #include "dem/assembly/assembly.hpp"
-#include "dem/trajectory/frame.hpp"
+#include "dem/record/table.hpp"
 #include "dem/scene/packing_scene.hpp"
+#include "dem/trajectory/frame.hpp"
 
 // A packing at one moment as the log and the trajectory record it.
 namespace fiberchain::dem {
@@ -30,8 +30,7 @@ NamedRow energy_cells(const EnergyBalance& energy, bool accounted);
 Table run_log_table(const PackingScene& scene);
 
 /// A line of it.
-Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate,
-                  double time_left);
+Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left);
 
 /// All spheres; those of batches to come are reserved as absent.
 TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene);

@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
+#include "dem/model/errors.hpp"
 #include "dem/record/errors.hpp"
-#include "dem/run/insertion_queue.hpp"
-#include "dem/run/schedule.hpp"
 #include "dem/record/run_log.hpp"
 #include "dem/record/run_status.hpp"
-#include "dem/model/errors.hpp"
+#include "dem/run/insertion_queue.hpp"
+#include "dem/run/schedule.hpp"
 #include "dem/trajectory/h5md.hpp"
 #include "dem/trajectory/vtk.hpp"
 
@@ -26,7 +26,8 @@ std::string step_words(const StepChoice& choice, const PackingScene& scene) {
   const std::string limits = fmt::format(": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
                                          choice.bonds, choice.damped_bonds, choice.contacts);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
-  return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by, limits);
+  return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by,
+                     limits);
 }
 
 /// The files of a run as they grow.
@@ -57,14 +58,13 @@ class RunWriter {
 
   void write_checkpoint(const Assembly& assembly) const {
     log_.flush();
-    dem::write_checkpoint(job_.files.checkpoint(),
-                              {.program = program_of(job_.provenance),
-                               .threads = job_.threads,
-                               .scene_sha256 = scene_fingerprint(job_.text, job_.scene),
-                               .scene = job_.text.text,
-                               .step = assembly.steps(),
-                               .time = assembly.time(),
-                               .state = assembly.saved()});
+    dem::write_checkpoint(job_.files.checkpoint(), {.program = program_of(job_.provenance),
+                                                    .threads = job_.threads,
+                                                    .scene_sha256 = scene_fingerprint(job_.text, job_.scene),
+                                                    .scene = job_.text.text,
+                                                    .step = assembly.steps(),
+                                                    .time = assembly.time(),
+                                                    .state = assembly.saved()});
   }
 
  private:
@@ -181,8 +181,7 @@ PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const
   const auto clock = std::chrono::steady_clock::now();
   const double step = begin.assembly.step();
   watchers.say(fmt::format("{} fibers, {} spheres; {} steps of {:.4g} s ({})", fibers_in(job.scene),
-                           spheres_in(job.scene), begin.steps, step,
-                           step_words(begin.choice, job.scene)));
+                           spheres_in(job.scene), begin.steps, step, step_words(begin.choice, job.scene)));
   PackingEndState end{
       .choice = begin.choice, .step = step, .steps = begin.steps, .begun_at = begin.assembly.steps()};
   if (end.begun_at >= end.steps) {  // finished before: its files stay as they are

@@ -5,9 +5,9 @@
 #include <ostream>
 #include <string>
 
+#include "dem/record/provenance.hpp"
 #include "dem/run/files.hpp"
 #include "dem/run/samples.hpp"
-#include "dem/record/provenance.hpp"
 #include "dem/scene/build_packing.hpp"
 
 // A run of many fibers to its end, with its files.
@@ -25,10 +25,10 @@ struct PackingJob {
 
 /// Who is told what, and who may stop the run.
 struct PackingWatchers {
-  std::function<bool()> asked_to_stop;  ///< the run then writes a checkpoint and ends
-  Say say;                              ///< messages
-  std::ostream& terminal;               ///< shows where the run stands...
-  bool watched;                         ///< ... if somebody watches
+  std::function<bool()> asked_to_stop;                ///< the run then writes a checkpoint and ends
+  Say say;                                            ///< messages
+  std::ostream& terminal;                             ///< shows where the run stands...
+  bool watched;                                       ///< ... if somebody watches
   std::function<void(const Assembly&)> sampled = {};  ///< called at every sample of the log, where given
 };
 
@@ -40,8 +40,8 @@ struct PackingEndState {
   RunMoment last{};
   double coordination = std::numeric_limits<double>::quiet_NaN();  ///< contacts of a sphere with spheres that
                                                                    ///< it is not bonded to; NaN if it blew up
-  double run_time = 0;       ///< of this session [s]
-  std::string failure = {};  ///< why it blew up; "" if it did not
+  double run_time = 0;                                             ///< of this session [s]
+  std::string failure = {};                                        ///< why it blew up; "" if it did not
 
   bool finished() const { return failure.empty() && last.step == steps; }
 };

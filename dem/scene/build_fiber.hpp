@@ -15,8 +15,8 @@ struct CantileverCase {
 template <int Dim>
 CantileverCase<Dim> build_cantilever(const CantileverScene& scene);
 
-/// The chain let go from its equilibrium under the load; times are counted by `period` [s], that of the first mode.
-/// Throws NoConvergence.
+/// The chain let go from its equilibrium under the load; times are counted by `period` [s], that of the first
+/// mode. Throws NoConvergence.
 template <int Dim>
 Release<Dim> build_release(const ReleaseScene& scene, double period);
 

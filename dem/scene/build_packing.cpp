@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "dem/chain/arc_chain.hpp"
-#include "dem/model/errors.hpp"
 #include "dem/files/sha256.hpp"
+#include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -50,14 +50,17 @@ void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
   constexpr double deepest = 0.5;  // overlap over the smaller radius
   if (all.radius.empty()) return;
   const auto [least, largest] = std::ranges::minmax(all.radius);
-  InsertionGrid placed(box_around(all.position), scene.domain.period, largest, -deepest * least, std::ssize(all.radius));
+  InsertionGrid placed(box_around(all.position), scene.domain.period, largest, -deepest * least,
+                       std::ssize(all.radius));
   std::size_t sphere = 0;
   for (const PackingFiberKind& kind : scene.kinds) {
     for (std::size_t f = 0; f < kind.starts.size(); ++f) {
       for (int i = 0; i <= kind.fiber.aspect_ratio; ++i, ++sphere) {
         if (!placed.free(all.position[sphere], all.radius[sphere])) {
-          throw InvalidInput(fmt::format("{}: sphere {} of fiber {} is not allowed there: it lies in another one by more than half a radius",
-                                         kind.file ? kind.file->name : "fibers", i, f));
+          throw InvalidInput(
+              fmt::format("{}: sphere {} of fiber {} is not allowed there: it lies in another one by more "
+                          "than half a radius",
+                          kind.file ? kind.file->name : "fibers", i, f));
         }
         placed.add(all.position[sphere], all.radius[sphere]);
       }
@@ -68,7 +71,8 @@ void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
 std::int64_t steps_in(double duration, double step) {
   const double steps = std::ceil(duration / step * (1 - 1e-12));
   if (!(steps >= 1 && steps < 1e12)) {
-    throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s", duration, steps, step));
+    throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s",
+                                   duration, steps, step));
   }
   return static_cast<std::int64_t>(steps);
 }
@@ -78,9 +82,10 @@ void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
   for (int n = 1; n < scene.batches.number; ++n) {
     const std::int64_t at = batch_step(scene, n, step);
     if (at > batch_step(scene, n - 1, step) && at < steps) continue;
-    throw InvalidInput(fmt::format("batches.interval = {:g} s is not allowed: batch {} would come at step {} of {} of {:.4g} s each; "
-                                   "each must come at a later one than that before, and before the end",
-                                   scene.batches.interval, n + 1, at, steps, step));
+    throw InvalidInput(fmt::format(
+        "batches.interval = {:g} s is not allowed: batch {} would come at step {} of {} of {:.4g} s each; "
+        "each must come at a later one than that before, and before the end",
+        scene.batches.interval, n + 1, at, steps, step));
   }
 }
 
@@ -144,7 +149,8 @@ int groups_at_start(const PackingScene& scene) {
   return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
 }
 
-std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time, const PlacedSpheres& present) {
+std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
+                                      const PlacedSpheres& present) {
   const std::vector<InsertionCount> counts = batch_counts(scene, n);
   if (counts.empty()) return {};
   InsertionRules rules = scene.filling;

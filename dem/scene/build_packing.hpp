@@ -51,10 +51,11 @@ std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n);
 /// Groups of fibers at the start: those of files and of the first batch.
 int groups_at_start(const PackingScene& scene);
 
-/// The fibers of batch `n`, beside those that are there, among the walls of that time [s]. Kinds without a fiber in it are
-/// left out.
+/// The fibers of batch `n`, beside those that are there, among the walls of that time [s]. Kinds without a
+/// fiber in it are left out.
 /// @throws NoRoom
-std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time, const PlacedSpheres& present);
+std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
+                                      const PlacedSpheres& present);
 
 /// Fibers of all batches and files.
 std::int64_t fibers_in(const PackingScene& scene);

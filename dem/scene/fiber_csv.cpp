@@ -8,10 +8,10 @@
 #include <fstream>
 #include <string_view>
 
-#include "dem/scene/yaml_document.hpp"
 #include "dem/files/csv_reader.hpp"
 #include "dem/files/numbers.hpp"
 #include "dem/scene/scene_error.hpp"
+#include "dem/scene/yaml_document.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -26,21 +26,25 @@ std::vector<std::size_t> columns_of(const CsvReader& reader, const std::vector<s
     const std::string_view field = trimmed(text);
     const auto found = std::ranges::find(names, field);
     if (found == names.end()) {
-      reader.fail(fmt::format("column '{}' is unknown; columns are x, y, z, ux, uy, uz and, if fibers move, vx, vy, vz",
-                              printable(field)));
+      reader.fail(fmt::format(
+          "column '{}' is unknown; columns are x, y, z, ux, uy, uz and, if fibers move, vx, vy, vz",
+          printable(field)));
     }
     const auto column = static_cast<std::size_t>(found - names.begin());
-    if (std::ranges::find(columns, column) != columns.end()) reader.fail(fmt::format("column '{}' stands twice", field));
+    if (std::ranges::find(columns, column) != columns.end())
+      reader.fail(fmt::format("column '{}' stands twice", field));
     columns.push_back(column);
   }
   const bool moves = std::ranges::any_of(columns, [](std::size_t c) { return c >= required; });
   for (std::size_t c = 0; c < (moves ? names.size() : required); ++c) {
-    if (std::ranges::find(columns, c) == columns.end()) reader.fail(fmt::format("column '{}' is missing", names[c]));
+    if (std::ranges::find(columns, c) == columns.end())
+      reader.fail(fmt::format("column '{}' is missing", names[c]));
   }
   return columns;
 }
 
-FiberStart start_of(const CsvReader& reader, const std::vector<std::size_t>& columns, const std::vector<std::string>& fields) {
+FiberStart start_of(const CsvReader& reader, const std::vector<std::size_t>& columns,
+                    const std::vector<std::string>& fields) {
   if (fields.size() != columns.size()) {
     reader.fail(fmt::format("has {} fields; allowed: {}, as many as columns", fields.size(), columns.size()));
   }
@@ -48,15 +52,17 @@ FiberStart start_of(const CsvReader& reader, const std::vector<std::size_t>& col
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const auto number = parse_number(trimmed(fields[i]));
     if (!number || !std::isfinite(*number)) {
-      reader.fail(fmt::format("column '{}': '{}' is not allowed; allowed: a number that is finite", names[columns[i]],
-                              printable(trimmed(fields[i]))));
+      reader.fail(fmt::format("column '{}': '{}' is not allowed; allowed: a number that is finite",
+                              names[columns[i]], printable(trimmed(fields[i]))));
     }
     value[columns[i]] = *number;
   }
-  const FiberStart start{{value[0], value[1], value[2]}, {value[3], value[4], value[5]}, {value[6], value[7], value[8]}};
+  const FiberStart start{
+      {value[0], value[1], value[2]}, {value[3], value[4], value[5]}, {value[6], value[7], value[8]}};
   const double length = norm(start.direction);
   if (!(std::abs(length - 1) < 1e-3)) {
-    reader.fail(fmt::format("columns 'ux', 'uy', 'uz': the direction's length is {:.6g}; allowed: 1", length));
+    reader.fail(
+        fmt::format("columns 'ux', 'uy', 'uz': the direction's length is {:.6g}; allowed: 1", length));
   }
   return start;
 }

@@ -16,7 +16,8 @@ std::string default_of(const KeyDeclaration& key) {
 void append_rows(const std::vector<KeyDeclaration>& keys, const std::string& path, std::string& text) {
   for (const KeyDeclaration& key : keys) {
     const std::string name = path + key.name;
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, key.unit, key.allowed, default_of(key), key.meaning);
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, key.unit, key.allowed, default_of(key),
+                        key.meaning);
     append_rows(key.keys, name + (key.list ? "[]." : "."), text);
   }
 }

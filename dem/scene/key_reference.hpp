@@ -4,8 +4,8 @@
 
 namespace fiberchain::dem {
 
-/// All keys of all kinds of scenes in Markdown tables, made from their declarations: key, unit, allowed values, default,
-/// meaning.
+/// All keys of all kinds of scenes in Markdown tables, made from their declarations: key, unit, allowed
+/// values, default, meaning.
 std::string key_reference();
 
 }  // namespace fiberchain::dem

@@ -30,8 +30,8 @@ template <class T>
 struct SceneKey {
   KeyDeclaration declared;
   std::function<void(const StrictMapping&, T&)> read;  ///< of the mapping that holds the key
-  std::function<bool(const T&)> applies = {};  ///< of the keys declared before; always where empty
-  std::string condition = {};                  ///< the same in words
+  std::function<bool(const T&)> applies = {};          ///< of the keys declared before; always where empty
+  std::string condition = {};                          ///< the same in words
 
   /// The key must be there (where it applies).
   SceneKey& required() {
@@ -55,8 +55,9 @@ struct SceneKey {
   }
 };
 
-/// All keys of one kind of mapping, each declared once, in the order they are read in. A member is a pointer to a member
-/// of T or a function from T& to a reference. Reading throws SceneError with file, line, key, value and what is allowed.
+/// All keys of one kind of mapping, each declared once, in the order they are read in. A member is a pointer
+/// to a member of T or a function from T& to a reference. Reading throws SceneError with file, line, key,
+/// value and what is allowed.
 template <class T>
 class KeyTable {
  public:
@@ -67,21 +68,23 @@ class KeyTable {
 
   /// A number, alone or with a unit of the dimension of `unit`.
   template <class Member>
-  SceneKey<T>& quantity(const std::string& key, const std::string& unit, Member member, const ValueRange& range,
-                        const std::string& meaning) {
-    return add(key, unit, is_open(range) ? "finite number" : describe(range), shown(member), meaning, [=](const StrictMapping& from, T& to) {
-      std::invoke(member, to) = from.quantity(key, unit, range);
-    });
+  SceneKey<T>& quantity(const std::string& key, const std::string& unit, Member member,
+                        const ValueRange& range, const std::string& meaning) {
+    return add(
+        key, unit, is_open(range) ? "finite number" : describe(range), shown(member), meaning,
+        [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.quantity(key, unit, range); });
   }
 
   /// A number without dimension.
   template <class Member>
-  SceneKey<T>& number(const std::string& key, Member member, const ValueRange& range, const std::string& meaning) {
+  SceneKey<T>& number(const std::string& key, Member member, const ValueRange& range,
+                      const std::string& meaning) {
     return quantity(key, "1", member, range, meaning);
   }
 
   template <class Member>
-  SceneKey<T>& integer(const std::string& key, Member member, const ValueRange& range, const std::string& meaning) {
+  SceneKey<T>& integer(const std::string& key, Member member, const ValueRange& range,
+                       const std::string& meaning) {
     return add(key, "1", "whole number " + describe(range), shown(member), meaning,
                [=](const StrictMapping& from, T& to) {
                  auto& value = std::invoke(member, to);
@@ -98,14 +101,16 @@ class KeyTable {
 
   /// A text that is not empty.
   template <class Member>
-  SceneKey<T>& word(const std::string& key, Member member, const std::string& allowed, const std::string& meaning) {
+  SceneKey<T>& word(const std::string& key, Member member, const std::string& allowed,
+                    const std::string& meaning) {
     return add(key, "", allowed, shown(member), meaning,
                [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.word(key); });
   }
 
   /// One of some words.
   template <class Value, class Member>
-  SceneKey<T>& choice(const std::string& key, Member member, const Words<Value>& words, const std::string& meaning) {
+  SceneKey<T>& choice(const std::string& key, Member member, const Words<Value>& words,
+                      const std::string& meaning) {
     std::vector<std::string> texts;
     std::string fallback;
     const std::optional<Value> usual = std::invoke(member, defaults_);
@@ -121,11 +126,13 @@ class KeyTable {
 
   /// Three finite numbers, each alone or with a unit.
   template <class Member>
-  SceneKey<T>& vector(const std::string& key, const std::string& unit, Member member, const std::string& meaning) {
-    return add(key, unit, "three finite numbers", shown(member), meaning, [=](const StrictMapping& from, T& to) {
-      const std::vector<double> v = from.quantities(key, unit, 3);
-      std::invoke(member, to) = {v[0], v[1], v[2]};
-    });
+  SceneKey<T>& vector(const std::string& key, const std::string& unit, Member member,
+                      const std::string& meaning) {
+    return add(key, unit, "three finite numbers", shown(member), meaning,
+               [=](const StrictMapping& from, T& to) {
+                 const std::vector<double> v = from.quantities(key, unit, 3);
+                 std::invoke(member, to) = {v[0], v[1], v[2]};
+               });
   }
 
   /// Three numbers that are not all zero: the unit vector along them.
@@ -140,7 +147,8 @@ class KeyTable {
 
   /// Two numbers, the second larger.
   template <class Member>
-  SceneKey<T>& interval(const std::string& key, const std::string& unit, Member member, const std::string& meaning) {
+  SceneKey<T>& interval(const std::string& key, const std::string& unit, Member member,
+                        const std::string& meaning) {
     return add(key, unit, "`[low, high]`, low < high", "", meaning, [=](const StrictMapping& from, T& to) {
       const std::vector<double> ends = from.quantities(key, unit, 2);
       if (!(ends[0] < ends[1])) from.fail(key, "must rise: [low, high]");
@@ -150,14 +158,16 @@ class KeyTable {
 
   /// Three rows of three finite numbers.
   template <class Member>
-  SceneKey<T>& matrix(const std::string& key, const std::string& unit, Member member, const std::string& meaning) {
+  SceneKey<T>& matrix(const std::string& key, const std::string& unit, Member member,
+                      const std::string& meaning) {
     return add(key, unit, "three rows of three finite numbers", "", meaning,
                [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.matrix(key); });
   }
 
   /// A mapping with keys of its own, handed to `store` as (mapping, value, T&) once read.
   template <class U, class Store>
-  SceneKey<T>& mapping(const std::string& key, const KeyTable<U>& table, Store store, const std::string& meaning) {
+  SceneKey<T>& mapping(const std::string& key, const KeyTable<U>& table, Store store,
+                       const std::string& meaning) {
     SceneKey<T>& added = add(key, "", "mapping", "", meaning, [=](const StrictMapping& from, T& to) {
       const StrictMapping nested = from.mapping(key, table.names());
       U value = table.defaults();
@@ -181,7 +191,8 @@ class KeyTable {
 
   /// A list of such mappings, at least one.
   template <class U, class Store>
-  SceneKey<T>& list(const std::string& key, const KeyTable<U>& table, Store store, const std::string& meaning) {
+  SceneKey<T>& list(const std::string& key, const KeyTable<U>& table, Store store,
+                    const std::string& meaning) {
     SceneKey<T>& added = add(key, "", "list of mappings", "", meaning, [=](const StrictMapping& from, T& to) {
       for (const StrictMapping& nested : from.mappings(key, table.names())) {
         U value = table.defaults();
@@ -205,8 +216,8 @@ class KeyTable {
       if (!std::ranges::count(keys, key.declared.name)) continue;
       std::vector<std::string> others = keys;
       std::erase(others, key.declared.name);
-      key.declared.otherwise =
-          fmt::format("with `{}`{}", fmt::join(others, "`, `"), or_none.empty() ? "" : "; without both " + or_none);
+      key.declared.otherwise = fmt::format("with `{}`{}", fmt::join(others, "`, `"),
+                                           or_none.empty() ? "" : "; without both " + or_none);
     }
     alternatives_.push_back({keys, !or_none.empty()});
   }
@@ -245,7 +256,9 @@ class KeyTable {
     bool or_none;
   };
 
-  static bool is_open(const ValueRange& range) { return !std::isfinite(range.low) && !std::isfinite(range.high); }
+  static bool is_open(const ValueRange& range) {
+    return !std::isfinite(range.low) && !std::isfinite(range.high);
+  }
 
   SceneKey<T>& add(const std::string& key, const std::string& unit, const std::string& allowed,
                    const std::string& otherwise, const std::string& meaning,

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/insertion/random_insertion.hpp"
 #include "dem/insertion/placement.hpp"
+#include "dem/insertion/random_insertion.hpp"
 #include "dem/scene/scene_text.hpp"
 
 namespace fiberchain::dem {
@@ -37,7 +37,8 @@ struct PackingOutput {
 /// Many fibers that meet each other and walls.
 struct PackingScene {
   std::vector<PackingFiberKind> kinds;
-  InsertionRules filling = {};  ///< region, orientation, velocity, gap, seed and attempts of the fibers at random
+  InsertionRules filling =
+      {};  ///< region, orientation, velocity, gap, seed and attempts of the fibers at random
   Batches batches = {};
   Domain domain = {};
   Box scene_box = {};  ///< shown in pictures and files; its cross section is that of densities [m]
@@ -46,7 +47,7 @@ struct PackingScene {
   std::optional<double> step = {};  ///< [s]; left out: chosen
   double duration = 0;              ///< [s]; 0 where steps are given
   std::int64_t steps = 0;           ///< 0 where the duration is given
-  bool account_energy = false;         ///< sum what each mechanism takes
+  bool account_energy = false;      ///< sum what each mechanism takes
   bool orientations = false;        ///< follow orientations of spheres that nothing needs
   PackingOutput output = {};
 };

@@ -9,12 +9,15 @@ KeyTable<RelaxOptions> march_keys() {
                "damping ratio ξ_b while settling, in place of the fiber's own");
   table.number("drag", &RelaxOptions::drag, kNonNegative,
                "drag on every sphere over the critical one of the first bending mode");
-  table.number("step_ratio", &RelaxOptions::step_ratio, kPositive, "time step over the bond's t_b = sqrt(m / K_n)")
+  table
+      .number("step_ratio", &RelaxOptions::step_ratio, kPositive,
+              "time step over the bond's t_b = sqrt(m / K_n)")
       .otherwise("0.8 of the largest stable step");
   table.number("ramp_periods", &RelaxOptions::ramp_periods, kNonNegative,
                "length of the load's ramp in periods of the first bending mode");
-  table.number("residual", &RelaxOptions::residual, kFraction,
-               "at rest: moment out of balance and speeds, over those of the load and the first mode, below this");
+  table.number(
+      "residual", &RelaxOptions::residual, kFraction,
+      "at rest: moment out of balance and speeds, over those of the load and the first mode, below this");
   table.number("max_periods", &RelaxOptions::max_periods, kPositive,
                "limit of the march, in periods of the first bending mode after the ramp");
   return table;
@@ -31,7 +34,8 @@ void store_march(const StrictMapping& mapping, const RelaxOptions& options, Cant
 
 KeyTable<CantileverScene> cantilever_keys() {
   KeyTable<CantileverScene> table;
-  table.known("scene", "cantilever", "a straight fiber, clamped at its first sphere, under a dead load at its last");
+  table.known("scene", "cantilever",
+              "a straight fiber, clamped at its first sphere, under a dead load at its last");
   declare_single_fiber(table, {.form = table.defaults().march.form},
                        [](const BondKeys& keys, CantileverScene& scene) { scene.march.form = keys.form; });
   const auto store_load = [](const StrictMapping& mapping, const LoadKeys& keys, CantileverScene& scene) {
@@ -40,10 +44,12 @@ KeyTable<CantileverScene> cantilever_keys() {
     scene.direction = pull.direction;
   };
   table.mapping("load", load_keys(), store_load, "the load at the free end").required();
-  table.choice("method", &CantileverScene::method, words_of({Method::solve, Method::march}),
-               "Newton's method (`form: total` only), or dynamic relaxation under a load ramp as the paper does");
+  table.choice(
+      "method", &CantileverScene::method, words_of({Method::solve, Method::march}),
+      "Newton's method (`form: total` only), or dynamic relaxation under a load ramp as the paper does");
   table.mapping("march", march_keys(), &store_march, "dynamic relaxation")
-      .only_with("'method: march'", [](const CantileverScene& scene) { return scene.method == Method::march; });
+      .only_with("'method: march'",
+                 [](const CantileverScene& scene) { return scene.method == Method::march; });
   return table;
 }
 

@@ -50,9 +50,12 @@ KeyTable<BondKeys> bond_keys(const BondParts& parts) {
                  "coefficient ξ_r of rolling friction between bonded spheres (Eq 21)");
   }
   if (parts.rolling) {
-    table.choice("rolling", &BondKeys::rolling, words_of({Rolling::set_valued, Rolling::explicit_sign}),
-                 "rolling friction solved within the step, or by the sign of the lagged spin as the paper does")
-        .only_with("rolling_friction above 0", [](const BondKeys& keys) { return keys.rolling_friction > 0; });
+    table
+        .choice(
+            "rolling", &BondKeys::rolling, words_of({Rolling::set_valued, Rolling::explicit_sign}),
+            "rolling friction solved within the step, or by the sign of the lagged spin as the paper does")
+        .only_with("rolling_friction above 0",
+                   [](const BondKeys& keys) { return keys.rolling_friction > 0; });
   }
   return table;
 }

@@ -15,7 +15,7 @@ inline constexpr const char* kAxes[] = {"x", "y", "z"};
 
 /// A fiber as typed.
 struct FiberKeys {
-  double diameter = 0;                  ///< [m]
+  double diameter = 0;  ///< [m]
   int aspect_ratio = 0;
   double youngs_modulus = 0;            ///< [Pa]
   std::optional<double> poisson_ratio;  ///< this, or
@@ -26,12 +26,15 @@ struct FiberKeys {
 /// Declares the keys of a fiber, for a T that has them.
 template <class T>
 void declare_fiber(KeyTable<T>& table) {
-  table.quantity("diameter", "m", &T::diameter, kPositive, "diameter of the fiber and of its spheres").required();
-  table.integer("aspect_ratio", &T::aspect_ratio, {.low = 1, .high = 1e6},
-                "number of bonds: length between the centers of the end spheres over the diameter")
+  table.quantity("diameter", "m", &T::diameter, kPositive, "diameter of the fiber and of its spheres")
+      .required();
+  table
+      .integer("aspect_ratio", &T::aspect_ratio, {.low = 1, .high = 1e6},
+               "number of bonds: length between the centers of the end spheres over the diameter")
       .required();
   table.quantity("youngs_modulus", "Pa", &T::youngs_modulus, kPositive, "Young's modulus E").required();
-  table.number("poisson_ratio", &T::poisson_ratio, kPoissonRatio, "Poisson's ratio ν, for G = E / (2 (1 + ν))");
+  table.number("poisson_ratio", &T::poisson_ratio, kPoissonRatio,
+               "Poisson's ratio ν, for G = E / (2 (1 + ν))");
   table.quantity("shear_modulus", "Pa", &T::shear_modulus, kPositive, "shear modulus G");
   table.quantity("density", "kg/m^3", &T::density, kPositive, "density of the spheres").required();
   table.one_of({"poisson_ratio", "shear_modulus"});
@@ -76,8 +79,8 @@ EndPull pull_of(const StrictMapping& load, const LoadKeys& keys, const Fiber& fi
 void check_planar(const StrictMapping& mapping, const char* key, const std::array<double, 3>& direction,
                   Dimension dimension);
 
-/// Declares keys dimension, fiber and bond of a scene of one fiber. `store` gets (BondKeys, scene) for what is not of the
-/// fiber itself.
+/// Declares keys dimension, fiber and bond of a scene of one fiber. `store` gets (BondKeys, scene) for what
+/// is not of the fiber itself.
 template <class T, class Store>
 void declare_single_fiber(KeyTable<T>& table, const BondParts& parts, Store store) {
   table.choice("dimension", &T::dimension, words_of({Dimension::planar, Dimension::spatial}),
@@ -111,9 +114,9 @@ struct NamedFlow {
 
 /// Mapping "fluid" as typed.
 struct FluidKeys {
-  double viscosity = 0;           ///< [Pa s]
-  std::optional<NamedFlow> flow;  ///< with its rate, or
-  double rate = 0;                ///< [1/s]
+  double viscosity = 0;                                          ///< [Pa s]
+  std::optional<NamedFlow> flow;                                 ///< with its rate, or
+  double rate = 0;                                               ///< [1/s]
   std::optional<std::array<std::array<double, 3>, 3>> gradient;  ///< [1/s]
   std::optional<CourseKeys> course;
   Hydrodynamics hydrodynamics = Hydrodynamics::free_draining;
@@ -152,7 +155,8 @@ void declare_walls(KeyTable<PackingScene>& table);
 /// Declares key filling, which is read after the fibers and the domain.
 void declare_filling(KeyTable<PackingScene>& table);
 
-/// Gives the scene's box the sides that neither walls nor periods give: those of the region, and of fibers from files.
+/// Gives the scene's box the sides that neither walls nor periods give: those of the region, and of fibers
+/// from files.
 void complete_scene_box(PackingScene& scene);
 
 }  // namespace fiberchain::dem

@@ -12,8 +12,10 @@ using PeriodKeys = std::array<std::optional<double>, 3>;
 KeyTable<PeriodKeys> period_keys() {
   KeyTable<PeriodKeys> table;
   for (int a = 0; a < 3; ++a) {
-    table.quantity(kAxes[a], "m", [a](PeriodKeys& sides) -> auto& { return sides[a]; }, kPositive,
-                   std::string("length of the periodic cell along ") + kAxes[a])
+    table
+        .quantity(
+            kAxes[a], "m", [a](PeriodKeys & sides) -> auto& { return sides[a]; }, kPositive,
+            std::string("length of the periodic cell along ") + kAxes[a])
         .otherwise("not periodic");
   }
   return table;
@@ -51,13 +53,17 @@ double floor_below(const std::vector<Wall>& walls, int axis, double position) {
 }  // namespace
 
 void declare_domain(KeyTable<PackingScene>& table) {
-  const auto gravity = [](PackingScene& scene) -> auto& { return scene.domain.gravity; };
-  const auto contacts = [](PackingScene& scene) -> auto& { return scene.domain.contacts; };
-  table.mapping("periodic", period_keys(), &store_periods, "periodic sides; walls must be the same all along them")
+  const auto gravity = [](PackingScene & scene) -> auto& { return scene.domain.gravity; };
+  const auto contacts = [](PackingScene & scene) -> auto& { return scene.domain.contacts; };
+  table
+      .mapping("periodic", period_keys(), &store_periods,
+               "periodic sides; walls must be the same all along them")
       .otherwise("none");
   declare_walls(table);
   table.vector("gravity", "m/s^2", gravity, "acceleration of gravity");
-  table.mapping("fluid", fluid_keys({Hydrodynamics::free_draining}, true), &store_fluid, "a fluid around the fibers")
+  table
+      .mapping("fluid", fluid_keys({Hydrodynamics::free_draining}, true), &store_fluid,
+               "a fluid around the fibers")
       .otherwise("none");
   table.mapping_into("contacts", contacts, contact_keys(), "contacts of spheres and walls (Hertz-Mindlin)");
 }

@@ -18,8 +18,10 @@ struct FillingKeys {
 KeyTable<RegionKeys> region_keys() {
   KeyTable<RegionKeys> table;
   for (int a = 0; a < 3; ++a) {
-    table.interval(kAxes[a], "m", [a](RegionKeys& sides) -> auto& { return sides[a]; },
-                   std::string("ends of the region along ") + kAxes[a])
+    table
+        .interval(
+            kAxes[a], "m", [a](RegionKeys & sides) -> auto& { return sides[a]; },
+            std::string("ends of the region along ") + kAxes[a])
         .otherwise("the side of the box or periodic cell; required without");
   }
   return table;
@@ -27,7 +29,9 @@ KeyTable<RegionKeys> region_keys() {
 
 KeyTable<Batches> batch_keys() {
   KeyTable<Batches> table;
-  table.integer("number", &Batches::number, {.low = 1, .high = 1e5}, "number of equal parts, the first at the start")
+  table
+      .integer("number", &Batches::number, {.low = 1, .high = 1e5},
+               "number of equal parts, the first at the start")
       .required();
   table.quantity("interval", "s", &Batches::interval, kPositive, "time between two parts").required();
   return table;
@@ -42,27 +46,40 @@ KeyTable<FillingKeys> filling_keys() {
                                        {"near_axis", Alignment::near_axis},
                                        {"near_plane", Alignment::near_plane}};
   const char* any_aligned = "orientation: near_axis or near_plane";
-  const auto store_region = [](const StrictMapping&, const RegionKeys& region, FillingKeys& keys) { keys.region = region; };
-  table.mapping("region", region_keys(), store_region, "region that holds all spheres wholly, clear of walls");
-  table.choice("orientation", [](FillingKeys& keys) -> auto& { return keys.rules.orientation.alignment; }, alignments,
-               "directions of the fibers: any, within `angle` of an axis, or within `angle` of a plane");
-  table.direction("direction", [](FillingKeys& keys) -> auto& { return keys.rules.orientation.direction; },
-                  "the axis, or the normal of the plane")
+  const auto store_region = [](const StrictMapping&, const RegionKeys& region, FillingKeys& keys) {
+    keys.region = region;
+  };
+  table.mapping("region", region_keys(), store_region,
+                "region that holds all spheres wholly, clear of walls");
+  table.choice(
+      "orientation", [](FillingKeys & keys) -> auto& { return keys.rules.orientation.alignment; }, alignments,
+      "directions of the fibers: any, within `angle` of an axis, or within `angle` of a plane");
+  table
+      .direction(
+          "direction", [](FillingKeys & keys) -> auto& { return keys.rules.orientation.direction; },
+          "the axis, or the normal of the plane")
       .required()
       .only_with(any_aligned, aligned);
-  table.quantity("angle", "rad", [](FillingKeys& keys) -> auto& { return keys.rules.orientation.angle; },
-                 {.low = 0, .high = std::numbers::pi / 2}, "largest angle from the axis or plane")
+  table
+      .quantity(
+          "angle", "rad", [](FillingKeys & keys) -> auto& { return keys.rules.orientation.angle; },
+          {.low = 0, .high = std::numbers::pi / 2}, "largest angle from the axis or plane")
       .required()
       .only_with(any_aligned, aligned);
-  table.vector("velocity", "m/s", [](FillingKeys& keys) -> auto& { return keys.rules.velocity; },
-               "velocity of all spheres at the start");
-  table.quantity("gap", "m", [](FillingKeys& keys) -> auto& { return keys.rules.gap; }, kNonNegative,
-                 "least distance between surfaces");
-  table.integer("seed", [](FillingKeys& keys) -> auto& { return keys.rules.seed; }, kNonNegative,
-                "seed of the random numbers; the same seed gives the same packing");
-  table.integer("attempts", [](FillingKeys& keys) -> auto& { return keys.rules.attempts; }, {.low = 1, .high = 1e9},
-                "positions tried for a fiber before the filling is given up");
-  table.mapping_into("batches", &FillingKeys::batches, batch_keys(), "insertion in several parts").otherwise("all at the start");
+  table.vector(
+      "velocity", "m/s", [](FillingKeys & keys) -> auto& { return keys.rules.velocity; },
+      "velocity of all spheres at the start");
+  table.quantity(
+      "gap", "m", [](FillingKeys & keys) -> auto& { return keys.rules.gap; }, kNonNegative,
+      "least distance between surfaces");
+  table.integer(
+      "seed", [](FillingKeys & keys) -> auto& { return keys.rules.seed; }, kNonNegative,
+      "seed of the random numbers; the same seed gives the same packing");
+  table.integer(
+      "attempts", [](FillingKeys & keys) -> auto& { return keys.rules.attempts; }, {.low = 1, .high = 1e9},
+      "positions tried for a fiber before the filling is given up");
+  table.mapping_into("batches", &FillingKeys::batches, batch_keys(), "insertion in several parts")
+      .otherwise("all at the start");
   return table;
 }
 
@@ -85,10 +102,11 @@ Box region_of(const StrictMapping& filling, const FillingKeys& keys, const Box& 
 void check_batches(const StrictMapping& filling, const PackingScene& scene) {
   if (!filling.has("batches")) return;
   std::int64_t most = 0, placed = 0;
-  for (const PackingFiberKind& kind : scene.kinds) most = std::max(most, kind.count), placed += std::ssize(kind.starts);
+  for (const PackingFiberKind& kind : scene.kinds)
+    most = std::max(most, kind.count), placed += std::ssize(kind.starts);
   if (placed == 0 && scene.batches.number > most) {
-    filling.mapping("batches").fail("number",
-                                    fmt::format("leaves no fiber for the first batch; allowed: at most {}", most));
+    filling.mapping("batches").fail(
+        "number", fmt::format("leaves no fiber for the first batch; allowed: at most {}", most));
   }
 }
 

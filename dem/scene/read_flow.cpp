@@ -22,10 +22,15 @@ struct StartKeys {
 
 KeyTable<StartKeys> start_keys() {
   KeyTable<StartKeys> table;
-  table.direction("direction", &StartKeys::direction, "direction of the fiber; its center is at the origin").required();
-  table.number("bend", &StartKeys::bend, kBend, "height of a parabola through the fiber's ends, over its length");
-  table.number("s_bend", &StartKeys::s_bend, kBend, "height of the ends of a cubic over the fiber's line, over its length");
-  table.direction("bend_direction", &StartKeys::bend_direction, "direction of the bend, its part across the fiber")
+  table.direction("direction", &StartKeys::direction, "direction of the fiber; its center is at the origin")
+      .required();
+  table.number("bend", &StartKeys::bend, kBend,
+               "height of a parabola through the fiber's ends, over its length");
+  table.number("s_bend", &StartKeys::s_bend, kBend,
+               "height of the ends of a cubic over the fiber's line, over its length");
+  table
+      .direction("bend_direction", &StartKeys::bend_direction,
+                 "direction of the bend, its part across the fiber")
       .otherwise("across the fiber in the plane; needed for a bend in space");
   return table;
 }
@@ -39,7 +44,8 @@ std::array<double, 3> part_across(const std::array<double, 3>& along, std::array
   return across;
 }
 
-std::array<double, 3> bend_direction_of(const StrictMapping& start, const StartKeys& keys, Dimension dimension) {
+std::array<double, 3> bend_direction_of(const StrictMapping& start, const StartKeys& keys,
+                                        Dimension dimension) {
   const std::array<double, 3>& along = keys.direction;
   if (keys.bend_direction) {
     check_planar(start, "bend_direction", *keys.bend_direction, dimension);
@@ -51,7 +57,8 @@ std::array<double, 3> bend_direction_of(const StrictMapping& start, const StartK
   if (keys.bend != 0 || keys.s_bend != 0) {
     start.fail("", "key 'bend_direction' is missing: in space a bend needs a direction across the fiber");
   }
-  return part_across(along, std::abs(along[0]) < 0.7 ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 1, 0});
+  return part_across(
+      along, std::abs(along[0]) < 0.7 ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 1, 0});
 }
 
 void store_start(const StrictMapping& start, const StartKeys& keys, FlowKeys& flow) {
@@ -66,8 +73,11 @@ KeyTable<FlowOptions> motion_keys() {
                words_of({FlowMethod::inertialess, FlowMethod::cvode, FlowMethod::leapfrog}),
                "balance of forces without inertia, or with inertia implicit or explicit in the bonds");
   table.number("tolerance", &FlowOptions::tolerance, kTolerance, "local error, relative to L and to 1 rad")
-      .only_with("method: inertialess or cvode", [=](const FlowOptions& options) { return !leapfrog(options); });
-  table.number("step_ratio", &FlowOptions::step_ratio, kPositive, "time step over the bond's t_b = sqrt(m / K_n)")
+      .only_with("method: inertialess or cvode",
+                 [=](const FlowOptions& options) { return !leapfrog(options); });
+  table
+      .number("step_ratio", &FlowOptions::step_ratio, kPositive,
+              "time step over the bond's t_b = sqrt(m / K_n)")
       .otherwise("0.8 of the largest stable step")
       .only_with("method: leapfrog", leapfrog);
   table.flag("allow_unstable", &FlowOptions::allow_unstable, "march even beyond the stable step")

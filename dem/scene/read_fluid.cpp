@@ -15,7 +15,8 @@ constexpr NamedFlow kFlows[] = {kShear,
 KeyTable<CourseKeys> course_keys() {
   KeyTable<CourseKeys> table;
   table.quantity("start_up", "s", &CourseKeys::start_up, kPositive, "time T of a start-up 1 - exp(-t / T)");
-  table.quantity("oscillation", "s", &CourseKeys::oscillation, kPositive, "period T of cos(2π t / T + phase)");
+  table.quantity("oscillation", "s", &CourseKeys::oscillation, kPositive,
+                 "period T of cos(2π t / T + phase)");
   table.quantity("phase", "rad", &CourseKeys::phase, kFinite, "phase at the start")
       .only_with("oscillation", [](const CourseKeys& keys) { return keys.oscillation.has_value(); });
   table.one_of({"start_up", "oscillation"});
@@ -75,8 +76,11 @@ KeyTable<FluidKeys> fluid_keys(std::initializer_list<Hydrodynamics> hydrodynamic
   table.one_of({"flow", "gradient"}, may_rest ? "the fluid is at rest" : "");
   table.quantity("rate", "1/s", &FluidKeys::rate, kFinite, "rate g of the flow, not 0")
       .required()
-      .only_with("flow (a gradient has its own)", [](const FluidKeys& keys) { return keys.flow.has_value(); });
-  const auto store_course = [](const StrictMapping&, const CourseKeys& course, FluidKeys& keys) { keys.course = course; };
+      .only_with("flow (a gradient has its own)",
+                 [](const FluidKeys& keys) { return keys.flow.has_value(); });
+  const auto store_course = [](const StrictMapping&, const CourseKeys& course, FluidKeys& keys) {
+    keys.course = course;
+  };
   table.mapping("course", course_keys(), store_course, "course of the flow in time")
       .otherwise("steady")
       .only_with("flow or gradient", flows_at_all);

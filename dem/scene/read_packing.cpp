@@ -43,19 +43,24 @@ void store_curvature(const StrictMapping& mapping, const CurvatureKeys& keys, Fi
   Fiber fiber{};
   fiber.diameter = kind.diameter;
   const double chord = bond_length(fiber);
-  kind.bend = keys.angle ? *keys.angle : 2 * std::asin(chord / 2 / mapping.quantity("radius", "m", {.low = chord}));
+  kind.bend =
+      keys.angle ? *keys.angle : 2 * std::asin(chord / 2 / mapping.quantity("radius", "m", {.low = chord}));
 }
 
 KeyTable<FiberKindKeys> fiber_kind_keys() {
   KeyTable<FiberKindKeys> table;
   declare_fiber(table);
-  const auto store_bond = [](const StrictMapping&, const BondKeys& bond, FiberKindKeys& kind) { kind.bond = bond; };
+  const auto store_bond = [](const StrictMapping&, const BondKeys& bond, FiberKindKeys& kind) {
+    kind.bond = bond;
+  };
   table.mapping("bond", bond_keys({.rolling_friction = true}), store_bond, "the bonds between the spheres");
   table.mapping("curvature", curvature_keys(), &store_curvature, "arc at rest").otherwise("straight");
-  table.integer("count", &FiberKindKeys::count, kCounts, "number of fibers at random, in all batches together");
-  table.word("starts", &FiberKindKeys::starts, "path",
-             "CSV file beside the scene, a fiber a line: `x,y,z` (center of the first sphere [m]), `ux,uy,uz` (unit "
-             "vector along the fiber) and, where fibers move, `vx,vy,vz` [m/s]");
+  table.integer("count", &FiberKindKeys::count, kCounts,
+                "number of fibers at random, in all batches together");
+  table.word(
+      "starts", &FiberKindKeys::starts, "path",
+      "CSV file beside the scene, a fiber a line: `x,y,z` (center of the first sphere [m]), `ux,uy,uz` (unit "
+      "vector along the fiber) and, where fibers move, `vx,vy,vz` [m/s]");
   table.one_of({"count", "starts"});
   return table;
 }
@@ -88,23 +93,29 @@ KeyTable<PackingScene> motion_keys() {
   KeyTable<PackingScene> table;
   table.quantity("step", "s", &PackingScene::step, kPositive, "time step")
       .otherwise("0.9 of the largest stable step");
-  table.choice("form", &PackingScene::form, words_of({BondForm::total, BondForm::incremental}),
-               "strains of the bonds from the poses of the spheres, or summed over the steps as the paper does");
+  table.choice(
+      "form", &PackingScene::form, words_of({BondForm::total, BondForm::incremental}),
+      "strains of the bonds from the poses of the spheres, or summed over the steps as the paper does");
   table.choice("rolling", &PackingScene::rolling, words_of({Rolling::set_valued, Rolling::explicit_sign}),
                "rolling friction of the bonds solved within the step, or by the sign of the lagged spin");
-  table.flag("orientations", &PackingScene::orientations, "follow orientations of spheres where nothing needs them");
+  table.flag("orientations", &PackingScene::orientations,
+             "follow orientations of spheres where nothing needs them");
   return table;
 }
 
 KeyTable<PackingScene> output_keys() {
   KeyTable<PackingScene> table;
-  table.integer("samples", [](PackingScene& scene) -> auto& { return scene.output.samples; }, kIntervals,
-                "intervals of NAME-log.csv");
-  table.integer("frames", [](PackingScene& scene) -> auto& { return scene.output.frames; }, kIntervals,
-                "intervals of the trajectory NAME.h5");
-  table.integer("checkpoints", [](PackingScene& scene) -> auto& { return scene.output.checkpoints; }, kIntervals,
-                "intervals of NAME.checkpoint");
-  table.flag("vtk", [](PackingScene& scene) -> auto& { return scene.output.vtk; }, "frames as VTK files too");
+  table.integer(
+      "samples", [](PackingScene & scene) -> auto& { return scene.output.samples; }, kIntervals,
+      "intervals of NAME-log.csv");
+  table.integer(
+      "frames", [](PackingScene & scene) -> auto& { return scene.output.frames; }, kIntervals,
+      "intervals of the trajectory NAME.h5");
+  table.integer(
+      "checkpoints", [](PackingScene & scene) -> auto& { return scene.output.checkpoints; }, kIntervals,
+      "intervals of NAME.checkpoint");
+  table.flag(
+      "vtk", [](PackingScene & scene) -> auto& { return scene.output.vtk; }, "frames as VTK files too");
   table.flag("energy", &PackingScene::account_energy, "sum the energy that each mechanism dissipates");
   return table;
 }

@@ -9,14 +9,18 @@ bool is_leapfrog(const ReleaseOptions& motion) {
 
 KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
   KeyTable<ReleaseOptions> table(defaults);
-  const auto is = [](Integrator one) { return [one](const ReleaseOptions& motion) { return motion.integrator == one; }; };
+  const auto is = [](Integrator one) {
+    return [one](const ReleaseOptions& motion) { return motion.integrator == one; };
+  };
   table.choice("integrator", &ReleaseOptions::integrator,
                words_of({Integrator::automatic, Integrator::leapfrog, Integrator::leapfrog_damped,
                          Integrator::implicit, Integrator::cvode}),
                "integration in time; `auto`: the cheapest that keeps `error`");
   table.number("error", &ReleaseOptions::error, kFraction, "wanted relative error of damping and frequency")
       .only_with("integrator: auto", is(Integrator::automatic));
-  table.number("step_ratio", &ReleaseOptions::step_ratio, kPositive, "time step over the bond's t_b = sqrt(m / K_n)")
+  table
+      .number("step_ratio", &ReleaseOptions::step_ratio, kPositive,
+              "time step over the bond's t_b = sqrt(m / K_n)")
       .otherwise("0.8 of the largest stable step; `implicit`: the sample interval")
       .only_with("integrator: leapfrog, leapfrog-damped or implicit", [](const ReleaseOptions& motion) {
         return is_leapfrog(motion) || motion.integrator == Integrator::implicit;
@@ -59,12 +63,14 @@ KeyTable<ReleaseScene> release_keys() {
   const auto store_load = [](const StrictMapping& mapping, const LoadKeys& keys, ReleaseScene& scene) {
     scene.pull = pull_of(mapping, keys, scene.fiber, scene.dimension);
     if (scene.pull.load == 0) mapping.fail("", "must not be zero: there would be nothing to watch");
-    if (scene.pull.direction[1] == 0) mapping.fail("", "needs a direction with a part along y, which is what is watched");
+    if (scene.pull.direction[1] == 0)
+      mapping.fail("", "needs a direction with a part along y, which is what is watched");
   };
   table.mapping("load", load_keys(), store_load, "the load at the free end before the release").required();
   table.number("periods", &ReleaseScene::periods, {.low = 0, .high = 1e6, .low_open = true},
                "length of the record in periods of the first mode");
-  table.mapping_into("time", &ReleaseScene::motion, time_keys(table.defaults().motion), "integration in time");
+  table.mapping_into("time", &ReleaseScene::motion, time_keys(table.defaults().motion),
+                     "integration in time");
   return table;
 }
 

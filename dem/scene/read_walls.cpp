@@ -14,11 +14,14 @@ struct BoxKeys {
 KeyTable<BoxKeys> box_keys() {
   KeyTable<BoxKeys> table;
   for (int a = 0; a < 3; ++a) {
-    table.quantity(kAxes[a], "m", [a](BoxKeys& box) -> auto& { return box.side[a]; }, kPositive,
-                   std::string("walls across ") + kAxes[a] + " at 0 and here; not where this side is periodic")
+    table
+        .quantity(
+            kAxes[a], "m", [a](BoxKeys & box) -> auto& { return box.side[a]; }, kPositive,
+            std::string("walls across ") + kAxes[a] + " at 0 and here; not where this side is periodic")
         .otherwise(a == 2 ? "required, unless periodic or open" : "required, unless periodic");
   }
-  table.choice("lid", &BoxKeys::open, Words<bool>{{"closed", false}, {"open", true}}, "wall at the top, across z");
+  table.choice("lid", &BoxKeys::open, Words<bool>{{"closed", false}, {"open", true}},
+               "wall at the top, across z");
   return table;
 }
 
@@ -45,7 +48,9 @@ void store_box(const StrictMapping& mapping, const BoxKeys& box, PackingScene& s
 }
 
 void declare_wall_motion(KeyTable<Wall>& table) {
-  table.vector("velocity", "m/s", &Wall::velocity, "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a time, and one at rest `from` then");
+  table.vector("velocity", "m/s", &Wall::velocity,
+               "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a time, and "
+               "one at rest `from` then");
   table.quantity("from", "s", &Wall::from, kFinite, "the wall is there from this time on");
   table.quantity("until", "s", &Wall::until, kFinite, "and gone from this time on").otherwise("always there");
 }
@@ -53,8 +58,14 @@ void declare_wall_motion(KeyTable<Wall>& table) {
 KeyTable<Wall> plane_keys() {
   KeyTable<Wall> table(Wall{Plane{}});
   const auto plane = [](Wall& wall) -> Plane& { return *wall.shape.get_if<Plane>(); };
-  table.vector("point", "m", [=](Wall& wall) -> auto& { return plane(wall).point; }, "a point of the wall").required();
-  table.direction("normal", [=](Wall& wall) -> auto& { return plane(wall).normal; }, "normal, to the side of the fibers")
+  table
+      .vector(
+          "point", "m", [=](Wall & wall) -> auto& { return plane(wall).point; }, "a point of the wall")
+      .required();
+  table
+      .direction(
+          "normal", [=](Wall & wall) -> auto& { return plane(wall).normal; },
+          "normal, to the side of the fibers")
       .required();
   declare_wall_motion(table);
   return table;
@@ -63,9 +74,17 @@ KeyTable<Wall> plane_keys() {
 KeyTable<Wall> cylinder_keys() {
   KeyTable<Wall> table(Wall{Cylinder{}});
   const auto cylinder = [](Wall& wall) -> Cylinder& { return *wall.shape.get_if<Cylinder>(); };
-  table.vector("point", "m", [=](Wall& wall) -> auto& { return cylinder(wall).point; }, "a point of the axis").required();
-  table.direction("axis", [=](Wall& wall) -> auto& { return cylinder(wall).axis; }, "direction of the axis").required();
-  table.quantity("radius", "m", [=](Wall& wall) -> auto& { return cylinder(wall).radius; }, kPositive, "radius")
+  table
+      .vector(
+          "point", "m", [=](Wall & wall) -> auto& { return cylinder(wall).point; }, "a point of the axis")
+      .required();
+  table
+      .direction(
+          "axis", [=](Wall & wall) -> auto& { return cylinder(wall).axis; }, "direction of the axis")
+      .required();
+  table
+      .quantity(
+          "radius", "m", [=](Wall & wall) -> auto& { return cylinder(wall).radius; }, kPositive, "radius")
       .required();
   declare_wall_motion(table);
   return table;
@@ -77,7 +96,8 @@ auto store_wall(const char* along) {
     if (!(wall.from < wall.until)) mapping.fail("until", "must be later than from");
     for (int a = 0; a < 3; ++a) {
       if (scene.domain.period[a] > 0 && !is_invariant_along(wall, a)) {
-        mapping.fail(along, std::string("must leave the wall the same all along ") + kAxes[a] + ", which is periodic");
+        mapping.fail(
+            along, std::string("must leave the wall the same all along ") + kAxes[a] + ", which is periodic");
       }
     }
     scene.domain.walls.push_back(wall);
@@ -86,14 +106,17 @@ auto store_wall(const char* along) {
 
 KeyTable<PackingScene> wall_keys() {
   KeyTable<PackingScene> table;
-  const auto youngs_modulus = [](PackingScene& scene) -> auto& { return scene.domain.wall_youngs_modulus; };
-  const auto poisson_ratio = [](PackingScene& scene) -> auto& { return scene.domain.wall_poisson_ratio; };
-  table.quantity("youngs_modulus", "Pa", youngs_modulus, kPositive, "Young's modulus of all walls").otherwise("rigid");
+  const auto youngs_modulus = [](PackingScene & scene) -> auto& { return scene.domain.wall_youngs_modulus; };
+  const auto poisson_ratio = [](PackingScene & scene) -> auto& { return scene.domain.wall_poisson_ratio; };
+  table.quantity("youngs_modulus", "Pa", youngs_modulus, kPositive, "Young's modulus of all walls")
+      .otherwise("rigid");
   table.number("poisson_ratio", poisson_ratio, kPoissonRatio, "Poisson's ratio of all walls")
-      .only_with("youngs_modulus", [](const PackingScene& scene) { return scene.domain.wall_youngs_modulus > 0; });
+      .only_with("youngs_modulus",
+                 [](const PackingScene& scene) { return scene.domain.wall_youngs_modulus > 0; });
   table.mapping("box", box_keys(), &store_box, "walls from 0 to the length of each side").otherwise("none");
   table.list("planes", plane_keys(), store_wall("normal"), "plane walls").otherwise("none");
-  table.list("cylinders", cylinder_keys(), store_wall("axis"), "cylindrical walls, fibers are inside").otherwise("none");
+  table.list("cylinders", cylinder_keys(), store_wall("axis"), "cylindrical walls, fibers are inside")
+      .otherwise("none");
   return table;
 }
 

@@ -37,10 +37,14 @@ Scene parse_scene(const SceneText& scene) {
   std::vector<std::string> words;
   for (const SceneKind& kind : scene_kinds()) words.emplace_back(kind.name);
   switch (top.choice("scene", words)) {
-    case 0: return read_cantilever(top);
-    case 1: return read_release(top);
-    case 2: return read_flow(top);
-    default: return read_packing(top);
+    case 0:
+      return read_cantilever(top);
+    case 1:
+      return read_release(top);
+    case 2:
+      return read_flow(top);
+    default:
+      return read_packing(top);
   }
 }
 

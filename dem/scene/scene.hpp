@@ -51,12 +51,12 @@ struct ReleaseScene {
   ReleaseOptions motion = {};  ///< integrator, form, steps, samples
 };
 
-/// Where a free fiber starts: its center of mass at the origin, where the flow is at rest. It is straight at rest, so
-/// that a bend strains it.
+/// Where a free fiber starts: its center of mass at the origin, where the flow is at rest. It is straight at
+/// rest, so that a bend strains it.
 struct FlowStart {
-  std::array<double, 3> direction = {0, 1, 0};       ///< of the fiber, unit vector
-  double bend = 0;                                   ///< height of a parabola over the fiber's ends, over its length
-  double s_bend = 0;                                 ///< height of a cubic's ends over the fiber's line, over its length
+  std::array<double, 3> direction = {0, 1, 0};  ///< of the fiber, unit vector
+  double bend = 0;    ///< height of a parabola over the fiber's ends, over its length
+  double s_bend = 0;  ///< height of a cubic's ends over the fiber's line, over its length
   std::array<double, 3> bend_direction = {-1, 0, 0};  ///< across `direction`, unit vector
 };
 
@@ -65,12 +65,13 @@ struct FlowScene {
   Dimension dimension = Dimension::planar;
   Fiber fiber;
   Fluid fluid;
-  double rate;  ///< what strain is counted by [1/s]: size of the named flow's rate, or the gradient's Frobenius norm
+  double rate;  ///< what strain is counted by [1/s]: size of the named flow's rate, or the gradient's
+                ///< Frobenius norm
   bool shear;   ///< the flow is a simple shear, steady: Jeffery's orbits are its reference
   FlowStart start;
-  double duration;     ///< [s]
-  int samples = 500;   ///< intervals of the history
-  int shapes = 8;      ///< intervals of the recorded shapes
+  double duration;    ///< [s]
+  int samples = 500;  ///< intervals of the history
+  int shapes = 8;     ///< intervals of the recorded shapes
   FlowOptions motion = {};
 };
 

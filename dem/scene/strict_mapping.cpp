@@ -10,9 +10,9 @@
 #include <set>
 #include <utility>
 
-#include "dem/scene/yaml_document.hpp"
 #include "dem/files/numbers.hpp"
 #include "dem/scene/scene_error.hpp"
+#include "dem/scene/yaml_document.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -93,7 +93,8 @@ StrictMapping StrictMapping::mapping(const std::string& key, const std::vector<s
   return found;
 }
 
-std::vector<StrictMapping> StrictMapping::mappings(const std::string& key, const std::vector<std::string>& keys) const {
+std::vector<StrictMapping> StrictMapping::mappings(const std::string& key,
+                                                   const std::vector<std::string>& keys) const {
   const YAML::Node list = value(key);
   const std::string what = fmt::format("must be a list of mappings with keys of {}", fmt::join(keys, ", "));
   if (!list.IsSequence() || list.size() == 0) fail(key, what);
@@ -115,10 +116,11 @@ double StrictMapping::to_si(const std::string& key, const std::string& typed, st
   }
 }
 
-std::vector<double> StrictMapping::quantities(const std::string& key, std::string_view unit, std::size_t count) const {
+std::vector<double> StrictMapping::quantities(const std::string& key, std::string_view unit,
+                                              std::size_t count) const {
   const YAML::Node list = value(key);
-  const std::string what =
-      fmt::format("must be a list of {} finite numbers{}", count, unit == "1" ? "" : fmt::format(" in {}", unit));
+  const std::string what = fmt::format("must be a list of {} finite numbers{}", count,
+                                       unit == "1" ? "" : fmt::format(" in {}", unit));
   if (!list.IsSequence() || list.size() != count) fail(key, what);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < count; ++i) {
@@ -129,7 +131,8 @@ std::vector<double> StrictMapping::quantities(const std::string& key, std::strin
   return numbers;
 }
 
-double StrictMapping::quantity(const std::string& key, std::string_view unit, const ValueRange& allowed) const {
+double StrictMapping::quantity(const std::string& key, std::string_view unit,
+                               const ValueRange& allowed) const {
   const std::string typed = text(key);
   const double number = to_si(key, typed, unit);
   if (!allowed.holds(number)) {
@@ -176,7 +179,8 @@ std::array<std::array<double, 3>, 3> StrictMapping::matrix(const std::string& ke
   std::array<std::array<double, 3>, 3> rows{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = node.IsSequence() && node.size() == 3 ? three_numbers(node[i]) : std::nullopt;
-    if (!row) fail(key, "must be three rows of three finite numbers such as [[0, 1, 0], [0, 0, 0], [0, 0, 0]]");
+    if (!row)
+      fail(key, "must be three rows of three finite numbers such as [[0, 1, 0], [0, 0, 0], [0, 0, 0]]");
     rows[i] = *row;
   }
   return rows;
@@ -195,7 +199,9 @@ void StrictMapping::fail(const std::string& key, const std::string& message) con
   fail_at(mark_of(key), path.empty() ? message : fmt::format("{}: {}", path, message));
 }
 
-void StrictMapping::fail_missing(const std::string& key) const { fail("", fmt::format("key '{}' is missing", key)); }
+void StrictMapping::fail_missing(const std::string& key) const {
+  fail("", fmt::format("key '{}' is missing", key));
+}
 
 YAML::Mark StrictMapping::mark_of(const std::string& key) const {
   if (!node_.IsMap()) return mark_;

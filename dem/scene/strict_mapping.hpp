@@ -38,7 +38,9 @@ class StrictMapping {
   double quantity(const std::string& key, std::string_view unit, const ValueRange& allowed) const;
 
   /// A number without dimension.
-  double number(const std::string& key, const ValueRange& allowed) const { return quantity(key, "1", allowed); }
+  double number(const std::string& key, const ValueRange& allowed) const {
+    return quantity(key, "1", allowed);
+  }
 
   /// So many finite numbers, each alone or with a unit.
   std::vector<double> quantities(const std::string& key, std::string_view unit, std::size_t count) const;

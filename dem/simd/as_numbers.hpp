@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <type_traits>
 
-// Value types of the inner loops (poses, spheres, bond histories, parameters) consist of numbers of one type and nothing
-// else: an array of them is an array of numbers, in lanes or in rows. This header holds the only casts between the two.
+// Value types of the inner loops (poses, spheres, bond histories, parameters) consist of numbers of one type
+// and nothing else: an array of them is an array of numbers, in lanes or in rows. This header holds the only
+// casts between the two.
 namespace fiberchain::dem {
 
 /// Numbers of type Real that a value type consists of; none for an empty type.
@@ -13,8 +14,9 @@ inline constexpr std::size_t numbers_of = std::is_empty_v<Value> ? 0 : sizeof(Va
 
 /// Whether a type consists of whole numbers of type Real, or of nothing.
 template <class Value, class Real>
-constexpr bool is_made_of = std::is_trivially_copyable_v<Value> && !std::is_pointer_v<Value> &&
-                            (std::is_empty_v<Value> || (sizeof(Value) % sizeof(Real) == 0 && alignof(Value) >= alignof(Real)));
+constexpr bool is_made_of =
+    std::is_trivially_copyable_v<Value> && !std::is_pointer_v<Value> &&
+    (std::is_empty_v<Value> || (sizeof(Value) % sizeof(Real) == 0 && alignof(Value) >= alignof(Real)));
 
 /// The numbers of a value, in the order of its members.
 template <class Real, class Value>
@@ -29,7 +31,8 @@ const Real* as_numbers(const Value& value) {
   return reinterpret_cast<const Real*>(&value);
 }
 
-/// An array of numbers as an array of values; of SIMD packs where the value consists of them (aligned as LaneArray is).
+/// An array of numbers as an array of values; of SIMD packs where the value consists of them (aligned as
+/// LaneArray is).
 template <class Value, class Real>
 Value* as_values(Real* numbers) {
   static_assert(is_made_of<Value, Real>, "numbers only, without padding");

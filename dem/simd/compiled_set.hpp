@@ -4,9 +4,9 @@
 
 #include "dem/simd/instruction_set.hpp"
 
-// The instruction set that this copy of a kernel source is compiled for, FIBERCHAIN_INSTRUCTION_SET (cmake/kernels.cmake).
-// Everything compiled there is a template on CompiledReal: its symbols are its own, and no function of another file can be
-// replaced by one with foreign instructions.
+// The instruction set that this copy of a kernel source is compiled for, FIBERCHAIN_INSTRUCTION_SET
+// (cmake/kernels.cmake). Everything compiled there is a template on CompiledReal: its symbols are its own,
+// and no function of another file can be replaced by one with foreign instructions.
 namespace fiberchain::dem {
 
 template <InstructionSet set>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Flattened: a call inside the loop would pass its vectors through memory. Not under the sanitizers, whose checks in
-// every copy would take the compiler minutes a file.
+// Flattened: a call inside the loop would pass its vectors through memory. Not under the sanitizers, whose
+// checks in every copy would take the compiler minutes a file.
 #ifdef FIBERCHAIN_SANITIZED
 #define FIBERCHAIN_FLATTEN
 #else

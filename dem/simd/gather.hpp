@@ -74,13 +74,17 @@ unsigned flag_mask(const std::uint8_t* flags) {
   }
 }
 
-/// base + k for every set bit k goes to `target`, in order; up to lanes_beyond numbers behind it are written over.
+/// base + k for every set bit k goes to `target`, in order; up to lanes_beyond numbers behind it are written
+/// over.
 template <class Real>
-inline __attribute__((always_inline)) void append_lanes(unsigned bits, std::int32_t base, std::int32_t* target) {
+inline __attribute__((always_inline)) void append_lanes(unsigned bits, std::int32_t base,
+                                                        std::int32_t* target) {
 #ifdef __AVX512F__
   if constexpr (lane_count<Real> == 8) {
     const __m512i lanes = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-    _mm512_storeu_si512(target, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_add_epi32(lanes, _mm512_set1_epi32(base))));
+    _mm512_storeu_si512(target,
+                        _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits),
+                                                    _mm512_add_epi32(lanes, _mm512_set1_epi32(base))));
     return;
   }
 #endif

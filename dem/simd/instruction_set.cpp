@@ -9,9 +9,12 @@ namespace {
 
 bool is_supported(InstructionSet set) {
   switch (set) {
-    case InstructionSet::avx512: return __builtin_cpu_supports("avx512f");
-    case InstructionSet::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    default: return true;
+    case InstructionSet::avx512:
+      return __builtin_cpu_supports("avx512f");
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    default:
+      return true;
   }
 }
 
@@ -19,10 +22,14 @@ bool is_supported(InstructionSet set) {
 
 std::string_view name(InstructionSet set) {
   switch (set) {
-    case InstructionSet::avx512: return "avx512";
-    case InstructionSet::avx2: return "avx2";
-    case InstructionSet::sse2: return "sse2";
-    default: return "scalar";
+    case InstructionSet::avx512:
+      return "avx512";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::sse2:
+      return "sse2";
+    default:
+      return "scalar";
   }
 }
 
@@ -34,7 +41,8 @@ InstructionSet best_instruction_set() {
 }
 
 void require_supported(InstructionSet set) {
-  if (!is_supported(set)) throw InvalidInput(fmt::format("instruction set {} is not allowed: this processor lacks it", name(set)));
+  if (!is_supported(set))
+    throw InvalidInput(fmt::format("instruction set {} is not allowed: this processor lacks it", name(set)));
 }
 
 }  // namespace fiberchain::dem

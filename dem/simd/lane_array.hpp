@@ -20,7 +20,9 @@ inline constexpr int lane_alignment = 64;
 class LaneArray {
  public:
   LaneArray() = default;
-  explicit LaneArray(std::size_t size) : data_(take(size)), size_(size) { std::fill_n(data_.get(), size, 0.0); }
+  explicit LaneArray(std::size_t size) : data_(take(size)), size_(size) {
+    std::fill_n(data_.get(), size, 0.0);
+  }
 
   std::size_t size() const { return size_; }
   double* data() { return data_.get(); }
@@ -38,8 +40,8 @@ class LaneArray {
   }
 
  private:
-  /// Arrays of a quarter of it [bytes] and more get whole large pages, so that walking through them does not wait for page
-  /// tables.
+  /// Arrays of a quarter of it [bytes] and more get whole large pages, so that walking through them does not
+  /// wait for page tables.
   static constexpr std::size_t large_page = std::size_t{1} << 21;
 
   static double* take(std::size_t size) {
@@ -48,7 +50,9 @@ class LaneArray {
     void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-    if (alignment == large_page) madvise(memory, (bytes + alignment - 1) / alignment * alignment, MADV_HUGEPAGE);  // a wish: nothing is lost where it is not met
+    if (alignment == large_page)
+      madvise(memory, (bytes + alignment - 1) / alignment * alignment,
+              MADV_HUGEPAGE);  // a wish: nothing is lost where it is not met
 #endif
     return static_cast<double*>(memory);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// How the numbers of many spheres and contacts lie in memory: in rows, together what is wanted together. Scenes are larger
-// than the inner caches, and a step then takes as long as its bytes need to come and go.
+// How the numbers of many spheres and contacts lie in memory: in rows, together what is wanted together.
+// Scenes are larger than the inner caches, and a step then takes as long as its bytes need to come and go.
 namespace fiberchain::dem {
 
 inline constexpr int position_radius_size = 4, radius_offset = 3;  ///< center and radius of a sphere
@@ -16,8 +16,10 @@ inline constexpr int orientation_size = 4;  ///< quaternion
 /// Numbers of a cache line.
 inline constexpr int cache_line_size = 8;
 
-inline constexpr int contact_history_size = 8;  ///< of a contact: the History of its law, the tangential spring first
+inline constexpr int contact_history_size =
+    8;  ///< of a contact: the History of its law, the tangential spring first
 
-inline constexpr int contact_account_size = 8;    ///< booked contacts: dashpot force, tangential force, rolling moment, power of the tangential force
+inline constexpr int contact_account_size =
+    8;  ///< booked contacts: dashpot force, tangential force, rolling moment, power of the tangential force
 
 }  // namespace fiberchain::dem

@@ -32,7 +32,8 @@ inline __attribute__((always_inline)) void transpose_8(__m512d (&r)[8]) {
 
 /// Four by four in both halves.
 inline __attribute__((always_inline)) void transpose_4(__m512d (&r)[4]) {
-  const __m512i even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  const __m512i even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
+                odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
   const __m512d t0 = _mm512_unpacklo_pd(r[0], r[1]), t1 = _mm512_unpackhi_pd(r[0], r[1]);
   const __m512d t2 = _mm512_unpacklo_pd(r[2], r[3]), t3 = _mm512_unpackhi_pd(r[2], r[3]);
   r[0] = _mm512_permutex2var_pd(t0, even, t2);
@@ -61,7 +62,8 @@ struct RowStarts {
 
 /// Number c of the row `offset` numbers behind a lane's start becomes that lane of out[c].
 template <int N, class Real, class Number>
-inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows, std::ptrdiff_t offset, Real* out) {
+inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows,
+                                                     std::ptrdiff_t offset, Real* out) {
   constexpr int lanes = lane_count<Real>;
   if constexpr (lanes > 1 && N == 6) {
     load_rows<4>(rows, offset, out);
@@ -72,7 +74,8 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
   if constexpr (lanes == 8 && N == 4) {
     __m512d r[4];
     for (int k = 0; k < 4; ++k) {
-      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows.at[k] + offset)), _mm256_loadu_pd(rows.at[k + 4] + offset), 1);
+      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows.at[k] + offset)),
+                                _mm256_loadu_pd(rows.at[k + 4] + offset), 1);
     }
     transpose_4(r);
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
@@ -84,13 +87,14 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
     for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
     return;
   } else if constexpr (lanes == 8 && N == 2) {
-    const auto quarters = [&](int k) {  // rows k, k + 2, k + 4, k + 6; loads that blend go beside the shuffles
-      const auto two = [&](int l) { return _mm_castpd_ps(_mm_loadu_pd(rows.at[l] + offset)); };
-      __m512 r = _mm512_castps128_ps512(two(k));
-      r = _mm512_mask_broadcast_f32x4(r, 0x00f0, two(k + 2));
-      r = _mm512_mask_broadcast_f32x4(r, 0x0f00, two(k + 4));
-      return _mm512_castps_pd(_mm512_mask_broadcast_f32x4(r, 0xf000, two(k + 6)));
-    };
+    const auto quarters =
+        [&](int k) {  // rows k, k + 2, k + 4, k + 6; loads that blend go beside the shuffles
+          const auto two = [&](int l) { return _mm_castpd_ps(_mm_loadu_pd(rows.at[l] + offset)); };
+          __m512 r = _mm512_castps128_ps512(two(k));
+          r = _mm512_mask_broadcast_f32x4(r, 0x00f0, two(k + 2));
+          r = _mm512_mask_broadcast_f32x4(r, 0x0f00, two(k + 4));
+          return _mm512_castps_pd(_mm512_mask_broadcast_f32x4(r, 0xf000, two(k + 6)));
+        };
     const __m512d even = quarters(0), odd = quarters(1);
     out[0] = Real(_mm512_unpacklo_pd(even, odd)), out[1] = Real(_mm512_unpackhi_pd(even, odd));
     return;
@@ -106,7 +110,8 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
     return;
   } else if constexpr (lanes == 4 && N == 2) {
     const auto two = [&](int k) {
-      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[k] + offset)), _mm_loadu_pd(rows.at[k + 2] + offset), 1);
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[k] + offset)),
+                                  _mm_loadu_pd(rows.at[k + 2] + offset), 1);
     };
     const __m256d even = two(0), odd = two(1);
     out[0] = Real(_mm256_unpacklo_pd(even, odd)), out[1] = Real(_mm256_unpackhi_pd(even, odd));
@@ -126,7 +131,8 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
 
 /// The way back.
 template <int N, class Real>
-inline __attribute__((always_inline)) void store_rows(const Real* in, const RowStarts<Real>& rows, std::ptrdiff_t offset) {
+inline __attribute__((always_inline)) void store_rows(const Real* in, const RowStarts<Real>& rows,
+                                                      std::ptrdiff_t offset) {
   constexpr int lanes = lane_count<Real>;
   if constexpr (lanes > 1 && N == 6) {
     store_rows<4>(in, rows, offset);
@@ -153,7 +159,9 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
     const __m512d even = _mm512_unpacklo_pd(in[0], in[1]), odd = _mm512_unpackhi_pd(in[0], in[1]);
     const auto quarters = [&](const __m512d& pairs, int k) {
       const __m512 r = _mm512_castpd_ps(pairs);
-      const auto two = [&](int l, const __m128& pair) { _mm_storeu_pd(rows.at[l] + offset, _mm_castps_pd(pair)); };
+      const auto two = [&](int l, const __m128& pair) {
+        _mm_storeu_pd(rows.at[l] + offset, _mm_castps_pd(pair));
+      };
       two(k, _mm512_castps512_ps128(r)), two(k + 2, _mm512_extractf32x4_ps(r, 1));
       two(k + 4, _mm512_extractf32x4_ps(r, 2)), two(k + 6, _mm512_extractf32x4_ps(r, 3));
     };
@@ -171,8 +179,10 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
     return;
   } else if constexpr (lanes == 4 && N == 2) {
     const __m256d even = _mm256_unpacklo_pd(in[0], in[1]), odd = _mm256_unpackhi_pd(in[0], in[1]);
-    _mm_storeu_pd(rows.at[0] + offset, _mm256_castpd256_pd128(even)), _mm_storeu_pd(rows.at[1] + offset, _mm256_castpd256_pd128(odd));
-    _mm_storeu_pd(rows.at[2] + offset, _mm256_extractf128_pd(even, 1)), _mm_storeu_pd(rows.at[3] + offset, _mm256_extractf128_pd(odd, 1));
+    _mm_storeu_pd(rows.at[0] + offset, _mm256_castpd256_pd128(even)),
+        _mm_storeu_pd(rows.at[1] + offset, _mm256_castpd256_pd128(odd));
+    _mm_storeu_pd(rows.at[2] + offset, _mm256_extractf128_pd(even, 1)),
+        _mm_storeu_pd(rows.at[3] + offset, _mm256_extractf128_pd(odd, 1));
     return;
   }
 #endif

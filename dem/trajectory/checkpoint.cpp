@@ -8,11 +8,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "dem/files/atomic_file.hpp"
 #include "dem/files/file_error.hpp"
-#include "dem/trajectory/hdf5.hpp"
 #include "dem/files/numbers.hpp"
 #include "dem/files/sha256.hpp"
-#include "dem/files/atomic_file.hpp"
+#include "dem/trajectory/hdf5.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -51,7 +51,8 @@ void write_state(hid_t file, const SavedState& state) {
   for (const auto& [name, field] : state) {
     const Handle dataset = std::visit(
         [&](const auto& numbers) {
-          return hdf5::write_array(group, name.c_str(), type_of(numbers), {numbers.size()}, numbers.data(), false);
+          return hdf5::write_array(group, name.c_str(), type_of(numbers), {numbers.size()}, numbers.data(),
+                                   false);
         },
         field.values);
     hdf5::set_attribute(dataset, kVersion, std::vector<std::int32_t>{field.version});
@@ -148,8 +149,11 @@ std::string checked_image(const std::filesystem::path& path, const std::string& 
   const auto format = parse_integer(line_of(head, kMagic));
   if (!format) throw ReadError(path, "is corrupt: no format");
   if (*format < kFormat)
-    throw ReadError(path, fmt::format("is a checkpoint of the old format {}, whose state has no named fields; this program "
-                                      "reads format {}", *format, kFormat));
+    throw ReadError(
+        path,
+        fmt::format("is a checkpoint of the old format {}, whose state has no named fields; this program "
+                    "reads format {}",
+                    *format, kFormat));
   if (*format != kFormat)
     throw ReadError(
         path, fmt::format("is a checkpoint of format {}; this program reads format {}", *format, kFormat));
@@ -171,8 +175,8 @@ std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Gives the file a second name, in place of what had it; on a file system without such, that name alone: who looks for
-/// the file finds the previous one then.
+/// Gives the file a second name, in place of what had it; on a file system without such, that name alone: who
+/// looks for the file finds the previous one then.
 void keep_as(const std::filesystem::path& path, const std::filesystem::path& previous) {
   const std::filesystem::path linked = previous.string() + ".part";
   ::unlink(linked.c_str());

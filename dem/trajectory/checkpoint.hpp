@@ -22,9 +22,9 @@ struct Checkpoint {
 };
 
 /// Writes a checkpoint: 512 bytes of text (format, SHA-256 and size of the rest), then HDF5, which h5dump and
-/// h5py open as it stands: /scene, /threads, /step, /time, and in /state a dataset for every field of the state, whose
-/// attribute "version" is that of the field. The one that stood there before becomes PATH.previous. At any moment there is a
-/// whole checkpoint at the place.
+/// h5py open as it stands: /scene, /threads, /step, /time, and in /state a dataset for every field of the
+/// state, whose attribute "version" is that of the field. The one that stood there before becomes
+/// PATH.previous. At any moment there is a whole checkpoint at the place.
 /// @throws WriteError; what stood there before then still does
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 

@@ -16,9 +16,9 @@ struct FrameBond {
 
 /// All spheres at one moment, fiber after fiber.
 struct TrajectoryFrame {
-  double time;        ///< [s]
+  double time;  ///< [s]
   std::int64_t step;
-  Vec<double, 3> low, high;    ///< of the box that is shown, or the periodic cell [m]
+  Vec<double, 3> low, high;  ///< of the box that is shown, or the periodic cell [m]
   bool periodic[3];
   std::vector<Vec<double, 3>> position, velocity;  ///< [m], [m/s]
   std::vector<double> radius;                      ///< [m]

@@ -21,8 +21,12 @@ inline constexpr const char* kId = "particles/fibers/id";
 inline constexpr const char* kBonds = "connectivity/bonds";
 
 inline std::string value_of(const std::string& element) { return element + "/value"; }
-inline std::string sphere_element(const OutputField& field) { return std::string("particles/fibers/") + field.name; }
-inline std::string bond_element(const OutputField& field) { return std::string("observables/fibers/") + field.name; }
+inline std::string sphere_element(const OutputField& field) {
+  return std::string("particles/fibers/") + field.name;
+}
+inline std::string bond_element(const OutputField& field) {
+  return std::string("observables/fibers/") + field.name;
+}
 
 /// Elements in time of every trajectory.
 inline std::vector<std::string> elements() {
@@ -35,7 +39,8 @@ inline std::vector<std::string> elements() {
 
 /// Size of an entry of a field: rows of `width`, or of one number.
 inline std::vector<hsize_t> entry_size(const OutputField& field, hsize_t rows) {
-  return field.width == 1 ? std::vector<hsize_t>{rows} : std::vector<hsize_t>{rows, static_cast<hsize_t>(field.width)};
+  return field.width == 1 ? std::vector<hsize_t>{rows}
+                          : std::vector<hsize_t>{rows, static_cast<hsize_t>(field.width)};
 }
 
 static_assert(std::is_trivially_copyable_v<Vec<double, 3>> && sizeof(Vec<double, 3>) == 3 * sizeof(double),

@@ -85,7 +85,8 @@ void read_bonds(hid_t file, std::int64_t n, TrajectoryFrame& frame) {
       throw hdf5::Failure("a bond is between spheres that do not follow each other");
     frame.bonds.push_back({first, {}, 0});
   }
-  for (const OutputField& field : bond_fields) field.set(frame, entry(file, bond_element(field), n, entry_size(field, bonds)));
+  for (const OutputField& field : bond_fields)
+    field.set(frame, entry(file, bond_element(field), n, entry_size(field, bonds)));
 }
 
 }  // namespace
@@ -101,7 +102,8 @@ TrajectoryFrame present_part(TrajectoryFrame frame) {
   }
   frame.radius.resize(present);
   frame.fiber.resize(present);
-  std::erase_if(frame.bonds, [&](const FrameBond& bond) { return bond.first >= static_cast<std::int64_t>(present); });
+  std::erase_if(frame.bonds,
+                [&](const FrameBond& bond) { return bond.first >= static_cast<std::int64_t>(present); });
   frame.absent = 0;
   return frame;
 }

@@ -6,10 +6,10 @@
 #include <numeric>
 #include <ranges>
 
-#include "dem/model/errors.hpp"
-#include "dem/files/file_error.hpp"
-#include "dem/trajectory/h5md_layout.hpp"
 #include "dem/files/atomic_file.hpp"
+#include "dem/files/file_error.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/trajectory/h5md_layout.hpp"
 #include "dem/trajectory/xdmf.hpp"
 
 namespace fiberchain::dem {
@@ -110,7 +110,8 @@ void write_fixed(hid_t file, hid_t group, const TrajectoryFrame& frame, bool gro
   hdf5::check(H5Awrite(attribute, H5T_STD_REF_OBJ, &reference), "write an attribute");
 }
 
-void write_layout(hid_t file, const TrajectoryHeader& header, const TrajectoryFrame& frame, const Scalars& scalars) {
+void write_layout(hid_t file, const TrajectoryHeader& header, const TrajectoryFrame& frame,
+                  const Scalars& scalars) {
   const hsize_t spheres = frame.position.size(), bonds = frame.bonds.size();
   write_head(file, header);
   write_run(file, header);
@@ -187,7 +188,8 @@ void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scal
   put(value_of(kEdges), H5T_NATIVE_DOUBLE, &edges);
   put(value_of(kOrigin), H5T_NATIVE_DOUBLE, &frame.low);
   for (const OutputField& field : bond_fields) {
-    if (!frame.bonds.empty()) put(value_of(bond_element(field)), H5T_NATIVE_DOUBLE, field.values(frame).data());
+    if (!frame.bonds.empty())
+      put(value_of(bond_element(field)), H5T_NATIVE_DOUBLE, field.values(frame).data());
   }
   if (has_growing_id(file)) put(value_of(kId), H5T_NATIVE_INT32, ids(frame).data());
   for (const auto& [name, value] : scalars) put(value_of("observables/" + name), H5T_NATIVE_DOUBLE, &value);
@@ -199,8 +201,11 @@ void check_frame(const TrajectoryFrame& frame) {
     return bond.first < 0 || bond.first + 1 >= static_cast<std::int64_t>(spheres);
   };
   if (spheres == 0) throw InvalidInput("a frame without spheres");
-  const auto incomplete = [&](const OutputField& field) { return field.values(frame).size() != field.width * spheres; };
-  if (std::ranges::any_of(sphere_fields, incomplete) || frame.radius.size() != spheres || frame.fiber.size() != spheres)
+  const auto incomplete = [&](const OutputField& field) {
+    return field.values(frame).size() != field.width * spheres;
+  };
+  if (std::ranges::any_of(sphere_fields, incomplete) || frame.radius.size() != spheres ||
+      frame.fiber.size() != spheres)
     throw InvalidInput("a frame's positions, velocities, radii and fibers differ in number");
   if (frame.absent < 0 || frame.absent > static_cast<std::int64_t>(spheres))
     throw InvalidInput("a frame lacks more spheres than it has");
@@ -234,7 +239,8 @@ TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, Trajectory
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scalars) {
   check_frame(frame);
-  if (frame.absent > 0 && !header_.growing) throw InvalidInput("a frame lacks spheres in a file that does not grow");
+  if (frame.absent > 0 && !header_.growing)
+    throw InvalidInput("a frame lacks spheres in a file that does not grow");
   if (!times_.empty() && frame.step <= last_step_)
     throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, last_step_));
   const bool first = times_.empty();

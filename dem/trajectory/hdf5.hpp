@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-// HDF5's C interface with owners for its identifiers and exceptions for its failures. Private to dem/trajectory.
+// HDF5's C interface with owners for its identifiers and exceptions for its failures. Private to
+// dem/trajectory.
 namespace fiberchain::dem::hdf5 {
 
 /// HDF5 refused; the message says what was tried and HDF5's own reason. Callers add the file's name.

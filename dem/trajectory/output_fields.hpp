@@ -8,9 +8,9 @@
 
 #include "dem/trajectory/frame.hpp"
 
-// Quantities of spheres and bonds in trajectories, declared once: H5MD, its reader, VTK and XDMF follow. A new one is a
-// member of TrajectoryFrame or FrameBond and a line here. Positions, radii and fiber numbers, which are the geometry,
-// stand apart.
+// Quantities of spheres and bonds in trajectories, declared once: H5MD, its reader, VTK and XDMF follow. A
+// new one is a member of TrajectoryFrame or FrameBond and a line here. Positions, radii and fiber numbers,
+// which are the geometry, stand apart.
 namespace fiberchain::dem {
 
 struct OutputField {
@@ -27,7 +27,9 @@ struct OutputField {
 namespace output {
 
 inline void append(std::vector<double>& row, double value) { row.push_back(value); }
-inline void append(std::vector<double>& row, const Vec<double, 3>& value) { row.insert(row.end(), value.c, value.c + 3); }
+inline void append(std::vector<double>& row, const Vec<double, 3>& value) {
+  row.insert(row.end(), value.c, value.c + 3);
+}
 inline void take(const double* from, double& value) { value = *from; }
 inline void take(const double* from, Vec<double, 3>& value) { value = {from[0], from[1], from[2]}; }
 
@@ -39,7 +41,10 @@ template <auto member>
 constexpr OutputField of_spheres(const char* name, const char* point_array, const char* unit) {
   using Value = typename std::remove_cvref_t<decltype(std::declval<TrajectoryFrame&>().*member)>::value_type;
   constexpr int width = width_of<Value>;
-  return {name, point_array, unit, width,
+  return {name,
+          point_array,
+          unit,
+          width,
           [](const TrajectoryFrame& frame) {
             std::vector<double> all;
             all.reserve(width * (frame.*member).size());
@@ -48,7 +53,8 @@ constexpr OutputField of_spheres(const char* name, const char* point_array, cons
           },
           [](TrajectoryFrame& frame, const std::vector<double>& values) {
             (frame.*member).resize(values.size() / width);
-            for (std::size_t i = 0; i < (frame.*member).size(); ++i) take(&values[i * width], (frame.*member)[i]);
+            for (std::size_t i = 0; i < (frame.*member).size(); ++i)
+              take(&values[i * width], (frame.*member)[i]);
           }};
 }
 
@@ -57,7 +63,10 @@ template <auto member>
 constexpr OutputField of_bonds(const char* name, const char* unit) {
   using Value = std::remove_cvref_t<decltype(std::declval<FrameBond&>().*member)>;
   constexpr int width = width_of<Value>;
-  return {name, name, unit, width,
+  return {name,
+          name,
+          unit,
+          width,
           [](const TrajectoryFrame& frame) {
             std::vector<double> all;
             all.reserve(width * frame.bonds.size());
@@ -65,7 +74,8 @@ constexpr OutputField of_bonds(const char* name, const char* unit) {
             return all;
           },
           [](TrajectoryFrame& frame, const std::vector<double>& values) {
-            for (std::size_t i = 0; i < frame.bonds.size(); ++i) take(&values[i * width], frame.bonds[i].*member);
+            for (std::size_t i = 0; i < frame.bonds.size(); ++i)
+              take(&values[i * width], frame.bonds[i].*member);
           }};
 }
 

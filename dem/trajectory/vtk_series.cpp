@@ -6,12 +6,12 @@
 #include <regex>
 #include <system_error>
 
-#include "dem/model/errors.hpp"
+#include "dem/files/atomic_file.hpp"
 #include "dem/files/file_error.hpp"
 #include "dem/files/numbers.hpp"
-#include "dem/files/atomic_file.hpp"
-#include "dem/trajectory/vtk.hpp"
 #include "dem/files/xml.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/trajectory/vtk.hpp"
 
 namespace fiberchain::dem {
 namespace {

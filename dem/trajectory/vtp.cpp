@@ -60,7 +60,8 @@ std::vector<float> at_first_spheres(const TrajectoryFrame& frame, const OutputFi
   const std::vector<double> values = field.values(frame);
   for (std::size_t bond = 0; bond < frame.bonds.size(); ++bond) {
     const auto first = static_cast<std::size_t>(frame.bonds[bond].first);
-    for (std::size_t k = 0; k < width; ++k) all[width * first + k] = static_cast<float>(values[width * bond + k]);
+    for (std::size_t k = 0; k < width; ++k)
+      all[width * first + k] = static_cast<float>(values[width * bond + k]);
   }
   return all;
 }
@@ -68,10 +69,13 @@ std::vector<float> at_first_spheres(const TrajectoryFrame& frame, const OutputFi
 std::string point_data(const TrajectoryFrame& frame) {
   const std::size_t spheres = frame.position.size();
   const std::vector<float> radius(frame.radius.begin(), frame.radius.end());
-  std::string text = "<PointData Scalars=\"radius\" Vectors=\"v\">\n" + array("id", 1, numbers_from(0, spheres)) +
-                     array("fiber", 1, frame.fiber) + array("radius", 1, radius);
-  for (const OutputField& field : sphere_fields) text += array(field.point_array, field.width, singles(field.values(frame)));
-  for (const OutputField& field : bond_fields) text += array(field.point_array, field.width, at_first_spheres(frame, field));
+  std::string text = "<PointData Scalars=\"radius\" Vectors=\"v\">\n" +
+                     array("id", 1, numbers_from(0, spheres)) + array("fiber", 1, frame.fiber) +
+                     array("radius", 1, radius);
+  for (const OutputField& field : sphere_fields)
+    text += array(field.point_array, field.width, singles(field.values(frame)));
+  for (const OutputField& field : bond_fields)
+    text += array(field.point_array, field.width, at_first_spheres(frame, field));
   return text + "</PointData>\n";
 }
 
@@ -93,8 +97,8 @@ std::string cells(const char* kind, const std::vector<std::int64_t>& points,
                      array("offsets", 1, ends));
 }
 
-std::string file(const TrajectoryFrame& frame, const Entries& provenance, std::size_t verts, std::size_t lines,
-                 const std::string& rest) {
+std::string file(const TrajectoryFrame& frame, const Entries& provenance, std::size_t verts,
+                 std::size_t lines, const std::string& rest) {
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n{}<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" "

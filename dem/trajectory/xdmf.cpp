@@ -9,12 +9,13 @@ namespace fiberchain::dem {
 namespace {
 
 /// Of one frame, `width` numbers a sphere, out of a dataset of all frames.
-std::string slab(const std::string& file, const char* path, int width, int bytes, std::size_t frame, std::size_t frames,
-                 std::size_t spheres) {
+std::string slab(const std::string& file, const char* path, int width, int bytes, std::size_t frame,
+                 std::size_t frames, std::size_t spheres) {
   const bool scalar = width == 1;
   const std::string size = scalar ? fmt::format("{}", spheres) : fmt::format("{} {}", spheres, width);
   return fmt::format(
-      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0}\"><DataItem Dimensions=\"3 {1}\" Format=\"XML\">{2} {3} {0}"
+      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0}\"><DataItem Dimensions=\"3 {1}\" Format=\"XML\">{2} "
+      "{3} {0}"
       "</DataItem><DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"{4}\" Dimensions=\"{5} {0}\">{6}:"
       "/particles/fibers/{7}/value</DataItem></DataItem>",
       size, scalar ? 2 : 3, frame, scalar ? "0 1 1 1" : "0 0 1 1 1 1", bytes, frames, file, path);
@@ -28,8 +29,8 @@ std::string grid(const std::string& file, double time, std::size_t frame, std::s
   text += fmt::format("<Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
                       slab(file, "position", 3, 8, frame, frames, spheres));
   for (const OutputField& field : sphere_fields) {
-    text += fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n", field.name,
-                        field.width == 1 ? "Scalar" : "Vector",
+    text += fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                        field.name, field.width == 1 ? "Scalar" : "Vector",
                         slab(file, field.name, field.width, 4, frame, frames, spheres));
   }
   for (const auto& [name, kind, bytes] : {std::tuple{"radius", "Float", 8}, std::tuple{"fiber", "Int", 4}}) {

@@ -1,8 +1,8 @@
 #include "dem/vibration/choose.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 #include <vector>
 
@@ -11,8 +11,8 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Time of one bond in one step of a chain alone, over that of the lagged leapfrog, which then runs along the lanes
-/// (measured, rounded: only their order matters).
+/// Time of one bond in one step of a chain alone, over that of the lagged leapfrog, which then runs along the
+/// lanes (measured, rounded: only their order matters).
 struct Cost {
   double lagged, solved, implicit;
 };
@@ -25,12 +25,12 @@ double first_mode_damping(const Fiber& fiber, double frequency) {
 
 struct Candidate {
   Integrator integrator;
-  double step;   ///< largest that keeps the error [s]
-  double cost;   ///< of a bond over a period
+  double step;  ///< largest that keeps the error [s]
+  double cost;  ///< of a bond over a period
 };
 
-/// Largest turn of the free end in an implicit step [rad]: beyond, Newton's method halves steps of a sudden release
-/// (measured).
+/// Largest turn of the free end in an implicit step [rad]: beyond, Newton's method halves steps of a sudden
+/// release (measured).
 constexpr double largest_turn = 0.02;
 
 /// Tip deflection over L that the motion swings to.
@@ -43,20 +43,24 @@ double swing(const Release<Dim>& release, double frequency) {
 }
 
 /// Largest w dt with a w dt + b (w dt)^2 <= error.
-double largest_angle(double a, double b, double error) { return 2 * error / (a + std::sqrt(a * a + 4 * b * error)); }
+double largest_angle(double a, double b, double error) {
+  return 2 * error / (a + std::sqrt(a * a + 4 * b * error));
+}
 
 }  // namespace
 
 template <int Dim>
 IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOptions& options) {
   if (!(options.error > 0) || !std::isfinite(options.error)) {
-    throw InvalidInput(fmt::format("error = {} is not allowed: it must be finite and greater than 0", options.error));
+    throw InvalidInput(
+        fmt::format("error = {} is not allowed: it must be finite and greater than 0", options.error));
   }
   const Fiber& fiber = release.chain.fiber;
   const Cost cost = Dim == 2 ? planar_cost : spatial_cost;
   const double w = 2 * std::numbers::pi / release.period, xi_f = first_mode_damping(fiber, w);
   const auto candidate = [&](Integrator integrator, double a, double b, double per_step) {
-    const double step = std::min(largest_angle(a, b, options.error) / w, 0.8 * stable_release_step(fiber, integrator));
+    const double step =
+        std::min(largest_angle(a, b, options.error) / w, 0.8 * stable_release_step(fiber, integrator));
     return Candidate{integrator, step, per_step * release.period / step};
   };
   std::vector<Candidate> all{candidate(Integrator::leapfrog, xi_f / 2, 1.0 / 24, cost.lagged)};
@@ -69,19 +73,21 @@ IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOpt
     implicit.step = std::min(implicit.step, longest);
     all.push_back(implicit);
   }
-  const Candidate best = *std::min_element(all.begin(), all.end(),
-                                           [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  const Candidate best = *std::min_element(
+      all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   std::string others;
   for (const Candidate& c : all) {
     if (c.integrator != best.integrator) {
-      others += fmt::format("{}{} {:.2g}", others.empty() ? "" : ", ", name(c.integrator), c.cost / best.cost);
+      others +=
+          fmt::format("{}{} {:.2g}", others.empty() ? "" : ", ", name(c.integrator), c.cost / best.cost);
     }
   }
   const double t_b = bond_time_step(fiber);
   return {best.integrator, best.step / t_b,
-          fmt::format("{} with dt = {:.4g} t_b is the cheapest that keeps an error of {:.2g}{}", name(best.integrator),
-                      best.step / t_b, options.error,
-                      others.empty() ? std::string(" and knows rolling friction") : "; times its cost: " + others)};
+          fmt::format(
+              "{} with dt = {:.4g} t_b is the cheapest that keeps an error of {:.2g}{}",
+              name(best.integrator), best.step / t_b, options.error,
+              others.empty() ? std::string(" and knows rolling friction") : "; times its cost: " + others)};
 }
 
 template IntegratorChoice choose_integrator<2>(const Release<2>&, const ReleaseOptions&);

@@ -57,7 +57,8 @@ FirstMode first_mode(const Fiber& fiber) {
   const double m = inner_product(u, Mu), k = m * m / inner_product(Mu, softened),
                c = -inner_product(u, dashpot_forces<2>(chain, chain.poses, u));
   const double frequency = std::sqrt(k / m), damping = c / (2 * std::sqrt(k * m));
-  if (!(damping < 1)) throw InvalidInput("bond damping: the first mode is overdamped, there is no vibration to watch");
+  if (!(damping < 1))
+    throw InvalidInput("bond damping: the first mode is overdamped, there is no vibration to watch");
   return {frequency, damping, 2 * std::numbers::pi / (frequency * std::sqrt(1 - damping * damping))};
 }
 

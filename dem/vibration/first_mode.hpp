@@ -12,8 +12,9 @@ struct FirstMode {
   double period;     ///< 2 pi/Im(lambda) [s]
 };
 
-/// By inverse iteration on the chain's stiffness, and the dashpots' work on the undamped mode: exact to second order in
-/// what couples the modes. Throws InvalidInput for a fiber that makes no sense or whose first mode is overdamped.
+/// By inverse iteration on the chain's stiffness, and the dashpots' work on the undamped mode: exact to
+/// second order in what couples the modes. Throws InvalidInput for a fiber that makes no sense or whose first
+/// mode is overdamped.
 FirstMode first_mode(const Fiber& fiber);
 
 }  // namespace fiberchain::dem

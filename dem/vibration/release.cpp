@@ -1,8 +1,8 @@
 #include "dem/vibration/release.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -30,18 +30,22 @@ void check(const Release<Dim>& release, const ReleaseOptions& options) {
   const std::size_t spheres = release.chain.poses.size();
   const auto fits = [&](std::size_t size) { return size == 0 || size == spheres; };
   if (release.start.size() != spheres || !fits(release.velocity.size()) || !fits(release.spin.size())) {
-    throw InvalidInput("a release needs a pose, and a velocity and spin or none, for every sphere of its chain");
+    throw InvalidInput(
+        "a release needs a pose, and a velocity and spin or none, for every sphere of its chain");
   }
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   require(positive(release.period), "period", release.period, "it must be finite and greater than 0");
   require(positive(release.periods), "periods", release.periods, "it must be finite and greater than 0");
-  require(options.samples_per_period >= 4, "samples_per_period", options.samples_per_period, "it must be 4 or more");
+  require(options.samples_per_period >= 4, "samples_per_period", options.samples_per_period,
+          "it must be 4 or more");
   require(!options.step_ratio || positive(*options.step_ratio), "step_ratio", options.step_ratio.value_or(1),
           "it must be greater than 0");
   if (release.chain.fiber.rolling_friction > 0 &&
       (options.integrator != Integrator::leapfrog || options.form != BondForm::incremental)) {
-    throw InvalidInput(fmt::format("integrator = {} is not allowed: rolling friction is built for the leapfrog with the "
-                                   "incremental form", name(options.integrator)));
+    throw InvalidInput(
+        fmt::format("integrator = {} is not allowed: rolling friction is built for the leapfrog with the "
+                    "incremental form",
+                    name(options.integrator)));
   }
 }
 
@@ -55,8 +59,10 @@ int steps_per_sample(const Release<Dim>& release, const ReleaseOptions& options)
   if (options.step_ratio) {
     step = *options.step_ratio * t_b;
     if (step >= limit && !options.allow_unstable) {
-      throw InvalidInput(fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain is {:.4f} "
-                                     "t_b", *options.step_ratio, limit / t_b));
+      throw InvalidInput(
+          fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain is {:.4f} "
+                      "t_b",
+                      *options.step_ratio, limit / t_b));
     }
   }
   return static_cast<int>(std::max(std::ceil(interval / step * (1 - 1e-12)), 1.0));
@@ -67,7 +73,8 @@ int samples_of(const Release<Dim>& release, const ReleaseOptions& options) {
   return static_cast<int>(std::ceil(release.periods * options.samples_per_period));
 }
 
-/// What can share a block: equal length, damped or not, straight or not, rolling or not, and the same numbers of steps.
+/// What can share a block: equal length, damped or not, straight or not, rolling or not, and the same numbers
+/// of steps.
 template <int Dim>
 void march_in_blocks(const std::vector<Release<Dim>>& releases, const std::vector<std::size_t>& chosen,
                      const ReleaseOptions& options, std::vector<ReleaseRecord<Dim>>& records) {
@@ -75,14 +82,15 @@ void march_in_blocks(const std::vector<Release<Dim>>& releases, const std::vecto
   for (const std::size_t i : chosen) {
     const Release<Dim>& r = releases[i];
     groups[{r.chain.fiber.aspect_ratio, damped(r.chain.fiber), r.chain.natural.empty(),
-            r.chain.fiber.rolling_friction > 0, steps_per_sample(r, options), samples_of(r, options)}].push_back(i);
+            r.chain.fiber.rolling_friction > 0, steps_per_sample(r, options), samples_of(r, options)}]
+        .push_back(i);
   }
   const std::size_t width = chain_kernel(built_physics[0], options.instruction_set).width;
   for (const auto& [kind, members] : groups) {
     for (std::size_t first = 0; first < members.size(); first += width) {
       const std::size_t end = std::min(first + width, members.size());
-      march_releases(releases, {members.begin() + first, members.begin() + end}, std::get<4>(kind), std::get<5>(kind),
-                     options, records);
+      march_releases(releases, {members.begin() + first, members.begin() + end}, std::get<4>(kind),
+                     std::get<5>(kind), options, records);
     }
   }
 }
@@ -91,19 +99,24 @@ void march_in_blocks(const std::vector<Release<Dim>>& releases, const std::vecto
 
 double stable_release_step(const Fiber& fiber, Integrator integrator) {
   switch (integrator) {
-    case Integrator::leapfrog: return stable_time_step(fiber);
-    case Integrator::leapfrog_damped: return undamped_time_step(fiber);
-    default: return std::numeric_limits<double>::infinity();
+    case Integrator::leapfrog:
+      return stable_time_step(fiber);
+    case Integrator::leapfrog_damped:
+      return undamped_time_step(fiber);
+    default:
+      return std::numeric_limits<double>::infinity();
   }
 }
 
 template <int Dim>
 double release_step(const Release<Dim>& release, const ReleaseOptions& options) {
-  return release.period / (static_cast<double>(options.samples_per_period) * steps_per_sample(release, options));
+  return release.period /
+         (static_cast<double>(options.samples_per_period) * steps_per_sample(release, options));
 }
 
 template <int Dim>
-std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& releases, const ReleaseOptions& options) {
+std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& releases,
+                                          const ReleaseOptions& options) {
   std::vector<ReleaseRecord<Dim>> records(releases.size());
   if (options.integrator == Integrator::automatic) {
     for (std::size_t i = 0; i < releases.size(); ++i) {
@@ -122,8 +135,8 @@ std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& relea
     if (marches(options.integrator)) {
       marched.push_back(i);
     } else {
-      records[i] = integrate_release(releases[i], steps_per_sample(releases[i], options), samples_of(releases[i], options),
-                                  options);
+      records[i] = integrate_release(releases[i], steps_per_sample(releases[i], options),
+                                     samples_of(releases[i], options), options);
     }
   }
   march_in_blocks(releases, marched, options, records);

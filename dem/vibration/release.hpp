@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dem/model/loads.hpp"
 #include "dem/chain/chain.hpp"
 #include "dem/chain/chain_state.hpp"
+#include "dem/model/loads.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/physics.hpp"
 #include "dem/simd/instruction_set.hpp"
@@ -28,13 +28,14 @@ struct Release {
 struct ReleaseOptions {
   BondForm form = BondForm::incremental;  ///< as the paper; implicit and CVODE have the total form only
   Integrator integrator = Integrator::leapfrog;
-  /// Largest dt / t_b. Left out: explicit schemes 0.8 of the chain's stable step, implicit the sample interval. CVODE
-  /// chooses its own steps.
+  /// Largest dt / t_b. Left out: explicit schemes 0.8 of the chain's stable step, implicit the sample
+  /// interval. CVODE chooses its own steps.
   std::optional<double> step_ratio = std::nullopt;
   bool allow_unstable = false;  ///< march even beyond the stable step
   double tolerance = 1e-6;      ///< CVODE: local error in parts of the first deflection
   double error = 1e-3;          ///< automatic: wanted relative error of damping and frequency
-  Rolling rolling = Rolling::set_valued;  ///< how, where a fiber has rolling friction; incremental leapfrog only
+  Rolling rolling =
+      Rolling::set_valued;  ///< how, where a fiber has rolling friction; incremental leapfrog only
   int samples_per_period = 200;
   bool energy = false;  ///< record the energy with each sample
   InstructionSet instruction_set = best_instruction_set();
@@ -43,10 +44,10 @@ struct ReleaseOptions {
 /// The free end at one moment.
 template <int Dim>
 struct TipSample {
-  double time;                 ///< since the release [s]
-  Vec<double, Dim> position;   ///< [m]
-  Vec<double, Dim> velocity;   ///< at the same moment [m/s]
-  double energy;               ///< elastic and kinetic, of the whole chain [J]; 0 unless asked for
+  double time;                ///< since the release [s]
+  Vec<double, Dim> position;  ///< [m]
+  Vec<double, Dim> velocity;  ///< at the same moment [m/s]
+  double energy;              ///< elastic and kinetic, of the whole chain [J]; 0 unless asked for
 };
 
 template <int Dim>
@@ -57,22 +58,24 @@ struct ReleaseRecord {
   std::string reason;     ///< why, if it was chosen here
   Work work;
   std::vector<TipSample<Dim>> samples;  ///< the first is the moment of release
-  std::string failure;    ///< empty; else step, time, fiber, sphere and likely cause, and the samples end before it
-  ChainState<Dim> last;   ///< the last good state; of a leapfrog with the velocities half a step before
+  std::string
+      failure;  ///< empty; else step, time, fiber, sphere and likely cause, and the samples end before it
+  ChainState<Dim> last;  ///< the last good state; of a leapfrog with the velocities half a step before
 };
 
-/// Step [s] of a release: the largest allowed that divides the sample interval. Throws InvalidInput when the step asked
-/// for is unstable, with the limit.
-/// CVODE, which has no step of its own, gets the sample interval.
+/// Step [s] of a release: the largest allowed that divides the sample interval. Throws InvalidInput when the
+/// step asked for is unstable, with the limit. CVODE, which has no step of its own, gets the sample interval.
 template <int Dim>
 double release_step(const Release<Dim>& release, const ReleaseOptions& options);
 
 /// Largest stable step [s] of an explicit integrator for this fiber; infinite for the others.
 double stable_release_step(const Fiber& fiber, Integrator integrator);
 
-/// Lets every chain go. A record does not depend on what marches beside it but by round-off where a chain marches alone.
-/// One that blows up stops, the others go on. Throws InvalidInput for cases that make no sense.
+/// Lets every chain go. A record does not depend on what marches beside it but by round-off where a chain
+/// marches alone. One that blows up stops, the others go on. Throws InvalidInput for cases that make no
+/// sense.
 template <int Dim>
-std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& releases, const ReleaseOptions& options = {});
+std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& releases,
+                                          const ReleaseOptions& options = {});
 
 }  // namespace fiberchain::dem

@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "dem/model/errors.hpp"
@@ -23,7 +23,8 @@ ChainState<Dim> start_of(const Release<Dim>& release) {
 
 template <int Dim>
 TipSample<Dim> sample(const Release<Dim>& release, const ChainState<Dim>& state, double time, bool energy) {
-  return {time, state.poses.back().position, state.velocity.back(), energy ? total_energy(release.chain, state) : 0.0};
+  return {time, state.poses.back().position, state.velocity.back(),
+          energy ? total_energy(release.chain, state) : 0.0};
 }
 
 /// The farthest that a sphere starts from its place at rest, or goes in a period at its first speed.
@@ -60,7 +61,8 @@ void record(ReleaseRecord<Dim>& record, const Release<Dim>& release, int samples
 }  // namespace
 
 template <int Dim>
-ReleaseRecord<Dim> integrate_release(const Release<Dim>& release, int stride, int samples, const ReleaseOptions& options) {
+ReleaseRecord<Dim> integrate_release(const Release<Dim>& release, int stride, int samples,
+                                     const ReleaseOptions& options) {
   const double interval = release.period / options.samples_per_period;
   ReleaseRecord<Dim> result{};
   result.integrator = options.integrator;

@@ -1,8 +1,8 @@
 #include "dem/vibration/release_lanes.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/physics_of.hpp"
@@ -35,15 +35,16 @@ double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& releas
       sum += 0.5 * J * dot(s.spin, s.spin + (dt / J) * s.moment);
     }
     if (form == BondForm::incremental && i < fiber.aspect_ratio) {
-      sum += stored_energy(bond, block.history(lane, i), unit(block.sphere(lane, i + 1).pose.position - s.pose.position));
+      sum += stored_energy(bond, block.history(lane, i),
+                           unit(block.sphere(lane, i + 1).pose.position - s.pose.position));
     }
   }
   return sum;
 }
 
 template <int Dim>
-TipSample<Dim> sample(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt, double steps,
-                      const ReleaseOptions& options) {
+TipSample<Dim> sample(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt,
+                      double steps, const ReleaseOptions& options) {
   const MovingSphere<double, Dim> s = block.sphere(lane, release.chain.fiber.aspect_ratio);
   const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / sphere_mass(release.chain.fiber)) * s.force;
   return {steps * dt, s.pose.position, velocity,
@@ -51,10 +52,12 @@ TipSample<Dim> sample(const ChainBatch<Dim>& block, int lane, const Release<Dim>
 }
 
 std::string failure_text(std::size_t fiber, int sphere, double step, double dt, double limit) {
-  const std::string cause = dt >= limit ? fmt::format("the step is beyond the stable one, {:.6g} s", limit)
-                                        : std::string("the state it was let go from, or a step too long for its speed");
-  return fmt::format("the run blew up: fiber {}, sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}",
-                     fiber, sphere, step, dt, step * dt, cause);
+  const std::string cause =
+      dt >= limit ? fmt::format("the step is beyond the stable one, {:.6g} s", limit)
+                  : std::string("the state it was let go from, or a step too long for its speed");
+  return fmt::format(
+      "the run blew up: fiber {}, sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}",
+      fiber, sphere, step, dt, step * dt, cause);
 }
 
 /// One block of chains and what is recorded of them.
@@ -77,7 +80,8 @@ struct March {
     for (std::size_t lane = 0; lane < members.size(); ++lane) {
       ReleaseRecord<Dim>& r = records[members[lane]];
       if (!r.failure.empty()) continue;
-      r.samples.push_back(sample(block, static_cast<int>(lane), all[members[lane]], steps[lane], done, options));
+      r.samples.push_back(
+          sample(block, static_cast<int>(lane), all[members[lane]], steps[lane], done, options));
     }
   }
 
@@ -125,18 +129,23 @@ int samples_between_checks(int stride) { return 1 + 256 / stride; }
 }  // namespace
 
 template <int Dim>
-void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std::size_t>& members, int stride, int samples,
-                    const ReleaseOptions& options, std::vector<ReleaseRecord<Dim>>& records) {
+void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std::size_t>& members, int stride,
+                    int samples, const ReleaseOptions& options, std::vector<ReleaseRecord<Dim>>& records) {
   std::vector<Chain<Dim>> chains;
   std::vector<double> steps;
   for (const std::size_t i : members) {
     chains.push_back(all[i].chain);
     steps.push_back(release_step(all[i], options));
   }
-  March<Dim> march{all, members, options, records, steps,
+  March<Dim> march{all,
+                   members,
+                   options,
+                   records,
+                   steps,
                    ChainBatch<Dim>(chains, {true, false}, steps, std::vector<double>(chains.size(), 0.0),
-                                      release_physics(chains, options), options.instruction_set)};
-  for (std::size_t lane = 0; lane < members.size(); ++lane) place(march.block, static_cast<int>(lane), all[members[lane]]);
+                                   release_physics(chains, options), options.instruction_set)};
+  for (std::size_t lane = 0; lane < members.size(); ++lane)
+    place(march.block, static_cast<int>(lane), all[members[lane]]);
   march.block.synchronize();
   march.record(0);
   const int between = samples_between_checks(stride);
@@ -157,7 +166,8 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
     r.time_step = steps[lane];
     r.integrator = options.integrator;
     r.work = {.steps = r.steps, .bond_evaluations = r.steps * chains[lane].fiber.aspect_ratio};
-    if (r.failure.empty()) r.last = lagged_state(march.block, static_cast<int>(lane), chains[lane].fiber.aspect_ratio + 1);
+    if (r.failure.empty())
+      r.last = lagged_state(march.block, static_cast<int>(lane), chains[lane].fiber.aspect_ratio + 1);
   }
 }
 

@@ -6,14 +6,14 @@
 #include <stdexcept>
 
 #include "compare/bench/count.hpp"
+#include "compare/bench/feature_costs.hpp"
 #include "compare/bench/history_reference.hpp"
 #include "compare/bench/kernels.hpp"
 #include "compare/bench/problems.hpp"
-#include "compare/bench/feature_costs.hpp"
 #include "compare/bench/static_reference.hpp"
 #include "compare/bench/tables.hpp"
-#include "compare/measure/ring_down_release.hpp"
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "compare/static/case.hpp"
 #include "dem/equilibrium/newton.hpp"
 #include "dem/model/errors.hpp"
@@ -243,5 +243,6 @@ BOOST_AUTO_TEST_CASE(the_flow_problem_ranks_methods_by_the_orbit_constant) {
   BOOST_TEST(problem.rows[1].error > 0);
   const double order = std::log10(problem.rows[2].error / problem.rows[3].error);
   BOOST_TEST(std::abs(order - 1) < 0.1);
-  BOOST_TEST(problem.rows[3].work.steps > 3 * problem.rows[2].work.steps);  // steps grow as 1/sqrt(Stokes number)
+  BOOST_TEST(problem.rows[3].work.steps >
+             3 * problem.rows[2].work.steps);  // steps grow as 1/sqrt(Stokes number)
 }

@@ -9,10 +9,10 @@
 
 #include "compare/calibration/calibration.hpp"
 #include "compare/calibration/table.hpp"
-#include "compare/measure/peaks.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/measure/peaks.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_elastica.hpp"

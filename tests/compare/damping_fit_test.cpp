@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/fit/fit.hpp"
 #include "compare/fit/choices.hpp"
+#include "compare/fit/fit.hpp"
 #include "compare/fit/table.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
-#include "compare/static/case.hpp"
 #include "compare/measure/static_release.hpp"
+#include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/chain_modes.hpp"
 #include "tests/compare/messages.hpp"
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(study_measures_fits_and_tells) {
   BOOST_TEST(std::abs(find(study.fits, DampingLaw::shifted_square, FitKind::logarithmic).parameters[0] -
                       0.5) < 0.01);
   const dem::Table fits = fit_table(study), residuals = fit_residual_table(study),
-              choices = fit_choice_table(study);
+                   choices = fit_choice_table(study);
   BOOST_TEST(fits.rows().size() == 8u);
   BOOST_TEST(residuals.rows().size() == 8u * 7);
   BOOST_TEST(choices.rows().size() == study.choices.size());

@@ -14,8 +14,10 @@ BOOST_AUTO_TEST_CASE(marched_damping_of_60_bonds_is_that_of_the_linear_chain) {
   for (const double damping : {0.01, 1.0, 3.0}) {
     compare::DampingOptions options;
     options.elastica = false;
-    const auto p = compare::damping_points(
-        {{.aspect_ratio = 60, .poisson_ratio = 0.17, .load = 1e-5, .bond_damping = damping}}, options).front();
+    const auto p =
+        compare::damping_points(
+            {{.aspect_ratio = 60, .poisson_ratio = 0.17, .load = 1e-5, .bond_damping = damping}}, options)
+            .front();
     BOOST_TEST(std::abs(p.damping / p.damping_modes - 1) < 2e-4);
   }
 }

@@ -1,4 +1,5 @@
-// Damping of the fiber: the marched chain against its linear modes, the paper's statements, the damped Elastica.
+// Damping of the fiber: the marched chain against its linear modes, the paper's statements, the damped
+// Elastica.
 #define BOOST_TEST_MODULE damping
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -6,8 +7,8 @@
 #include <numbers>
 
 #include "compare/damping/references.hpp"
-#include "compare/measure/ring_down_release.hpp"
 #include "compare/damping/table.hpp"
+#include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "tests/compare/elastica_error.hpp"
@@ -32,8 +33,11 @@ BOOST_AUTO_TEST_CASE(marched_damping_at_vanishing_load_is_that_of_the_linear_cha
     for (const double nu : {-0.1, 0.17, 0.43}) {
       for (const double damping : {0.01, 0.6, 3.0}) {
         for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
-          const DampingPoint p = point({.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .load = 1e-5,
-                                        .bond_damping = damping, .bond = bond});
+          const DampingPoint p = point({.aspect_ratio = aspect_ratio,
+                                        .poisson_ratio = nu,
+                                        .load = 1e-5,
+                                        .bond_damping = damping,
+                                        .bond = bond});
           BOOST_TEST_CONTEXT("r_f " << aspect_ratio << " nu " << nu << " xi_b " << damping) {
             BOOST_TEST(std::abs(p.damping / p.damping_modes - 1) < 2e-4);
             BOOST_TEST(std::abs(p.frequency / p.frequency_modes - 1) < 1e-4);
@@ -47,8 +51,9 @@ BOOST_AUTO_TEST_CASE(marched_damping_at_vanishing_load_is_that_of_the_linear_cha
 BOOST_AUTO_TEST_CASE(closed_form_is_within_a_quarter_percent_from_aspect_ratio_5) {
   for (const int aspect_ratio : {5, 8, 13, 60}) {
     for (const double nu : {0.0, 0.17, 0.49}) {
-      const double modes =
-          reference::first_bending_mode(compare::linear_chain_of({.aspect_ratio = aspect_ratio, .poisson_ratio = nu})).damping;
+      const double modes = reference::first_bending_mode(
+                               compare::linear_chain_of({.aspect_ratio = aspect_ratio, .poisson_ratio = nu}))
+                               .damping;
       const double off = reference::first_bending_damping(aspect_ratio, 1.0) / modes - 1;
       BOOST_TEST(std::abs(off) < 0.0025);
     }
@@ -80,7 +85,8 @@ BOOST_AUTO_TEST_CASE(parts_of_the_budget_add_up) {
 
 BOOST_AUTO_TEST_CASE(two_routes_to_the_damping_agree) {
   for (const double load : {0.01, 0.05}) {
-    const DampingPoint p = point({.aspect_ratio = 9, .poisson_ratio = 0.17, .load = load, .bond_damping = 0.8});
+    const DampingPoint p =
+        point({.aspect_ratio = 9, .poisson_ratio = 0.17, .load = load, .bond_damping = 0.8});
     BOOST_TEST(std::abs(p.damping_sine / p.damping - 1) < 3e-4);
   }
 }
@@ -95,7 +101,8 @@ BOOST_AUTO_TEST_CASE(fiber_damping_is_proportional_to_bond_damping) {
 
 BOOST_AUTO_TEST_CASE(dashpot_laws_are_measured_as_their_linear_chain_says) {
   for (const auto law : {dem::DashpotLaw::retardation_time, dem::DashpotLaw::bending_only}) {
-    const DampingPoint p = point({.aspect_ratio = 9, .poisson_ratio = 0.17, .load = 1e-4, .dashpots = law, .bond_damping = 0.9});
+    const DampingPoint p =
+        point({.aspect_ratio = 9, .poisson_ratio = 0.17, .load = 1e-4, .dashpots = law, .bond_damping = 0.9});
     BOOST_TEST(std::abs(p.damping / p.damping_modes - 1) < 2e-4);
   }
   const dem::Table table = compare::dashpot_table(10, 0.3);
@@ -138,7 +145,8 @@ BOOST_AUTO_TEST_CASE(large_motion_approaches_the_damped_elastica_at_second_order
 }
 
 BOOST_AUTO_TEST_CASE(at_a_fixed_bond_damping_the_beam_itself_changes_and_the_order_is_lower) {
-  // xi_b = 1 throughout: xi_f falls as 1/r_f^2, so the longer chain keeps more of its amplitude and of its mode 2
+  // xi_b = 1 throughout: xi_f falls as 1/r_f^2, so the longer chain keeps more of its amplitude and of its
+  // mode 2
   const double order = std::log2(elastica_error(10, 1.0) / elastica_error(20, 1.0));
   BOOST_TEST(order > 1.59);
   BOOST_TEST(order < 1.69);
@@ -157,7 +165,8 @@ BOOST_AUTO_TEST_CASE(three_bending_frequencies_by_spectral_analysis) {
     dem::ReleaseOptions options;
     options.samples_per_period = 24;
     options.step_ratio = 0.1;
-    const auto history = compare::tip_history(dem::ring_down<2>({release}, options)[0], dem::fiber_length(fiber));
+    const auto history =
+        compare::tip_history(dem::ring_down<2>({release}, options)[0], dem::fiber_length(fiber));
     const double found = spectral_peak(history, modes[n].eigenvalue.imag());
     BOOST_TEST(std::abs(found / modes[n].eigenvalue.imag() - 1) < 1e-4);
   }
@@ -166,7 +175,8 @@ BOOST_AUTO_TEST_CASE(three_bending_frequencies_by_spectral_analysis) {
 BOOST_AUTO_TEST_CASE(an_undamped_release_keeps_its_energy_over_a_thousand_periods) {
   dem::Fiber fiber = compare::damped_fiber({.aspect_ratio = 10});
   fiber.bond_damping = 0;
-  const auto mode = reference::first_bending_mode(compare::linear_chain_of({.aspect_ratio = 10, .bond_damping = 1e-9}));
+  const auto mode =
+      reference::first_bending_mode(compare::linear_chain_of({.aspect_ratio = 10, .bond_damping = 1e-9}));
   dem::ReleaseOptions options;
   options.form = dem::BondForm::total;
   options.samples_per_period = 8;
@@ -175,14 +185,16 @@ BOOST_AUTO_TEST_CASE(an_undamped_release_keeps_its_energy_over_a_thousand_period
   const auto record = dem::ring_down<2>({compare::static_release(fiber, mode, 1e-3, 1000)}, options)[0];
   const double n = static_cast<double>(record.samples.size()), start = record.samples[0].energy;
   double mean_t = 0, mean_e = 0, tt = 0, te = 0, worst = 0;
-  for (const auto& s : record.samples) mean_t += s.time / (2 * pi / mode.eigenvalue.imag()) / n, mean_e += s.energy / start / n;
+  for (const auto& s : record.samples)
+    mean_t += s.time / (2 * pi / mode.eigenvalue.imag()) / n, mean_e += s.energy / start / n;
   for (const auto& s : record.samples) {
     const double t = s.time / (2 * pi / mode.eigenvalue.imag()) - mean_t, e = s.energy / start - mean_e;
     tt += t * t;
     te += t * e;
     worst = std::max(worst, std::abs(s.energy / start - 1));
   }
-  BOOST_TEST_MESSAGE("energy: slope per period / (4 pi E) " << te / tt / (4 * pi) << ", largest change " << worst);
+  BOOST_TEST_MESSAGE("energy: slope per period / (4 pi E) " << te / tt / (4 * pi) << ", largest change "
+                                                            << worst);
   BOOST_TEST(std::abs(te / tt / (4 * pi)) < 1e-10);
   BOOST_TEST(worst < 1e-4);
 }
@@ -191,8 +203,8 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_threads_or_neighbors) {
   compare::DampingOptions one, two;
   one.elastica = two.elastica = false;
   two.jobs = 2;
-  const std::vector<DampingCase> several{{.aspect_ratio = 6, .load = 0.05}, {.aspect_ratio = 6, .load = 0.3},
-                                         {.aspect_ratio = 9, .load = 0.05}};
+  const std::vector<DampingCase> several{
+      {.aspect_ratio = 6, .load = 0.05}, {.aspect_ratio = 6, .load = 0.3}, {.aspect_ratio = 9, .load = 0.05}};
   const auto a = compare::damping_points(several, one), b = compare::damping_points(several, two);
   const DampingPoint alone = point(several[1]);
   for (std::size_t i = 0; i < several.size(); ++i) BOOST_TEST(a[i].damping == b[i].damping);
@@ -213,7 +225,8 @@ BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_measured) {
 
 BOOST_AUTO_TEST_CASE(peaks_of_a_known_motion) {
   // y = exp(-xi w t) cos(w_d t + phi) started at rest, sampled 40 times a period
-  const double xi = 0.013, w = 7.3, w_d = w * std::sqrt(1 - xi * xi), phi = -std::atan(xi / std::sqrt(1 - xi * xi));
+  const double xi = 0.013, w = 7.3, w_d = w * std::sqrt(1 - xi * xi),
+               phi = -std::atan(xi / std::sqrt(1 - xi * xi));
   compare::TipHistory h;
   for (int i = 0; i < 500; ++i) {
     const double t = i * 2 * pi / w_d / 40, e = std::exp(-xi * w * t);
@@ -227,6 +240,7 @@ BOOST_AUTO_TEST_CASE(peaks_of_a_known_motion) {
   const compare::Damping found = compare::damping_from_peaks(peaks, {1, 10});
   BOOST_TEST(std::abs(found.ratio / xi - 1) < 1e-5);
   BOOST_TEST(std::abs(found.frequency / w_d - 1) < 1e-6);
-  BOOST_TEST(std::abs(compare::damping_from_sine(h, peaks[1].time, peaks[10].time, found).ratio / xi - 1) < 1e-9);
+  BOOST_TEST(std::abs(compare::damping_from_sine(h, peaks[1].time, peaks[10].time, found).ratio / xi - 1) <
+             1e-9);
   BOOST_TEST(std::abs(compare::damping_ratio(compare::log_decrement(0.3)) - 0.3) < 1e-14);
 }

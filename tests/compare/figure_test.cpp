@@ -8,9 +8,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/figures/figure_metadata.hpp"
 #include "compare/figures/gnuplot.hpp"
+#include "compare/study/errors.hpp"
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::compare;
@@ -77,7 +77,9 @@ BOOST_AUTO_TEST_CASE(png_is_whole_and_carries_its_provenance) {
   const auto texts = text_chunks(png);
   BOOST_TEST(texts.size() == 3);
   BOOST_TEST(texts[1] == "fiberchain:commit\0abc"sv);
-  BOOST_TEST(texts[2] == "fiberchain:command\0x <?" "?> & y"sv);
+  BOOST_TEST(texts[2] ==
+             "fiberchain:command\0x <?"
+             "?> & y"sv);
 }
 
 // Series 1: two finite points of three, and its mark in the legend; series 2: two points and no legend.
@@ -96,7 +98,8 @@ BOOST_AUTO_TEST_CASE(a_heat_map_has_a_cell_for_every_value) {
                        .label = "value",
                        .framed_below = 0.2};
   const std::string svg = to_svg(figure, provenance());
-  for (const char* number : {">0.123<", ">0.456<", ">0.789<", ">0.0345<", ">7.89<", ">-0.2<", ">0.49<", ">5<"}) {
+  for (const char* number :
+       {">0.123<", ">0.456<", ">0.789<", ">0.0345<", ">7.89<", ">-0.2<", ">0.49<", ">5<"}) {
     BOOST_TEST(svg.find(number) != std::string::npos, number);
   }
   BOOST_TEST(svg.find(">nan<") == std::string::npos);

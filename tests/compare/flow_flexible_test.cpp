@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/regimes.hpp"
+#include "compare/study/errors.hpp"
 #include "reference/compressed_chain.hpp"
 
 namespace compare = fiberchain::compare;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/scenes/flow_report.hpp"
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turn_detection.hpp"
+#include "compare/scenes/flow_report.hpp"
 #include "reference/jeffery.hpp"
 
 namespace compare = fiberchain::compare;
@@ -17,8 +17,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-dem::FlowStart bent(std::array<double, 3> along, std::array<double, 3> across, double bend,
-                        double s_bend) {
+dem::FlowStart bent(std::array<double, 3> along, std::array<double, 3> across, double bend, double s_bend) {
   return {along, bend, s_bend, across};
 }
 

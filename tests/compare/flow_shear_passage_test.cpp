@@ -1,10 +1,10 @@
-// A bend of a fiber that passes 45 degrees in simple shear, against the chain's own linearization in extension at half the
-// rate.
+// A bend of a fiber that passes 45 degrees in simple shear, against the chain's own linearization in
+// extension at half the rate.
 #define BOOST_TEST_MODULE flow_shear_passage
 #include <boost/test/unit_test.hpp>
 
-#include "compare/study/errors.hpp"
 #include "compare/flow/shear_passage.hpp"
+#include "compare/study/errors.hpp"
 #include "reference/compressed_chain.hpp"
 
 namespace compare = fiberchain::compare;
@@ -13,7 +13,8 @@ namespace reference = fiberchain::reference;
 BOOST_AUTO_TEST_CASE(growth_at_45_degrees_is_that_of_half_the_rate) {
   for (const double number : {150.0, 400.0}) {
     const double expected = 0.5 * reference::chain_growth_mode({13, 0.17}, number / 2, 1).growth;
-    const double measured = compare::growth_at_passage({.spheres = 13, .number = number, .poisson_ratio = 0.17});
+    const double measured =
+        compare::growth_at_passage({.spheres = 13, .number = number, .poisson_ratio = 0.17});
     BOOST_TEST(measured == expected, boost::test_tools::tolerance(2e-3));
   }
 }

@@ -1,15 +1,16 @@
-// Rolling friction of the bonds in a ring-down: against the linear mode's own friction, the paper's plateau, and itself.
+// Rolling friction of the bonds in a ring-down: against the linear mode's own friction, the paper's plateau,
+// and itself.
 #define BOOST_TEST_MODULE friction
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "compare/damping/case.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/friction/law.hpp"
 #include "compare/friction/stretch_march.hpp"
 #include "compare/friction/table.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 
 using namespace fiberchain;
@@ -27,7 +28,8 @@ double weak_friction(int aspect_ratio, double nu) {
           {.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .bond_damping = 0.01})));
 }
 
-/// Constant of the endless thin beam: xi_f = constant xi_r (a/L)/r_f, from the clamped-free mode by quadrature.
+/// Constant of the endless thin beam: xi_f = constant xi_r (a/L)/r_f, from the clamped-free mode by
+/// quadrature.
 double beam_constant() {
   constexpr int n = 1000, phases = 1000;
   const double b = 1.87510406871196, sigma = (std::cosh(b) + std::cos(b)) / (std::sinh(b) + std::sin(b));
@@ -50,7 +52,8 @@ double beam_constant() {
     double work = 0;
     for (int k = 0; k < phases; ++k) {
       const double t = std::numbers::pi * (k + 0.5) / phases, c = std::cos(t);
-      work += 2 * std::numbers::pi / phases * std::abs(across * slope(s) * c * c - along * std::cos(2 * t)) * std::sin(t);
+      work += 2 * std::numbers::pi / phases * std::abs(across * slope(s) * c * c - along * std::cos(2 * t)) *
+              std::sin(t);
     }
     sum += work * std::abs(curvature(s)) / n;
   }
@@ -61,7 +64,8 @@ double beam_constant() {
 
 BOOST_AUTO_TEST_CASE(weak_friction_of_a_long_chain_is_that_of_the_beam) {
   const double beam = beam_constant();
-  BOOST_TEST_MESSAGE("beam " << beam << ", chains " << 50 * weak_friction(50, 0.17) << " " << 200 * weak_friction(200, 0.17));
+  BOOST_TEST_MESSAGE("beam " << beam << ", chains " << 50 * weak_friction(50, 0.17) << " "
+                             << 200 * weak_friction(200, 0.17));
   BOOST_TEST(std::abs(beam - 0.204) < 5e-4);
   BOOST_TEST(std::abs(200 * weak_friction(200, 0.17) / beam - 1) < 0.004);
   const double coarse = std::abs(50 * weak_friction(50, 0.17) / beam - 1);
@@ -70,14 +74,19 @@ BOOST_AUTO_TEST_CASE(weak_friction_of_a_long_chain_is_that_of_the_beam) {
   BOOST_TEST(coarse / fine < 2.4);
 }
 
-// The marches' own xi_f without friction is taken off: what is left is the friction's. The linear mode takes the fiber as
-// unstretchable; its pull at 2 omega sets the first axial mode swinging by (2 omega/omega_axial)^2 = 1.25/r_f^2, so the
-// difference falls with r_f; about 1e-3 stays.
+// The marches' own xi_f without friction is taken off: what is left is the friction's. The linear mode takes
+// the fiber as unstretchable; its pull at 2 omega sets the first axial mode swinging by (2
+// omega/omega_axial)^2 = 1.25/r_f^2, so the difference falls with r_f; about 1e-3 stays.
 BOOST_AUTO_TEST_CASE(weak_friction_adds_what_the_linear_mode_says) {
   for (const int aspect_ratio : {6, 9, 17}) {
     for (const double nu : {-0.1, 0.43}) {
-      const auto points = compare::rolling_points({{.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .amplitude = 0.006, .bond_damping = 0.3},
-                                                   {.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .amplitude = 0.006, .bond_damping = 0.3, .rolling_friction = 2.3}});
+      const auto points = compare::rolling_points(
+          {{.aspect_ratio = aspect_ratio, .poisson_ratio = nu, .amplitude = 0.006, .bond_damping = 0.3},
+           {.aspect_ratio = aspect_ratio,
+            .poisson_ratio = nu,
+            .amplitude = 0.006,
+            .bond_damping = 0.3,
+            .rolling_friction = 2.3}});
       const double ratio = (points[1].damping - points[0].damping) / (points[1].weak - points[1].without);
       BOOST_TEST_MESSAGE("r_f " << aspect_ratio << ", nu " << nu << ": " << ratio);
       BOOST_TEST(ratio > 1);
@@ -89,8 +98,9 @@ BOOST_AUTO_TEST_CASE(weak_friction_adds_what_the_linear_mode_says) {
 
 // Twice the amplitude, twice the friction's part; the dashpots' does not change.
 BOOST_AUTO_TEST_CASE(friction_damping_is_proportional_to_the_amplitude) {
-  const auto points = compare::rolling_points({{.aspect_ratio = 13, .amplitude = 0.01, .rolling_friction = 1.7},
-                                               {.aspect_ratio = 13, .amplitude = 0.02, .rolling_friction = 1.7}});
+  const auto points =
+      compare::rolling_points({{.aspect_ratio = 13, .amplitude = 0.01, .rolling_friction = 1.7},
+                               {.aspect_ratio = 13, .amplitude = 0.02, .rolling_friction = 1.7}});
   const double growth = (points[1].damping - points[1].without) / (points[0].damping - points[0].without);
   BOOST_TEST(growth > 1.93);
   BOOST_TEST(growth < 2.03);
@@ -99,11 +109,12 @@ BOOST_AUTO_TEST_CASE(friction_damping_is_proportional_to_the_amplitude) {
 
 BOOST_AUTO_TEST_CASE(the_plateau_is_the_steps) {
   const auto at = [](Rolling law, double friction, double step) {
-    return RollingCase{.load = 3, .rolling_friction = friction, .law = law, .step_ratio = step, .peaks = {1, 3}};
+    return RollingCase{
+        .load = 3, .rolling_friction = friction, .law = law, .step_ratio = step, .peaks = {1, 3}};
   };
-  const auto p = compare::rolling_points({at(Rolling::set_valued, 2, 0.17), at(Rolling::set_valued, 10, 0.17),
-                                          at(Rolling::set_valued, 10, 0.1), at(Rolling::explicit_sign, 4, 0.1),
-                                          at(Rolling::explicit_sign, 10, 0.1)});
+  const auto p = compare::rolling_points(
+      {at(Rolling::set_valued, 2, 0.17), at(Rolling::set_valued, 10, 0.17), at(Rolling::set_valued, 10, 0.1),
+       at(Rolling::explicit_sign, 4, 0.1), at(Rolling::explicit_sign, 10, 0.1)});
   BOOST_TEST(p[1].damping / p[0].damping > 3);
   BOOST_TEST(std::abs(p[2].damping / p[1].damping - 1) < 2e-3);
   BOOST_TEST(std::abs(p[4].damping / p[3].damping - 1) < 0.1);
@@ -111,16 +122,18 @@ BOOST_AUTO_TEST_CASE(the_plateau_is_the_steps) {
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_both_laws_are_the_plain_chain) {
-  const auto p = compare::rolling_points({{.aspect_ratio = 9, .load = 0.7},
-                                          {.aspect_ratio = 9, .load = 0.7, .law = Rolling::explicit_sign}});
-  const auto plain = compare::damping_points({{.aspect_ratio = 9, .load = 0.7, .peaks = {1, 5}}}, {.elastica = false});
+  const auto p = compare::rolling_points(
+      {{.aspect_ratio = 9, .load = 0.7}, {.aspect_ratio = 9, .load = 0.7, .law = Rolling::explicit_sign}});
+  const auto plain =
+      compare::damping_points({{.aspect_ratio = 9, .load = 0.7, .peaks = {1, 5}}}, {.elastica = false});
   for (const RollingPoint& point : p) BOOST_TEST(std::abs(point.damping / plain[0].damping_paper - 1) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(summed_stretch_follows_the_length_at_second_order) {
   dem::Fiber fiber = compare::nominal_fiber(7, 0.17, dem::BondModel::paper);
   fiber.bond_damping = 0.7;
-  const auto coarse = compare::compare_stretch(fiber, 2.3, 0.16, {1, 4}), fine = compare::compare_stretch(fiber, 2.3, 0.08, {1, 4});
+  const auto coarse = compare::compare_stretch(fiber, 2.3, 0.16, {1, 4}),
+             fine = compare::compare_stretch(fiber, 2.3, 0.08, {1, 4});
   BOOST_TEST(coarse.stretch > 0);
   BOOST_TEST(coarse.stretch < 1e-6);
   BOOST_TEST(std::abs(std::log2(coarse.tip / fine.tip) - 2) < 0.1);
@@ -128,9 +141,12 @@ BOOST_AUTO_TEST_CASE(summed_stretch_follows_the_length_at_second_order) {
 }
 
 BOOST_AUTO_TEST_CASE(results_do_not_depend_on_the_threads) {
-  const auto cases = compare::cases({.aspect_ratio = {5, 9}, .load = {0.7}, .rolling_friction = {0, 3},
+  const auto cases = compare::cases({.aspect_ratio = {5, 9},
+                                     .load = {0.7},
+                                     .rolling_friction = {0, 3},
                                      .law = {Rolling::set_valued, Rolling::explicit_sign}});
-  const auto one = compare::rolling_points(cases, {.jobs = 1}), three = compare::rolling_points(cases, {.jobs = 3});
+  const auto one = compare::rolling_points(cases, {.jobs = 1}),
+             three = compare::rolling_points(cases, {.jobs = 3});
   BOOST_TEST(cases.size() == 8u);
   for (std::size_t i = 0; i < cases.size(); ++i) BOOST_TEST(one[i].damping == three[i].damping);
 }

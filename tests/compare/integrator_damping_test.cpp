@@ -1,12 +1,12 @@
-// Damping and frequency of the first mode by each integrator, against the linear chain's eigenvalue: not only the order of
-// the error but the error itself, from the scheme's own expansion in w dt.
+// Damping and frequency of the first mode by each integrator, against the linear chain's eigenvalue: not only
+// the order of the error but the error itself, from the scheme's own expansion in w dt.
 #define BOOST_TEST_MODULE integrator_damping
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/measure/ring_down_release.hpp"
-#include "compare/measure/linear_chain_of.hpp"
 #include "dem/vibration/release.hpp"
 
 namespace compare = fiberchain::compare;
@@ -19,8 +19,8 @@ struct Errors {
   double damping, frequency, step_angle;  ///< relative; w dt of the step taken
 };
 
-Errors errors_of(const dem::Fiber& fiber, const reference::ChainMode& mode, dem::Integrator integrator, int samples,
-                 std::optional<double> step_ratio) {
+Errors errors_of(const dem::Fiber& fiber, const reference::ChainMode& mode, dem::Integrator integrator,
+                 int samples, std::optional<double> step_ratio) {
   const auto release = compare::mode_release(fiber, mode, 1e-5, 4.7);
   dem::ReleaseOptions options{.integrator = integrator, .step_ratio = step_ratio};
   options.samples_per_period = samples;
@@ -45,7 +45,8 @@ BOOST_AUTO_TEST_CASE(dashpots_solved_within_the_step_are_second_order_in_damping
     BOOST_TEST(std::abs(e.damping / -expected - 1) < 0.03);
     BOOST_TEST(std::abs(e.frequency / expected - 1) < 0.03);
     if (last.step_angle > 0) {
-      BOOST_TEST(std::abs(std::log(last.damping / e.damping) / std::log(last.step_angle / e.step_angle) - 2) < 0.1);
+      BOOST_TEST(std::abs(std::log(last.damping / e.damping) / std::log(last.step_angle / e.step_angle) - 2) <
+                 0.1);
     }
     last = e;
   }

@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
-#include "compare/packing/study.hpp"
 #include "compare/packing/checks.hpp"
+#include "compare/packing/study.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/study/published.hpp"
 #include "dem/scene/scene.hpp"
 
@@ -202,8 +202,7 @@ BOOST_AUTO_TEST_CASE(the_scene_file_holds_the_packing_of_fig_11) {
   BOOST_TEST(std::abs(scene.filling.gap - own.filling.gap) < 1e-12);
   BOOST_TEST(scene.filling.seed == own.filling.seed);
   BOOST_TEST(scene.domain.walls.size() == own.domain.walls.size());
-  BOOST_TEST(std::abs(scene.domain.wall_youngs_modulus / own.domain.wall_youngs_modulus - 1) <
-             1e-12);
+  BOOST_TEST(std::abs(scene.domain.wall_youngs_modulus / own.domain.wall_youngs_modulus - 1) < 1e-12);
   BOOST_TEST(scene.domain.contacts.restitution == own.domain.contacts.restitution);
   BOOST_TEST(scene.domain.contacts.friction == own.domain.contacts.friction);
   BOOST_TEST(std::abs(scene.duration - own.duration) < 1e-12);

@@ -16,13 +16,15 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kHeader =
-    "id,feature,reference_kind,quantity,value,tolerance,tolerance_scale,rule,unit,source,page_or_figure,statement,"
+    "id,feature,reference_kind,quantity,value,tolerance,tolerance_scale,rule,unit,source,page_or_figure,"
+    "statement,"
     "evidence,dispute\n";
 
 /// A row of these, the rest of which is well formed.
 std::string row(const std::string& id, const std::string& value = "1", const std::string& kind = "published",
                 const std::string& rule = "must hold", const std::string& tolerance = "0.5") {
-  return id + ",f," + kind + ",q," + value + "," + tolerance + ",unit," + rule + ",1,\"S, 2015\",Fig 4,says so,seen,-\n";
+  return id + ",f," + kind + ",q," + value + "," + tolerance + ",unit," + rule +
+         ",1,\"S, 2015\",Fig 4,says so,seen,-\n";
 }
 
 /// A data directory with one file of published values; it goes when the test ends.

@@ -4,10 +4,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/stability/table.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
 

@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "compare/study/errors.hpp"
 #include "compare/static/table.hpp"
 #include "compare/static/tip.hpp"
+#include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/errors.hpp"
 
@@ -19,14 +19,16 @@ namespace {
 
 StaticPoint point(const StaticCase& asked) { return compare::static_points({asked}).front(); }
 
-double sum(const compare::StaticBudget& b, double TipState::* part) {
+double sum(const compare::StaticBudget& b, double TipState::*part) {
   return b.shear.*part + b.stretch.*part + b.discretization.*part + b.history.*part + b.time_step.*part +
          b.leftover_motion.*part;
 }
 
-double observed_order(dem::BondModel bond, double StaticPoint::* distance, double load, int coarse, int fine) {
-  const double from = point({.aspect_ratio = coarse, .poisson_ratio = 0.17, .load = load, .bond = bond}).*distance;
-  const double to = point({.aspect_ratio = fine, .poisson_ratio = 0.17, .load = load, .bond = bond}).*distance;
+double observed_order(dem::BondModel bond, double StaticPoint::*distance, double load, int coarse, int fine) {
+  const double from =
+      point({.aspect_ratio = coarse, .poisson_ratio = 0.17, .load = load, .bond = bond}).*distance;
+  const double to =
+      point({.aspect_ratio = fine, .poisson_ratio = 0.17, .load = load, .bond = bond}).*distance;
   return std::log(from / to) / std::log(static_cast<double>(fine) / coarse);
 }
 
@@ -47,7 +49,11 @@ BOOST_AUTO_TEST_CASE(parts_of_the_budget_add_up_to_the_departure) {
     for (const auto& [method, form] : {std::pair{StaticMethod::solve, dem::BondForm::total},
                                        std::pair{StaticMethod::march, dem::BondForm::total},
                                        std::pair{StaticMethod::march, dem::BondForm::incremental}}) {
-      const StaticPoint p = point({.aspect_ratio = 13, .poisson_ratio = 0.17, .load = 2.5, .bond = bond, .method = method,
+      const StaticPoint p = point({.aspect_ratio = 13,
+                                   .poisson_ratio = 0.17,
+                                   .load = 2.5,
+                                   .bond = bond,
+                                   .method = method,
                                    .form = form});
       for (const auto part : {&TipState::y, &TipState::x, &TipState::angle}) {
         BOOST_TEST(std::abs(sum(p.budget, part) - p.departure.*part) < 1e-12);
@@ -65,7 +71,8 @@ BOOST_AUTO_TEST_CASE(parts_of_the_march_are_what_they_are_called) {
   compare::StaticOptions early;
   early.march.residual = 1e-4;
   const StaticPoint stopped =
-      compare::static_points({{.aspect_ratio = 13, .load = 2.5, .method = StaticMethod::march}}, early).front();
+      compare::static_points({{.aspect_ratio = 13, .load = 2.5, .method = StaticMethod::march}}, early)
+          .front();
   BOOST_TEST(std::abs(stopped.budget.leftover_motion.y) > 1e-7);
   BOOST_TEST(std::abs(stopped.budget.leftover_motion.y) < 1e-3);
   // one Newton step names it to its own square
@@ -75,8 +82,13 @@ BOOST_AUTO_TEST_CASE(parts_of_the_march_are_what_they_are_called) {
     compare::StaticOptions options;
     options.march.step_ratio = ratio;
     options.march.residual = 1e-12;
-    return compare::static_points({{.aspect_ratio = 10, .load = 4, .method = StaticMethod::march,
-                                    .form = dem::BondForm::incremental}}, options).front().budget;
+    return compare::static_points({{.aspect_ratio = 10,
+                                    .load = 4,
+                                    .method = StaticMethod::march,
+                                    .form = dem::BondForm::incremental}},
+                                  options)
+        .front()
+        .budget;
   };
   const compare::StaticBudget coarse = stepped(0.4), fine = stepped(0.2);
   const double order = std::log2(coarse.time_step.y / fine.time_step.y);
@@ -108,7 +120,8 @@ BOOST_AUTO_TEST_CASE(corrected_bond_departs_at_fourth_order_apart_from_stretch) 
 }
 
 BOOST_AUTO_TEST_CASE(corrected_bond_in_space_is_the_same_chain) {
-  const StaticCase planar{.aspect_ratio = 13, .poisson_ratio = 0.17, .load = 4, .bond = dem::BondModel::corrected};
+  const StaticCase planar{
+      .aspect_ratio = 13, .poisson_ratio = 0.17, .load = 4, .bond = dem::BondModel::corrected};
   StaticCase spatial = planar;
   spatial.dimension = 3;
   const StaticPoint a = point(planar), b = point(spatial);
@@ -134,7 +147,8 @@ BOOST_AUTO_TEST_CASE(a_case_that_fails_keeps_its_row) {
   compare::StaticOptions options;
   options.march.max_periods = 0.01;
   options.march.residual = 1e-14;
-  const auto points = compare::static_points({{.load = 1, .method = StaticMethod::march}, {.load = 1}}, options);
+  const auto points =
+      compare::static_points({{.load = 1, .method = StaticMethod::march}, {.load = 1}}, options);
   BOOST_TEST(points[0].status != "converged");
   BOOST_TEST(std::isnan(points[0].tip.y));
   BOOST_TEST(points[1].status == "converged");

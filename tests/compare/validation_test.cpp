@@ -69,7 +69,8 @@ BOOST_AUTO_TEST_CASE(a_measure_without_a_claim_is_named) {
   BOOST_TEST(error_of({claim("a")}, {{{"a", "b"}, one}}) == "measure 'b' has no claim in pendulum.csv");
   Claim elsewhere = claim("b");
   elsewhere.subject = "spring";
-  BOOST_TEST(error_of({claim("a"), elsewhere}, {{{"a", "b"}, one}}) == "measure 'b' has no claim in pendulum.csv");
+  BOOST_TEST(error_of({claim("a"), elsewhere}, {{{"a", "b"}, one}}) ==
+             "measure 'b' has no claim in pendulum.csv");
 }
 
 BOOST_AUTO_TEST_CASE(rows_come_in_the_order_of_the_claims) {
@@ -89,7 +90,9 @@ BOOST_AUTO_TEST_CASE(a_measure_that_returns_too_few_is_refused) {
 
 BOOST_AUTO_TEST_CASE(the_rule_sets_the_verdict) {
   using enum VerdictRule;
-  const auto verdict = [](VerdictRule rule, double value) { return row_of(claim("a", rule), {value, {value}}).verdict; };
+  const auto verdict = [](VerdictRule rule, double value) {
+    return row_of(claim("a", rule), {value, {value}}).verdict;
+  };
   BOOST_TEST((verdict(must_hold, 1.5) == Verdict::holds));
   BOOST_TEST((verdict(must_hold, 1.6) == Verdict::fails));
   BOOST_TEST((verdict(disputed, 1.0) == Verdict::disputed));

@@ -98,7 +98,8 @@ BOOST_AUTO_TEST_CASE(a_packing_goes_on_while_it_is_filled) {
   assembly.march(1500);
   const std::int64_t second = assembly.first_sphere(1, 0);
   int between = 0;
-  for (const auto& c : assembly.contacts()) between += is_sphere(c.key.second) && c.key.first.number < second && c.key.second.number >= second;
+  for (const auto& c : assembly.contacts())
+    between += is_sphere(c.key.second) && c.key.first.number < second && c.key.second.number >= second;
   BOOST_TEST(between > 0);
   const dem::SavedState pause = assembly.saved();
   dem::Assembly again({packing.groups[0]}, packing.around, {.step = 6e-6, .account_energy = true});

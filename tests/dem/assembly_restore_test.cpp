@@ -55,9 +55,12 @@ BOOST_AUTO_TEST_CASE(a_bad_field_is_named) {
     std::visit([](auto& numbers) { numbers.push_back(0); }, longer[name].values);
     BOOST_TEST(refusal(longer).starts_with(about(name) + "has "), name);
     const bool integers = field.values.index() == 1;
-    if (integers) text[name].values = std::vector<double>{1};
-    else text[name].values = std::vector<std::int64_t>{1};
-    BOOST_TEST(refusal(text) == about(name) + (integers ? "holds reals, not integers" : "holds integers, not reals"));
+    if (integers)
+      text[name].values = std::vector<double>{1};
+    else
+      text[name].values = std::vector<std::int64_t>{1};
+    BOOST_TEST(refusal(text) ==
+               about(name) + (integers ? "holds reals, not integers" : "holds integers, not reals"));
   }
   dem::SavedState more = saved;
   more["charge"] = {1, std::vector<double>{1}};
@@ -74,5 +77,6 @@ BOOST_AUTO_TEST_CASE(contacts_of_other_spheres_are_refused) {
   dem::SavedState swapped = saved;
   auto& pairs = std::get<std::vector<std::int64_t>>(swapped["contact_keys"].values);
   std::swap_ranges(pairs.begin(), pairs.begin() + 3, pairs.end() - 3);
-  BOOST_TEST(refusal(swapped) == about("contact_keys") + "names pairs that are not neighbors, or in another order");
+  BOOST_TEST(refusal(swapped) ==
+             about("contact_keys") + "names pairs that are not neighbors, or in another order");
 }

@@ -1,4 +1,5 @@
-// Fibers that touch each other and walls: nothing is missed, momenta are kept, and neither threads nor a pause matter.
+// Fibers that touch each other and walls: nothing is missed, momenta are kept, and neither threads nor a
+// pause matter.
 #define BOOST_TEST_MODULE assembly
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -6,8 +7,8 @@
 #include <random>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/neighbor_list.hpp"
 #include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
@@ -32,8 +33,8 @@ dem::FiberGroup colliding_fibers(const dem::Fiber& fiber, int count, unsigned se
     const double cell = (fiber.aspect_ratio + 1.2) * fiber.diameter;
     const Vec3 center{(f % side - 0.5 * side) * cell, (f / side % side - 0.5 * side) * cell,
                       (f / side / side - 0.5 * side) * cell};
-    const dem::Quaternion<double> turn =
-        dem::normalized(dem::Quaternion<double>{normal(random), {normal(random), normal(random), normal(random)}});
+    const dem::Quaternion<double> turn = dem::normalized(
+        dem::Quaternion<double>{normal(random), {normal(random), normal(random), normal(random)}});
     const Vec3 spin{20 * normal(random), 20 * normal(random), 20 * normal(random)};
     dem::ChainState<3> state = dem::at_rest<3>(group.chain.poses);
     const Vec3 middle = 0.5 * state.poses.back().position;
@@ -100,7 +101,8 @@ std::vector<double> numbers(const dem::Assembly& assembly) {
     for (int f = 0; f < assembly.fibers(g); ++f) {
       const dem::ChainState<3> s = assembly.state(g, f);
       for (std::size_t i = 0; i < s.poses.size(); ++i) {
-        for (int c = 0; c < 3; ++c) all.insert(all.end(), {s.poses[i].position[c], s.velocity[i][c], s.spin[i][c]});
+        for (int c = 0; c < 3; ++c)
+          all.insert(all.end(), {s.poses[i].position[c], s.velocity[i][c], s.spin[i][c]});
       }
     }
   }
@@ -122,7 +124,9 @@ Pairs brute_pairs(const dem::NeighborList& list) {
       for (int c = 0; c < 3; ++c) {
         if (all.period[c] > 0) r[c] -= all.period[c] * std::round(r[c] / all.period[c]);
       }
-      if (dem::norm(r) >= all.radius[i] + all.radius[j] + list.skin() || (j == i + 1 && all.fiber[i] == all.fiber[j])) continue;
+      if (dem::norm(r) >= all.radius[i] + all.radius[j] + list.skin() ||
+          (j == i + 1 && all.fiber[i] == all.fiber[j]))
+        continue;
       pairs.push_back({i, j});
     }
   }
@@ -160,7 +164,8 @@ BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
     }
     dem::ThreadPool pool(2);
     const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts), dem::law_of({}).kernel({false, periodic, false, false}, instructions));
+    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts),
+                           dem::law_of({}).kernel({false, periodic, false, false}, instructions));
     list.list(position_radius, pool);
     Pairs pairs = followed({}, list, parts);
     BOOST_TEST(pairs.size() > 400u);
@@ -170,7 +175,8 @@ BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
     for (int round = 0; round < 150; ++round) {
       for (int i = 0; i < n; ++i) {
         const double step = i % 3 == 0 ? 0.02 : round % 50 == 0 ? 0.7 : 0.0005;
-        for (int c = 0; c < 3; ++c) rows.position_row(i)[c] = position_radius[i][c] += step * (uniform(random) - 0.5);
+        for (int c = 0; c < 3; ++c)
+          rows.position_row(i)[c] = position_radius[i][c] += step * (uniform(random) - 0.5);
       }
       if (round % 5 != 0) continue;
       const double farthest = list.farthest_moved(rows, pool);
@@ -237,7 +243,8 @@ BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
       continue;
     }
     BOOST_TEST(assembly.touching() > 0);
-    for (std::size_t i = 0; i < now.size(); ++i) BOOST_TEST(std::abs(now[i] - first[i]) < 1e-9 * (1 + std::abs(first[i])));
+    for (std::size_t i = 0; i < now.size(); ++i)
+      BOOST_TEST(std::abs(now[i] - first[i]) < 1e-9 * (1 + std::abs(first[i])));
   }
 }
 
@@ -269,7 +276,8 @@ BOOST_AUTO_TEST_CASE(floor_carries_the_weight) {
   // Hertz against a rigid wall: d = (3 F (1 - nu^2) / (4 E sqrt(R)))^(2/3)
   const double F = dem::sphere_mass(fiber) * 9.81;
   const double overlap = std::pow(0.75 * F * (1 - 0.17 * 0.17) / (3.7e5 * std::sqrt(0.0131)), 2.0 / 3);
-  BOOST_TEST(0.0131 - assembly.state(0, 1).poses[2].position[2] == overlap, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(0.0131 - assembly.state(0, 1).poses[2].position[2] == overlap,
+             boost::test_tools::tolerance(1e-6));
 }
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {

@@ -25,8 +25,8 @@ dem::Fiber odd_fiber(dem::BondModel model) {
 template <class Real>
 dem::BondParameters<Real> parameters(const dem::Fiber& fiber) {
   const dem::BondParameters<double> b = dem::bond_parameters(fiber);
-  return {Real(b.stretch), Real(b.shear), Real(b.twist), Real(b.bend), Real(b.rest_length),
-          Real(b.chord), Real(b.dash_stretch), Real(b.dash_shear), Real(b.dash_twist), Real(b.dash_bend)};
+  return {Real(b.stretch), Real(b.shear),        Real(b.twist),      Real(b.bend),       Real(b.rest_length),
+          Real(b.chord),   Real(b.dash_stretch), Real(b.dash_shear), Real(b.dash_twist), Real(b.dash_bend)};
 }
 
 template <int Dim>
@@ -48,7 +48,8 @@ Pair<Dim> random_pair(double amount, unsigned seed, double l0) {
     const dem::Vec<double, 3> tilt{normal(generator), normal(generator), normal(generator)};
     const dem::Quaternion<double> frame = dem::rotation(tilt);
     const auto small = [&] {
-      return dem::Vec<double, 3>{amount * normal(generator), amount * normal(generator), amount * normal(generator)};
+      return dem::Vec<double, 3>{amount * normal(generator), amount * normal(generator),
+                                 amount * normal(generator)};
     };
     const dem::Vec<double, 3> axis = dem::rotate(frame, {1, 0, 0});
     pair[0] = {{0.3, -0.2, 0.1}, dem::rotation(small()) * frame};

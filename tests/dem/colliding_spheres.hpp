@@ -29,8 +29,8 @@ struct Elastic {
   double rolling = 0;  ///< mu_r
 };
 
-inline dem::HertzMindlin::Parameters<double> parameters(const Elastic& e, double radius, double mass, double inertia,
-                                                 double dt) {
+inline dem::HertzMindlin::Parameters<double> parameters(const Elastic& e, double radius, double mass,
+                                                        double inertia, double dt) {
   const double kn = 4.0 / 3 * e.modulus * std::sqrt(radius), kt = 8 * e.shear_modulus * std::sqrt(radius);
   return {kn,
           kt,

@@ -1,4 +1,5 @@
-// Free chains in wild motion: what bonds and dashpots do to a chain as a whole is nothing, in every sphere's account.
+// Free chains in wild motion: what bonds and dashpots do to a chain as a whole is nothing, in every sphere's
+// account.
 #define BOOST_TEST_MODULE conservation
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -67,7 +68,9 @@ double spatial_drift(int steps_per_turn) {
 
 double planar_drift(int steps_per_turn) {
   const double omega = 2 * std::numbers::pi, dt = 1.0 / steps_per_turn;
-  const auto at = [&](int n) { return dem::Vec<double, 2>{0.03 * std::cos(omega * n * dt), 0.03 * std::sin(omega * n * dt)}; };
+  const auto at = [&](int n) {
+    return dem::Vec<double, 2>{0.03 * std::cos(omega * n * dt), 0.03 * std::sin(omega * n * dt)};
+  };
   const dem::BondHistory<double, 2> start{1e-4, 3e-4, {0.05}};
   dem::BondHistory<double, 2> history = start;
   for (int n = 0; n < static_cast<int>(turns * steps_per_turn); ++n) {
@@ -95,8 +98,9 @@ BOOST_AUTO_TEST_CASE(total_form_forces_of_a_rigidly_turned_fiber_do_not_change) 
   const dem::Pose<double, 3> first{{0, 0, 0}, dem::rotation({0.1, -0.2, 0.05})};
   const dem::Pose<double, 3> second{{0.98 * l, 0.05 * l, -0.1 * l}, dem::rotation({0.4, 0.1, -0.3})};
   const auto loads = [&](const dem::Quaternion<double>& turn) {
-    const auto k = dem::bond_kinematics(dem::Pose<double, 3>{dem::rotate(turn, first.position), turn * first.orientation},
-                                        dem::Pose<double, 3>{dem::rotate(turn, second.position), turn * second.orientation});
+    const auto k = dem::bond_kinematics(
+        dem::Pose<double, 3>{dem::rotate(turn, first.position), turn * first.orientation},
+        dem::Pose<double, 3>{dem::rotate(turn, second.position), turn * second.orientation});
     return dem::bond_loads(k, dem::bond_stress<double, 3>(bond, k.separation, k.rotation));
   };
   const auto still = loads({1, {0, 0, 0}});

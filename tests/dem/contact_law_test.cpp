@@ -303,8 +303,9 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
   };
   const double dt = 1e-6;
   const auto p = parameters({2e6, 7e5, 0.3, 0.4, 0.02}, 1e-3, 1e-6, 1e-12, dt);
-  const dem::HertzMindlin::Parameters<Pack> pp{p.normal,   p.tangential, p.normal_damping, p.tangential_damping,
-                                        p.friction, p.rolling,    p.rolling_limit,  p.extrapolation};
+  const dem::HertzMindlin::Parameters<Pack> pp{
+      p.normal,   p.tangential, p.normal_damping, p.tangential_damping,
+      p.friction, p.rolling,    p.rolling_limit,  p.extrapolation};
   for (int trial = 0; trial < 200; ++trial) {
     dem::TouchingPair<double> pair[2];
     dem::HertzMindlin::History<double> history[2];
@@ -318,7 +319,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
         packed(pair[0].velocity, pair[1].velocity), packed(pair[0].spin, pair[1].spin),
         packed(pair[0].mean_spin, pair[1].mean_spin)};
     dem::HertzMindlin::History<Pack> together{packed(history[0].spring, history[1].spring),
-                                       Pack{history[0].sqrt_overlap, history[1].sqrt_overlap}};
+                                              Pack{history[0].sqrt_overlap, history[1].sqrt_overlap}};
     const auto action = dem::HertzMindlin::act(pp, both, Pack(dt), together);
     for (int k = 0; k < 2; ++k) {
       const auto alone = dem::HertzMindlin::act(p, pair[k], dt, history[k]);

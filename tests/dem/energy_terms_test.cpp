@@ -11,9 +11,18 @@ using namespace fiberchain::dem;
 
 namespace {
 
-constexpr EnergyBalance balance{.kinetic = 1, .bonds = 2, .contacts = 4, .gravity = -8, .bond_damping = 16,
-                                .bond_friction = 32, .contact_normal = 64, .contact_tangential = 128,
-                                .contact_rolling = 256, .fluid = -512, .wall_work = 1024, .inserted = 2048};
+constexpr EnergyBalance balance{.kinetic = 1,
+                                .bonds = 2,
+                                .contacts = 4,
+                                .gravity = -8,
+                                .bond_damping = 16,
+                                .bond_friction = 32,
+                                .contact_normal = 64,
+                                .contact_tangential = 128,
+                                .contact_rolling = 256,
+                                .fluid = -512,
+                                .wall_work = 1024,
+                                .inserted = 2048};
 
 }  // namespace
 
@@ -27,7 +36,8 @@ BOOST_AUTO_TEST_CASE(the_total_is_stored_and_dissipated_less_supplied) {
 BOOST_AUTO_TEST_CASE(every_term_is_declared_once) {
   std::set<double> values;
   std::set<std::string_view> columns;
-  for (const EnergyMechanism& term : energy_mechanisms) values.insert(balance.*term.value), columns.insert(term.column);
+  for (const EnergyMechanism& term : energy_mechanisms)
+    values.insert(balance.*term.value), columns.insert(term.column);
   BOOST_TEST(values.size() == 12u);
   BOOST_TEST(columns.size() == 12u);
 }

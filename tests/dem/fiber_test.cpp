@@ -12,7 +12,9 @@ using std::numbers::pi;
 
 namespace {
 
-dem::Fiber odd_fiber() { return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, 13, dem::BondModel::paper, 0.7}; }
+dem::Fiber odd_fiber() {
+  return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, 13, dem::BondModel::paper, 0.7};
+}
 
 template <class Change>
 void refuses(Change change, const std::string& named) {
@@ -40,7 +42,8 @@ BOOST_AUTO_TEST_CASE(spheres_carry_two_thirds_of_the_cylinders_mass) {
   const dem::Fiber fiber = odd_fiber();
   const double R = 0.0131, cylinder = 431.0 * pi * R * R * 2 * R;
   BOOST_TEST(dem::sphere_mass(fiber) / cylinder == 2.0 / 3.0, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(dem::sphere_inertia(fiber) == 0.4 * dem::sphere_mass(fiber) * R * R, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(dem::sphere_inertia(fiber) == 0.4 * dem::sphere_mass(fiber) * R * R,
+             boost::test_tools::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(bond_time_step_is_equation_11) {
@@ -102,6 +105,8 @@ BOOST_AUTO_TEST_CASE(refuses_what_makes_no_physical_sense) {
   refuses([&](dem::Fiber& f) { f.aspect_ratio = 0; }, "aspect_ratio");
   refuses([&](dem::Fiber& f) { f.bond_damping = -0.1; }, "bond_damping");
   refuses([&](dem::Fiber& f) { f.bond_damping = nan; }, "bond_damping");
-  refuses([&](dem::Fiber& f) { f.material.shear_modulus = f.material.youngs_modulus / 3.1; }, "poisson_ratio");
-  for (const double nu : {-1.0, 0.51, nan}) BOOST_CHECK_THROW(dem::isotropic_material(1e6, nu, 1e3), dem::InvalidInput);
+  refuses([&](dem::Fiber& f) { f.material.shear_modulus = f.material.youngs_modulus / 3.1; },
+          "poisson_ratio");
+  for (const double nu : {-1.0, 0.51, nan})
+    BOOST_CHECK_THROW(dem::isotropic_material(1e6, nu, 1e3), dem::InvalidInput);
 }

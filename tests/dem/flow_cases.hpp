@@ -16,7 +16,8 @@ inline double viscosity_of(const dem::Fiber& fiber, double rate) {
 }
 
 inline dem::Fiber fiber_of(int bonds, double damping = 0, double youngs_modulus = 3.7e5) {
-  return {dem::isotropic_material(youngs_modulus, 0.17, 431.0), 0.0262, bonds, dem::BondModel::paper, damping};
+  return {dem::isotropic_material(youngs_modulus, 0.17, 431.0), 0.0262, bonds, dem::BondModel::paper,
+          damping};
 }
 
 /// Straight through the origin at its middle, at an angle from x in the plane and, in space, out of it.
@@ -57,12 +58,14 @@ struct Path {
 };
 
 template <int Dim>
-Path<Dim> path(const dem::FlowCase<Dim>& flow, const std::vector<double>& times, const dem::FlowOptions& options = {}) {
+Path<Dim> path(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
+               const dem::FlowOptions& options = {}) {
   Path<Dim> path;
-  path.record = dem::leapfrog_in_flow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
-    path.times.push_back(time);
-    path.states.push_back(state);
-  });
+  path.record =
+      dem::leapfrog_in_flow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
+        path.times.push_back(time);
+        path.states.push_back(state);
+      });
   return path;
 }
 

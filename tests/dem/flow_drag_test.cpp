@@ -11,11 +11,10 @@ namespace dem = fiberchain::dem;
 using flowing::end_state;
 using flowing::equal_times;
 using flowing::fiber_of;
+using flowing::order_of;
 using flowing::path;
 using flowing::straight_case;
 using flowing::viscosity_of;
-using flowing::order_of;
-
 
 namespace {
 
@@ -28,13 +27,15 @@ dem::Boundary<Dim> weights(int spheres, const dem::Vec<double, Dim>& weight) {
 
 /// Largest velocity and spin times R on a path against those of a single sphere, over the largest.
 template <class Velocity, class Spin>
-double single_sphere_error(const flowing::Path<3>& path, double R, const Velocity& velocity, const Spin& spin) {
+double single_sphere_error(const flowing::Path<3>& path, double R, const Velocity& velocity,
+                           const Spin& spin) {
   double worst = 0, scale = 0;
   for (std::size_t n = 0; n < path.times.size(); ++n) {
     const double v = velocity(path.times[n]), w = spin(path.times[n]);
     scale = std::max(scale, std::abs(v));
     for (std::size_t i = 0; i < path.states[n].poses.size(); ++i) {
-      worst = std::max({worst, std::abs(path.states[n].velocity[i][1] - v), R * std::abs(path.states[n].spin[i][0] - w)});
+      worst = std::max(
+          {worst, std::abs(path.states[n].velocity[i][1] - v), R * std::abs(path.states[n].spin[i][0] - w)});
     }
   }
   return worst / scale;
@@ -83,7 +84,8 @@ BOOST_AUTO_TEST_CASE(a_pulled_fiber_has_the_drag_of_all_its_spheres_the_ends_inc
     const dem::StokesDrag drag = dem::stokes_drag(flow.fluid, fiber);
     const auto state = end_state(flow, {900 * t_b * (1 + bonds)});
     double total = 0;
-    for (const auto& v : state.velocity) total += drag.translation * (v[0] * std::cos(0.9) + v[1] * std::sin(0.9));
+    for (const auto& v : state.velocity)
+      total += drag.translation * (v[0] * std::cos(0.9) + v[1] * std::sin(0.9));
     BOOST_TEST(std::abs(total / F - 1) < 1e-9);
     for (const auto& v : state.velocity) {
       BOOST_TEST(std::abs(dem::norm(v) * drag.translation * (bonds + 1) / F - 1) < 1e-6);
@@ -101,7 +103,8 @@ BOOST_AUTO_TEST_CASE(a_couple_turns_a_stiff_fiber_against_the_drag_and_torque_of
     const double M = 1e-7 * dem::bond_stiffness(fiber).bend, half = 0.5 * bonds;
     flow.boundary.loads = {{bonds, {}, {0, 0, M}}};
     double resistance = 0;
-    for (int i = 0; i <= bonds; ++i) resistance += drag.rotation + drag.translation * l * l * (i - half) * (i - half);
+    for (int i = 0; i <= bonds; ++i)
+      resistance += drag.rotation + drag.translation * l * l * (i - half) * (i - half);
     for (const auto& w : end_state(flow, {4000 * t_b}).spin) {
       BOOST_TEST(std::abs(w[2] * resistance / M - 1) < 1e-5);
       BOOST_TEST(std::abs(w[0] * resistance / M) < 1e-9);
@@ -109,12 +112,15 @@ BOOST_AUTO_TEST_CASE(a_couple_turns_a_stiff_fiber_against_the_drag_and_torque_of
   }
 }
 
-// A chain along x at z = h in u = (0, g(t) z, 0): all its spheres move and spin as one alone, whatever the bonds.
+// A chain along x at z = h in u = (0, g(t) z, 0): all its spheres move and spin as one alone, whatever the
+// bonds.
 BOOST_AUTO_TEST_CASE(start_up_and_oscillation_move_a_sphere_as_the_closed_forms_at_second_order) {
   const dem::Fiber fiber = fiber_of(3);
-  const double R = dem::sphere_radius(fiber), t_b = dem::bond_time_step(fiber), rate = 0.05 / t_b, h = 3.1 * R;
-  const double turn = rate * dem::stokes_drag({1, {}}, fiber).rotation / dem::stokes_drag({1, {}}, fiber).translation *
-                      dem::sphere_mass(fiber) / dem::sphere_inertia(fiber);
+  const double R = dem::sphere_radius(fiber), t_b = dem::bond_time_step(fiber), rate = 0.05 / t_b,
+               h = 3.1 * R;
+  const double turn = rate * dem::stokes_drag({1, {}}, fiber).rotation /
+                      dem::stokes_drag({1, {}}, fiber).translation * dem::sphere_mass(fiber) /
+                      dem::sphere_inertia(fiber);
   const double g = 1e-3 / t_b, a = 0.021 / t_b, w = 0.08 / t_b, phase = 0.7;
   const dem::Gradient A{{{0, 0, 0}, {0, 0, g}, {0, 0, 0}}};
   const auto error = [&](const dem::Flow& unsteady, double ratio, const auto& goal) {
@@ -122,12 +128,14 @@ BOOST_AUTO_TEST_CASE(start_up_and_oscillation_move_a_sphere_as_the_closed_forms_
     for (auto& pose : flow.start) pose.position[2] += h;
     dem::FlowOptions options;
     options.step_ratio = ratio;
-    return single_sphere_error(path(flow, equal_times(100 * t_b, 10), options), R, [&](double t) { return g * h * goal(rate, t); },
-                               [&](double t) { return -0.5 * g * goal(turn, t); });
+    return single_sphere_error(
+        path(flow, equal_times(100 * t_b, 10), options), R, [&](double t) { return g * h * goal(rate, t); },
+        [&](double t) { return -0.5 * g * goal(turn, t); });
   };
   const auto start = [&](double c, double t) { return after_start_up(c, a, t); };
   const auto swing = [&](double c, double t) { return in_oscillation(c, w, phase, t); };
-  const dem::Flow starting = dem::start_up(A, 1 / a), swinging = dem::oscillation(A, 2 * std::numbers::pi / w, phase);
+  const dem::Flow starting = dem::start_up(A, 1 / a),
+                  swinging = dem::oscillation(A, 2 * std::numbers::pi / w, phase);
   BOOST_TEST(error(starting, 0.1, start) < 1e-5);
   BOOST_TEST(error(swinging, 0.1, swing) < 1e-4);
   BOOST_TEST(std::abs(order_of(error(starting, 0.4, start), error(starting, 0.2, start)) - 2) < 0.1);
@@ -156,7 +164,8 @@ BOOST_AUTO_TEST_CASE(without_bonds_every_sphere_moves_by_itself) {
   using namespace std::complex_literals;
   const std::complex<double> root = std::sqrt(std::complex<double>(c * c, 4 * c * g));
   const std::complex<double> p = 0.5 * (-c + root), q = 0.5 * (-c - root);
-  const std::complex<double> growth = ((1i * g - q) * std::exp(p * end) - (1i * g - p) * std::exp(q * end)) / (p - q);
+  const std::complex<double> growth =
+      ((1i * g - q) * std::exp(p * end) - (1i * g - p) * std::exp(q * end)) / (p - q);
   for (std::size_t i = 0; i < spiral.poses.size(); ++i) {
     const auto x = flow.start[i].position;
     const std::complex<double> z = growth * std::complex<double>(x[0], x[1]);
@@ -184,7 +193,8 @@ BOOST_AUTO_TEST_CASE(in_solid_rotation_a_fiber_turns_as_the_fluid_does) {
 BOOST_AUTO_TEST_CASE(a_stiff_chain_tumbles_as_jefferys_ellipsoid) {
   const dem::Fiber fiber = fiber_of(4);
   const double t_b = dem::bond_time_step(fiber), shear = 1e-4 / t_b, N = 5;
-  const auto flow = straight_case<2>(fiber, {viscosity_of(fiber, 0.3 / t_b), {dem::simple_shear(shear)}}, std::numbers::pi / 2);
+  const auto flow = straight_case<2>(fiber, {viscosity_of(fiber, 0.3 / t_b), {dem::simple_shear(shear)}},
+                                     std::numbers::pi / 2);
   const double r_e = std::sqrt((N * N + 1) / 2), period = 2 * std::numbers::pi * (r_e + 1 / r_e) / shear;
   const auto way = path(flow, equal_times(period, 11));
   for (std::size_t n = 0; n < way.times.size(); ++n) {
@@ -200,7 +210,8 @@ BOOST_AUTO_TEST_CASE(a_clamped_sphere_stays_and_the_rest_feels_the_stream) {
   const dem::Fiber fiber = fiber_of(9, 0.3);
   const double t_b = dem::bond_time_step(fiber);
   for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
-    auto flow = straight_case<2>(fiber, {viscosity_of(fiber, 0.2 / t_b), {dem::simple_shear(2e-4 / t_b)}}, 1.57);
+    auto flow =
+        straight_case<2>(fiber, {viscosity_of(fiber, 0.2 / t_b), {dem::simple_shear(2e-4 / t_b)}}, 1.57);
     flow.boundary.clamped = {0};
     dem::FlowOptions options;
     options.instruction_set = set;

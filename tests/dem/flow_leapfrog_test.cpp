@@ -1,4 +1,5 @@
-// Fibers followed by the leapfrog: one path in every instruction set and beside others, failures, what is refused.
+// Fibers followed by the leapfrog: one path in every instruction set and beside others, failures, what is
+// refused.
 #define BOOST_TEST_MODULE flow_leapfrog
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -15,7 +16,6 @@ using flowing::fiber_of;
 using flowing::path;
 using flowing::straight_case;
 using flowing::viscosity_of;
-
 
 namespace {
 
@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_path) {
   const double t_b = dem::bond_time_step(fiber_of(13));
   for (const auto form : {dem::BondForm::total, dem::BondForm::incremental}) {
     for (const double damping : {0.0, 0.4}) {
-      for (const auto& flow : {dem::Flow{dem::simple_shear(0.01 / t_b)}, dem::start_up(dem::simple_shear(0.01 / t_b), 40 * t_b)}) {
+      for (const auto& flow : {dem::Flow{dem::simple_shear(0.01 / t_b)},
+                               dem::start_up(dem::simple_shear(0.01 / t_b), 40 * t_b)}) {
         one_chain_in_every_width<2>(form, damping, flow);
         one_chain_in_every_width<3>(form, damping, flow);
       }
@@ -54,7 +55,8 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_path) {
 BOOST_AUTO_TEST_CASE(a_chain_that_blows_up_says_where_and_keeps_what_came_before) {
   const dem::Fiber fiber = fiber_of(8);
   const double t_b = dem::bond_time_step(fiber);
-  const auto flow = straight_case<2>(fiber, {viscosity_of(fiber, 0.1 / t_b), {dem::simple_shear(1e-3 / t_b)}}, 1.0);
+  const auto flow =
+      straight_case<2>(fiber, {viscosity_of(fiber, 0.1 / t_b), {dem::simple_shear(1e-3 / t_b)}}, 1.0);
   dem::FlowOptions options;
   options.step_ratio = 1.2 * dem::stable_time_step(fiber, flow.fluid) / t_b;
   BOOST_CHECK_EXCEPTION(path(flow, {500 * t_b}, options), dem::InvalidInput, [](const auto& e) {
@@ -74,7 +76,8 @@ BOOST_AUTO_TEST_CASE(a_chain_that_blows_up_says_where_and_keeps_what_came_before
 namespace {
 
 template <int Dim>
-std::vector<flowing::Path<Dim>> many_paths(const std::vector<dem::FlowJob<Dim>>& jobs, const dem::FlowOptions& options) {
+std::vector<flowing::Path<Dim>> many_paths(const std::vector<dem::FlowJob<Dim>>& jobs,
+                                           const dem::FlowOptions& options) {
   std::vector<flowing::Path<Dim>> paths(jobs.size());
   const auto records = dem::leapfrog_many_in_flow<Dim>(
       jobs, options, [&](std::size_t job, double time, const dem::ChainState<Dim>& state) {
@@ -134,7 +137,8 @@ BOOST_AUTO_TEST_CASE(fibers_side_by_side_go_as_each_alone) {
 BOOST_AUTO_TEST_CASE(counts_its_work_and_takes_whole_steps_to_each_time) {
   const dem::Fiber fiber = fiber_of(8);
   const double t_b = dem::bond_time_step(fiber);
-  const auto flow = straight_case<3>(fiber, {viscosity_of(fiber, 0.1 / t_b), {dem::simple_shear(1e-3 / t_b)}}, 1.0);
+  const auto flow =
+      straight_case<3>(fiber, {viscosity_of(fiber, 0.1 / t_b), {dem::simple_shear(1e-3 / t_b)}}, 1.0);
   dem::FlowOptions options;
   options.step_ratio = 0.5;
   const auto way = path(flow, {0, 10 * t_b, 11.7 * t_b, 2000 * t_b}, options);
@@ -150,7 +154,8 @@ BOOST_AUTO_TEST_CASE(counts_its_work_and_takes_whole_steps_to_each_time) {
 BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
   const dem::Fiber fiber = fiber_of(8);
   const auto good = straight_case<2>(fiber, {1e-3, {dem::simple_shear(1)}}, 1.0);
-  const auto refuses = [](const dem::FlowCase<2>& flow, const std::string& what, dem::FlowOptions options = {}) {
+  const auto refuses = [](const dem::FlowCase<2>& flow, const std::string& what,
+                          dem::FlowOptions options = {}) {
     BOOST_CHECK_EXCEPTION(path(flow, {1e-4}, options), dem::InvalidInput, [&](const auto& e) {
       return std::string(e.what()).find(what) != std::string::npos;
     });
@@ -180,8 +185,9 @@ BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
 BOOST_AUTO_TEST_CASE(lanes_without_fluid_refuse_one) {
   const dem::Fiber fiber = fiber_of(3);
   const dem::Fluid fluid{1e-3, {dem::simple_shear(1)}};
-  dem::ChainBatch<3> block({dem::straight_chain<3>(fiber)}, {false, false}, {0.5 * dem::bond_time_step(fiber)}, {0.0},
-                              {3, dem::BondForm::total, false, false, false}, dem::InstructionSet::scalar);
+  dem::ChainBatch<3> block({dem::straight_chain<3>(fiber)}, {false, false},
+                           {0.5 * dem::bond_time_step(fiber)}, {0.0},
+                           {3, dem::BondForm::total, false, false, false}, dem::InstructionSet::scalar);
   BOOST_CHECK_THROW(block.set_fluid(0, fluid), dem::InvalidInput);
   BOOST_CHECK_THROW(block.set_loads(0, {}), dem::InvalidInput);
   dem::Physics both{3, dem::BondForm::total, false, true, false};

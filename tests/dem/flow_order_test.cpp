@@ -11,11 +11,10 @@ namespace dem = fiberchain::dem;
 using flowing::end_state;
 using flowing::equal_times;
 using flowing::fiber_of;
+using flowing::order_of;
 using flowing::path;
 using flowing::straight_case;
 using flowing::viscosity_of;
-using flowing::order_of;
-
 
 namespace {
 
@@ -37,7 +36,8 @@ double tumbling_order(dem::BondForm form) {
     bend = std::max(bend, dem::norm(dem::axis(fine.poses[i + 1]) - dem::axis(fine.poses[i])));
   }
   BOOST_TEST(bend > 0.02);
-  BOOST_TEST_MESSAGE("bend per bond " << bend << ", change at half the step " << flowing::distance(middle, fine, fiber));
+  BOOST_TEST_MESSAGE("bend per bond " << bend << ", change at half the step "
+                                      << flowing::distance(middle, fine, fiber));
   return order_of(flowing::distance(coarse, middle, fiber), flowing::distance(middle, fine, fiber));
 }
 
@@ -84,12 +84,14 @@ BOOST_AUTO_TEST_CASE(a_step_longer_than_the_drags_memory_is_of_first_order_and_s
   for (const double rate_ratio : {30.0, 3e4}) {
     const dem::Fiber fiber = fiber_of(10);
     const double t_b = dem::bond_time_step(fiber), shear = 2e-3 / (t_b * rate_ratio);
-    const auto flow = straight_case<2>(fiber, {viscosity_of(fiber, rate_ratio / t_b), {dem::simple_shear(shear)}}, 1.9);
+    const auto flow =
+        straight_case<2>(fiber, {viscosity_of(fiber, rate_ratio / t_b), {dem::simple_shear(shear)}}, 1.9);
     dem::FlowOptions cvode;
     cvode.method = dem::FlowMethod::cvode;
     cvode.tolerance = 1e-11;
     dem::ChainState<2> expected;
-    dem::follow<2>(flow, {3 / shear}, cvode, [&](double, const dem::ChainState<2>& state) { expected = state; });
+    dem::follow<2>(flow, {3 / shear}, cvode,
+                   [&](double, const dem::ChainState<2>& state) { expected = state; });
     const auto off = [&](double part) {
       dem::FlowOptions options;
       options.step_ratio = part * dem::stable_time_step(fiber, flow.fluid) / t_b;
@@ -106,7 +108,8 @@ BOOST_AUTO_TEST_CASE(the_march_becomes_cvodes_solution_as_the_step_vanishes) {
     for (const double rate_ratio : {0.05, 0.8}) {
       for (const auto distance : {distance_from_cvode<2>, distance_from_cvode<3>}) {
         const auto [coarse, fine] = distance(damping, rate_ratio);
-        BOOST_TEST_MESSAGE("damping " << damping << ", drag rate " << rate_ratio << " / t_b: " << coarse << " " << fine);
+        BOOST_TEST_MESSAGE("damping " << damping << ", drag rate " << rate_ratio << " / t_b: " << coarse
+                                      << " " << fine);
         // lagged dashpots are of first order
         BOOST_TEST(std::abs(order_of(coarse, fine) - (damping > 0 ? 1 : 2)) < 0.1);
         BOOST_TEST(fine < 2e-6);
@@ -147,7 +150,8 @@ template <int Dim>
 std::pair<double, double> imbalance(double ratio, double damping) {
   const dem::Fiber fiber = fiber_of(5, damping);
   const double t_b = dem::bond_time_step(fiber), rate = 0.08 / t_b;
-  auto flow = straight_case<Dim>(fiber, {viscosity_of(fiber, rate), {dem::simple_shear(0.02 / t_b)}}, 1.9, 0.5);
+  auto flow =
+      straight_case<Dim>(fiber, {viscosity_of(fiber, rate), {dem::simple_shear(0.02 / t_b)}}, 1.9, 0.5);
   for (auto& pose : flow.start) pose.position[1] += 2.3 * dem::bond_length(fiber);
   flow.fluid.flow = dem::oscillation(dem::simple_shear(0.02 / t_b), 47 * t_b, 0.4);
   dem::FlowOptions options;
@@ -156,7 +160,8 @@ std::pair<double, double> imbalance(double ratio, double damping) {
   for (const double t : equal_times(60 * t_b, static_cast<int>(std::lround(60 / ratio)))) times.push_back(t);
   const auto way = path(flow, times, options);
   std::vector<Account<Dim>> accounts;
-  for (std::size_t n = 0; n < way.times.size(); ++n) accounts.push_back(account(flow, way.states[n], way.times[n]));
+  for (std::size_t n = 0; n < way.times.size(); ++n)
+    accounts.push_back(account(flow, way.states[n], way.times[n]));
   auto momentum = accounts[0].momentum - accounts.back().momentum;
   auto angular = accounts[0].angular - accounts.back().angular;
   double scale = 0, angular_scale = 0;
@@ -176,8 +181,8 @@ BOOST_AUTO_TEST_CASE(momentum_changes_by_the_drag_of_the_spheres) {
   for (const double damping : {0.0, 0.3}) {
     for (const auto balance : {imbalance<2>, imbalance<3>}) {
       const auto coarse = balance(0.2, damping), fine = balance(0.1, damping);
-      BOOST_TEST_MESSAGE("momentum " << coarse.first << " " << fine.first << ", angular " << coarse.second << " "
-                                     << fine.second);
+      BOOST_TEST_MESSAGE("momentum " << coarse.first << " " << fine.first << ", angular " << coarse.second
+                                     << " " << fine.second);
       BOOST_TEST(fine.first < 2e-5);
       BOOST_TEST(fine.second < 1e-4);
       BOOST_TEST(std::abs(order_of(coarse.first, fine.first) - 2) < 0.1);
@@ -193,11 +198,13 @@ template <int Dim>
 double change_by_fluid(double rate_ratio, dem::BondForm form) {
   const dem::Fiber fiber = fiber_of(6);
   const double t_b = dem::bond_time_step(fiber), step = 0.5 * dem::stable_time_step(fiber);
-  auto flow = straight_case<Dim>(fiber, {viscosity_of(fiber, rate_ratio / t_b), {dem::planar_extension(0.01 / t_b)}}, 0.7, 0.3);
+  auto flow = straight_case<Dim>(
+      fiber, {viscosity_of(fiber, rate_ratio / t_b), {dem::planar_extension(0.01 / t_b)}}, 0.7, 0.3);
   flow.start[2].position[1] += 0.01 * dem::bond_length(fiber);
-  dem::ChainBatch<Dim> block({flow.chain}, {false, false}, {step}, {0.0},
-                                {.dimension = Dim, .form = form, .damped = false, .settling_damping = false, .curved = false},
-                                dem::InstructionSet::scalar);
+  dem::ChainBatch<Dim> block(
+      {flow.chain}, {false, false}, {step}, {0.0},
+      {.dimension = Dim, .form = form, .damped = false, .settling_damping = false, .curved = false},
+      dem::InstructionSet::scalar);
   dem::ChainState<Dim> start = dem::at_rest<Dim>(flow.start);
   for (std::size_t i = 0; i < start.poses.size(); ++i) {
     start.velocity[i] = dem::velocity_at<Dim>(flow.fluid.flow.gradient, start.poses[i].position);

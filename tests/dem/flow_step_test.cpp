@@ -19,9 +19,13 @@ template <int Dim>
 bool grows(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form, double step, int steps) {
   const auto chain = dem::straight_chain<Dim>(fiber);
   dem::ChainBatch<Dim> block({chain}, {false, false}, {step}, {0.0},
-                                {.dimension = Dim, .form = form, .damped = dem::damped(fiber), .settling_damping = false,
-                                 .curved = false, .fluid = true},
-                                dem::InstructionSet::scalar);
+                             {.dimension = Dim,
+                              .form = form,
+                              .damped = dem::damped(fiber),
+                              .settling_damping = false,
+                              .curved = false,
+                              .fluid = true},
+                             dem::InstructionSet::scalar);
   block.set_fluid(0, fluid);
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -34,7 +38,8 @@ bool grows(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form,
   block.synchronize();
   block.march(steps);
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
-    if (!(dem::norm(block.sphere(0, i).pose.position - chain.poses[i].position) < 1e6 * size * l)) return true;
+    if (!(dem::norm(block.sphere(0, i).pose.position - chain.poses[i].position) < 1e6 * size * l))
+      return true;
   }
   return false;
 }
@@ -72,7 +77,8 @@ BOOST_AUTO_TEST_CASE(without_drag_as_before_and_with_much_drag_twice_drag_over_s
     const dem::Fiber fiber = flowing::fiber_of(9, damping);
     const double t_b = dem::bond_time_step(fiber);
     const double vacuum = dem::stable_time_step(fiber);
-    BOOST_TEST(std::abs(dem::stable_time_step(fiber, {viscosity_of(fiber, 1e-9 / t_b), {}}) / vacuum - 1) < 1e-7);
+    BOOST_TEST(std::abs(dem::stable_time_step(fiber, {viscosity_of(fiber, 1e-9 / t_b), {}}) / vacuum - 1) <
+               1e-7);
     double before = vacuum;
     for (const double rate : {0.1, 1.0, 10.0, 100.0}) {
       const double limit = dem::stable_time_step(fiber, {viscosity_of(fiber, rate / t_b), {}});
@@ -83,7 +89,9 @@ BOOST_AUTO_TEST_CASE(without_drag_as_before_and_with_much_drag_twice_drag_over_s
   const dem::Fiber fiber = flowing::fiber_of(9);
   const dem::Fluid thick{viscosity_of(fiber, 1e4 / dem::bond_time_step(fiber)), {}};
   const double largest = 4 * dem::bond_stiffness(fiber).stretch;
-  BOOST_TEST(std::abs(dem::stable_time_step(fiber, thick) * largest / (2 * dem::stokes_drag(thick, fiber).translation) - 1) < 1e-3);
+  BOOST_TEST(std::abs(dem::stable_time_step(fiber, thick) * largest /
+                          (2 * dem::stokes_drag(thick, fiber).translation) -
+                      1) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(chains_that_run_grow_beyond_the_stable_step_and_not_below) {
@@ -95,8 +103,8 @@ BOOST_AUTO_TEST_CASE(chains_that_run_grow_beyond_the_stable_step_and_not_below) 
       const double planar = measured_limit<2>(fiber, fluid, dem::BondForm::incremental, limit);
       const double spatial = measured_limit<3>(fiber, fluid, dem::BondForm::total, limit);
       BOOST_TEST_MESSAGE("damping " << damping << ", drag rate " << rate << " / t_b: limit "
-                                    << limit / dem::bond_time_step(fiber) << " t_b, measured over it " << planar / limit
-                                    << " planar, " << spatial / limit << " spatial");
+                                    << limit / dem::bond_time_step(fiber) << " t_b, measured over it "
+                                    << planar / limit << " planar, " << spatial / limit << " spatial");
       for (const double measured : {planar, spatial}) {
         BOOST_TEST(measured > 0.996 * limit);
         BOOST_TEST(measured < 1.015 * limit);

@@ -18,8 +18,8 @@ BOOST_AUTO_TEST_CASE(the_last_pushed_is_popped_first_from_each_stack) {
   for (const int i : {2, 1, -1}) BOOST_TEST(stacks.pop(1) == i);
 }
 
-/// An index belongs to the thread that popped it: a plain counter beside it is complete at the end, and no index is lost or
-/// doubled.
+/// An index belongs to the thread that popped it: a plain counter beside it is complete at the end, and no
+/// index is lost or doubled.
 BOOST_AUTO_TEST_CASE(no_index_is_lost_or_doubled_when_threads_exchange_them) {
   constexpr int threads = 4, indices = 6, rounds = 50000;
   dem::IndexStacks stacks(threads, indices);

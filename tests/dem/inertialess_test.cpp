@@ -1,5 +1,5 @@
-// Fibers in a flow without inertia: balance on every sphere, orbits of stiff fibers against Jeffery's, the limit of
-// vanishing inertia.
+// Fibers in a flow without inertia: balance on every sphere, orbits of stiff fibers against Jeffery's, the
+// limit of vanishing inertia.
 #define BOOST_TEST_MODULE inertialess
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "dem/chain/flow_at_spheres.hpp"
-#include "dem/model/errors.hpp"
 #include "dem/flow/draining_balance.hpp"
 #include "dem/flow/inertialess.hpp"
 #include "dem/flow/interacting_balance.hpp"
+#include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
 
@@ -70,7 +70,8 @@ template <int Dim>
 double left_over(const dem::FlowCase<Dim>& flow, const dem::ChainVector<Dim>& v) {
   const auto drag = dem::drag_of<Dim>(flow.fluid, flow.chain.fiber);
   const auto stream = dem::undisturbed<Dim>(flow.fluid.flow.gradient, flow.start);
-  const auto bonds = dem::bond_forces(flow.chain, flow.start), dashpots = dem::dashpot_forces(flow.chain, flow.start, v);
+  const auto bonds = dem::bond_forces(flow.chain, flow.start),
+             dashpots = dem::dashpot_forces(flow.chain, flow.start, v);
   const auto loads = dem::applied_loads(flow.boundary, static_cast<int>(v.size()));
   double force = 0, force_size = 0, moment = 0, moment_size = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -86,7 +87,7 @@ double left_over(const dem::FlowCase<Dim>& flow, const dem::ChainVector<Dim>& v)
 
 /// Orbit of the end-to-end direction: angle about the vorticity and orbit constant.
 struct Orbit {
-  double period;          ///< of the second turn; the first settles the bonds [s]
+  double period;  ///< of the second turn; the first settles the bonds [s]
   double first_constant, last_constant;
 };
 
@@ -112,7 +113,8 @@ Orbit orbit_of(const dem::FlowCase<Dim>& flow, double tolerance, double aspect) 
                u * u * (3 - 2 * u) * phase + u * u * (u - 1) * h * rate;
       };
       double low = 0, high = 1;
-      for (int i = 0; i < 60; ++i) (at((low + high) / 2) > -2 * pi * (turns + 1) ? low : high) = (low + high) / 2;
+      for (int i = 0; i < 60; ++i)
+        (at((low + high) / 2) > -2 * pi * (turns + 1) ? low : high) = (low + high) / 2;
       const double now = (n - 1 + low) * h;
       orbit.period = now - crossing;
       crossing = now;
@@ -133,12 +135,12 @@ BOOST_AUTO_TEST_CASE(every_sphere_is_in_balance) {
     const dem::Fiber fiber = fiber_of(13, 40, damping);
     auto plane = strained_case<2>(fiber, shear());
     plane.boundary.loads = {{3, {0.01, -0.02}, {1e-4}}};
-    BOOST_TEST(left_over(plane, dem::DrainingBalance<2>(plane.chain, plane.boundary, plane.fluid).velocities(0, plane.start)) <
-               1e-12);
+    BOOST_TEST(left_over(plane, dem::DrainingBalance<2>(plane.chain, plane.boundary, plane.fluid)
+                                    .velocities(0, plane.start)) < 1e-12);
     auto space = strained_case<3>(fiber, shear());
     space.boundary.loads = {{3, {0.01, -0.02, 0.03}, {1e-4, 0, -1e-4}}};
-    BOOST_TEST(left_over(space, dem::DrainingBalance<3>(space.chain, space.boundary, space.fluid).velocities(0, space.start)) <
-               1e-12);
+    BOOST_TEST(left_over(space, dem::DrainingBalance<3>(space.chain, space.boundary, space.fluid)
+                                    .velocities(0, space.start)) < 1e-12);
   }
 }
 
@@ -153,7 +155,8 @@ BOOST_AUTO_TEST_CASE(sedimentation_is_dragged_at_every_sphere) {
     for (int c = 0; c < 3; ++c) {
       const double u = force[c] / (6 * pi * kViscosity * kRadius);
       BOOST_TEST(state.velocity[i][c] == u, boost::test_tools::tolerance(1e-8));
-      BOOST_TEST(state.poses[i].position[c] - flow.start[i].position[c] == 2 * u, boost::test_tools::tolerance(1e-8));
+      BOOST_TEST(state.poses[i].position[c] - flow.start[i].position[c] == 2 * u,
+                 boost::test_tools::tolerance(1e-8));
     }
   }
 }
@@ -182,7 +185,8 @@ BOOST_AUTO_TEST_CASE(every_orbit_constant_is_jefferys) {
   for (const int n : {2, 7, 60}) {
     for (const double elevation : {0.2, 0.8, 1.3}) {
       const double aspect = chain_aspect(n);
-      const Orbit orbit = orbit_of(straight_case<3>(fiber_of(n, 0.003 * n), shear(), elevation), 1e-9, aspect);
+      const Orbit orbit =
+          orbit_of(straight_case<3>(fiber_of(n, 0.003 * n), shear(), elevation), 1e-9, aspect);
       BOOST_TEST(std::abs(orbit.period / jeffery_period(aspect) - 1) < 1e-5);
       BOOST_TEST(std::abs(orbit.last_constant / orbit.first_constant - 1) < 1e-4);
     }
@@ -200,7 +204,8 @@ BOOST_AUTO_TEST_CASE(finite_stiffness_changes_the_period_in_second_order) {
   const double exact = jeffery_period(chain_aspect(11));
   double error[2];
   for (int i = 0; i < 2; ++i) {
-    error[i] = orbit_of(straight_case<2>(fiber_of(11, i == 0 ? 16 : 48), shear()), 1e-12, 1).period / exact - 1;
+    error[i] =
+        orbit_of(straight_case<2>(fiber_of(11, i == 0 ? 16 : 48), shear()), 1e-12, 1).period / exact - 1;
   }
   BOOST_TEST(std::log(error[1] / error[0]) / std::log(3.0) == 2, boost::test_tools::tolerance(0.05));
 }
@@ -208,16 +213,19 @@ BOOST_AUTO_TEST_CASE(finite_stiffness_changes_the_period_in_second_order) {
 /// A fiber rotates with a fluid that rotates, and keeps its shape; stiffness and interactions do not matter.
 BOOST_AUTO_TEST_CASE(solid_rotation_carries_the_fiber_along) {
   for (const auto hydrodynamics : {dem::Hydrodynamics::free_draining, dem::Hydrodynamics::stresslets}) {
-    auto flow = straight_case<3>(fiber_of(5, 100), {kViscosity, {dem::solid_rotation(0.9)}, hydrodynamics}, 0.3);
+    auto flow =
+        straight_case<3>(fiber_of(5, 100), {kViscosity, {dem::solid_rotation(0.9)}, hydrodynamics}, 0.3);
     const auto state = dem::InertialessMotion<3>(flow, 1e-10).at(7.0);
     for (std::size_t i = 0; i < flow.start.size(); ++i) {
-      const auto expected = dem::rotate(dem::rotation(dem::Vec<double, 3>{0, 0, 6.3}), flow.start[i].position);
+      const auto expected =
+          dem::rotate(dem::rotation(dem::Vec<double, 3>{0, 0, 6.3}), flow.start[i].position);
       BOOST_TEST(dem::norm(state.poses[i].position - expected) < 2e-6 * kRadius);
     }
   }
 }
 
-/// A flow that reverses brings a stiff fiber back; half way it has turned by the angle of the strain until then.
+/// A flow that reverses brings a stiff fiber back; half way it has turned by the angle of the strain until
+/// then.
 BOOST_AUTO_TEST_CASE(oscillating_flow_is_followed) {
   const double period = 5.3, aspect = chain_aspect(5);
   auto flow = straight_case<2>(fiber_of(5, 0.01), shear());
@@ -265,7 +273,8 @@ BOOST_AUTO_TEST_CASE(inertia_vanishes_in_first_order) {
     const double time = 3 / kRate;
     dem::follow<3>(flow, {time}, {.method = dem::FlowMethod::cvode, .tolerance = 1e-10},
                    [&](double, const dem::ChainState<3>& s) { with = s; });
-    dem::follow<3>(flow, {time}, {.tolerance = 1e-10}, [&](double, const dem::ChainState<3>& s) { without = s; });
+    dem::follow<3>(flow, {time}, {.tolerance = 1e-10},
+                   [&](double, const dem::ChainState<3>& s) { without = s; });
     distance[i] = dem::norm(with.poses.back().position - without.poses.back().position);
   }
   BOOST_TEST(std::log(distance[0] / distance[1]) / std::log(4.0) == 1, boost::test_tools::tolerance(0.05));

@@ -1,5 +1,5 @@
-// Every integrator against the others in the limit, with its own order; what the implicit one conserves; what happens
-// when a run blows up.
+// Every integrator against the others in the limit, with its own order; what the implicit one conserves; what
+// happens when a run blows up.
 #define BOOST_TEST_MODULE integrators
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -50,9 +50,11 @@ double distance(const dem::ReleaseRecord<Dim>& a, const dem::ReleaseRecord<Dim>&
 }
 
 template <int Dim>
-dem::ReleaseRecord<Dim> run(const dem::Release<Dim>& release, dem::Integrator integrator, std::optional<double> step_ratio,
-                            double tolerance = 1e-6) {
-  dem::ReleaseOptions options{.form = dem::BondForm::total, .integrator = integrator, .step_ratio = step_ratio,
+dem::ReleaseRecord<Dim> run(const dem::Release<Dim>& release, dem::Integrator integrator,
+                            std::optional<double> step_ratio, double tolerance = 1e-6) {
+  dem::ReleaseOptions options{.form = dem::BondForm::total,
+                              .integrator = integrator,
+                              .step_ratio = step_ratio,
                               .tolerance = tolerance};
   options.samples_per_period = 16;
   dem::ReleaseRecord<Dim> record = dem::ring_down<Dim>({release}, options)[0];
@@ -61,15 +63,16 @@ dem::ReleaseRecord<Dim> run(const dem::Release<Dim>& release, dem::Integrator in
   return record;
 }
 
-/// Observed order in the step of the tip's path, against the implicit and CVODE runs that agree with each other.
+/// Observed order in the step of the tip's path, against the implicit and CVODE runs that agree with each
+/// other.
 template <int Dim>
 double order(const dem::Release<Dim>& release, dem::Integrator integrator, double step_ratio,
              const dem::ReleaseRecord<Dim>& exact) {
   const double L = dem::fiber_length(release.chain.fiber);
   const double coarse = distance(run(release, integrator, step_ratio), exact, L);
   const double fine = distance(run(release, integrator, step_ratio / 2), exact, L);
-  BOOST_TEST_MESSAGE(Dim << "D " << dem::name(integrator) << " at " << step_ratio << " t_b: error " << coarse << ", halved "
-                         << fine << ", order " << std::log2(coarse / fine));
+  BOOST_TEST_MESSAGE(Dim << "D " << dem::name(integrator) << " at " << step_ratio << " t_b: error " << coarse
+                         << ", halved " << fine << ", order " << std::log2(coarse / fine));
   return std::log2(coarse / fine);
 }
 
@@ -108,7 +111,8 @@ Momenta<Dim> momenta(const dem::Fiber& fiber, const dem::ChainState<Dim>& state)
   for (std::size_t i = 0; i < state.poses.size(); ++i) {
     const auto p = dem::sphere_mass(fiber) * state.velocity[i];
     sum.linear = sum.linear + p;
-    sum.angular = sum.angular + dem::sphere_inertia(fiber) * state.spin[i] + dem::cross(state.poses[i].position, p);
+    sum.angular =
+        sum.angular + dem::sphere_inertia(fiber) * state.spin[i] + dem::cross(state.poses[i].position, p);
   }
   return sum;
 }
@@ -151,10 +155,12 @@ BOOST_AUTO_TEST_CASE(tip_history_at_large_amplitude_has_each_schemes_order_in_th
   };
   BOOST_TEST(std::abs(order_of(dem::Integrator::leapfrog_damped, 0.6) - 2) < 0.1);
   BOOST_TEST(std::abs(order_of(dem::Integrator::implicit, 1) - 2) < 0.1);
-  BOOST_TEST(std::abs(order_of(dem::Integrator::leapfrog, 0.2) - 1) < 0.1);  // dashpots at the lagged velocity
+  BOOST_TEST(std::abs(order_of(dem::Integrator::leapfrog, 0.2) - 1) <
+             0.1);  // dashpots at the lagged velocity
   // without damping all modes live on, which BDF would damp: three steps of the scheme itself
   const auto undamped = loaded_release<2>(odd_fiber(0), 1.5, 0.8);
-  const auto coarse = run(undamped, dem::Integrator::leapfrog, 0.1), middle = run(undamped, dem::Integrator::leapfrog, 0.05);
+  const auto coarse = run(undamped, dem::Integrator::leapfrog, 0.1),
+             middle = run(undamped, dem::Integrator::leapfrog, 0.05);
   const auto fine = run(undamped, dem::Integrator::leapfrog, 0.025);
   BOOST_TEST(std::abs(std::log2(distance(coarse, middle, 1) / distance(middle, fine, 1)) - 2) < 0.1);
 }
@@ -199,8 +205,10 @@ BOOST_AUTO_TEST_CASE(automatic_picks_the_cheapest_and_says_why) {
   dem::Fiber swinging = odd_fiber(1);
   swinging.aspect_ratio = 10;
   const dem::ReleaseOptions coarse{.error = 1e-2};
-  BOOST_TEST(dem::name(dem::choose_integrator(loaded_release<2>(swinging, 1e-3, 1), coarse).integrator) == "implicit");
-  BOOST_TEST(dem::name(dem::choose_integrator(loaded_release<2>(swinging, 2, 1), coarse).integrator) == "leapfrog");
+  BOOST_TEST(dem::name(dem::choose_integrator(loaded_release<2>(swinging, 1e-3, 1), coarse).integrator) ==
+             "implicit");
+  BOOST_TEST(dem::name(dem::choose_integrator(loaded_release<2>(swinging, 2, 1), coarse).integrator) ==
+             "leapfrog");
 
   const auto release = loaded_release<2>(odd_fiber(0.7), 0.1, 1);
   const auto record = dem::ring_down<2>({release}, {.integrator = dem::Integrator::automatic})[0];
@@ -214,9 +222,11 @@ BOOST_AUTO_TEST_CASE(a_run_that_blows_up_stops_alone_and_says_where) {
   auto bad = loaded_release<2>(stiff, 0.5, 1);
   bad.period = good.period;
   dem::ReleaseOptions options{.form = dem::BondForm::total, .step_ratio = 0.5};
-  BOOST_CHECK_EXCEPTION(dem::ring_down<2>({bad}, options), dem::InvalidInput, [](const dem::InvalidInput& error) {
-    return std::string(error.what()).find("largest stable step of this chain is 0.1") != std::string::npos;
-  });
+  BOOST_CHECK_EXCEPTION(dem::ring_down<2>({bad}, options), dem::InvalidInput,
+                        [](const dem::InvalidInput& error) {
+                          return std::string(error.what()).find("largest stable step of this chain is 0.1") !=
+                                 std::string::npos;
+                        });
   options.allow_unstable = true;
   const auto records = dem::ring_down<2>({good, bad}, options);
   BOOST_TEST(records[0].failure == "");
@@ -236,7 +246,8 @@ BOOST_AUTO_TEST_CASE(a_run_that_blows_up_stops_alone_and_says_where) {
 BOOST_AUTO_TEST_CASE(refuses_what_an_integrator_does_not_know) {
   auto release = loaded_release<2>(odd_fiber(0.1), 0.5, 1);
   release.chain.fiber.rolling_friction = 0.3;
-  BOOST_CHECK_THROW(dem::ring_down<2>({release}, {.integrator = dem::Integrator::implicit}), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::ring_down<2>({release}, {.integrator = dem::Integrator::implicit}),
+                    dem::InvalidInput);
   BOOST_CHECK_THROW(dem::ring_down<2>({release}, {.form = dem::BondForm::total}), dem::InvalidInput);
   release.chain.fiber.rolling_friction = 0;
   BOOST_CHECK_THROW(dem::ring_down<2>({release}, {.integrator = dem::Integrator::cvode, .tolerance = 0}),

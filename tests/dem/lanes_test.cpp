@@ -1,5 +1,5 @@
-// The closed list of inner loops: every combination, every instruction set of this machine, every lane, against the
-// scalar loop.
+// The closed list of inner loops: every combination, every instruction set of this machine, every lane,
+// against the scalar loop.
 #define BOOST_TEST_MODULE lanes
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -31,8 +31,8 @@ void pull_tips(dem::ChainBatch<Dim>& block, const std::vector<dem::Chain<Dim>>& 
 
 /// All chains one by one in scalar lanes.
 template <int Dim>
-std::vector<dem::Poses<Dim>> scalar_poses(const std::vector<dem::Chain<Dim>>& chains, const dem::Physics& physics,
-                                          dem::Clamps clamps, int steps) {
+std::vector<dem::Poses<Dim>> scalar_poses(const std::vector<dem::Chain<Dim>>& chains,
+                                          const dem::Physics& physics, dem::Clamps clamps, int steps) {
   std::vector<dem::Poses<Dim>> poses;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     auto block = marching::block_of<Dim>({chains[i]}, clamps, physics, dem::InstructionSet::scalar);
@@ -69,7 +69,8 @@ void lanes_equal_scalar(const dem::Physics& physics, dem::InstructionSet set) {
       worst = std::max(worst, dem::norm(poses[i].position - expected[lane][i].position) / L);
       moved = std::max(moved, dem::norm(poses[i].position - chains[lane].poses[i].position) / L);
     }
-    // round-off decides a step at which an explicit sign turns where the spin just passes zero: that step shows
+    // round-off decides a step at which an explicit sign turns where the spin just passes zero: that step
+    // shows
     BOOST_TEST(worst < (physics.rolling == dem::Rolling::explicit_sign ? 1e-11 : 1e-12));
     BOOST_TEST(moved > 1e-3);
   }
@@ -145,15 +146,20 @@ BOOST_AUTO_TEST_CASE(a_lane_does_not_depend_on_its_neighbors) {
   full.march(300);
   alone.march(300);
   for (int i = 0; i <= 13; ++i) {
-    for (int c = 0; c < 3; ++c) BOOST_TEST(full.sphere(0, i).pose.position[c] == alone.sphere(0, i).pose.position[c]);
+    for (int c = 0; c < 3; ++c)
+      BOOST_TEST(full.sphere(0, i).pose.position[c] == alone.sphere(0, i).pose.position[c]);
   }
 }
 
 BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
-  BOOST_CHECK_THROW(dem::chain_kernel({3, dem::BondForm::incremental, true, true, true}, dem::InstructionSet::scalar),
-                    dem::InvalidInput);
-  const std::vector<dem::Chain<2>> different{marching::odd_chain<2>(1, 0, false),
-                                             dem::straight_chain<2>({marching::odd_fiber(1, 0).material, 0.01, 7})};
-  BOOST_CHECK_THROW(marching::block_of(different, {true, false}, {2, dem::BondForm::total, false, false, false},
-                                       dem::InstructionSet::sse2), dem::InvalidInput);
+  BOOST_CHECK_THROW(
+      dem::chain_kernel({3, dem::BondForm::incremental, true, true, true}, dem::InstructionSet::scalar),
+      dem::InvalidInput);
+  const std::vector<dem::Chain<2>> different{
+      marching::odd_chain<2>(1, 0, false),
+      dem::straight_chain<2>({marching::odd_fiber(1, 0).material, 0.01, 7})};
+  BOOST_CHECK_THROW(
+      marching::block_of(different, {true, false}, {2, dem::BondForm::total, false, false, false},
+                         dem::InstructionSet::sse2),
+      dem::InvalidInput);
 }

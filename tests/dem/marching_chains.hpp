@@ -15,7 +15,8 @@ inline dem::Fiber odd_fiber(unsigned seed, double damping) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> factor(0.7, 1.4), nu(-0.1, 0.45);
   return {dem::isotropic_material(3.7e5 * factor(generator), nu(generator), 431.0 * factor(generator)),
-          0.0262 * factor(generator), 13, seed % 2 ? dem::BondModel::corrected : dem::BondModel::paper, damping};
+          0.0262 * factor(generator), 13, seed % 2 ? dem::BondModel::corrected : dem::BondModel::paper,
+          damping};
 }
 
 template <int Dim>
@@ -26,7 +27,8 @@ dem::Chain<Dim> odd_chain(unsigned seed, double damping, bool curved) {
 
 /// Every sphere gets its own velocity and spin, fast enough to bend the chain by tens of degrees.
 template <int Dim>
-void stir(dem::ChainBatch<Dim>& block, const std::vector<dem::Chain<Dim>>& chains, unsigned seed, double speed) {
+void stir(dem::ChainBatch<Dim>& block, const std::vector<dem::Chain<Dim>>& chains, unsigned seed,
+          double speed) {
   for (std::size_t lane = 0; lane < chains.size(); ++lane) {
     std::mt19937 generator(seed + 97 * static_cast<unsigned>(lane));
     std::normal_distribution<double> normal;
@@ -45,7 +47,8 @@ void stir(dem::ChainBatch<Dim>& block, const std::vector<dem::Chain<Dim>>& chain
 template <int Dim>
 dem::Fluid odd_fluid(const dem::Fiber& fiber) {
   const double lane = fiber.diameter / 0.0262;  // differs from fiber to fiber
-  const double t_b = dem::bond_time_step(fiber), viscosity = (0.05 + 0.03 * lane) * dem::sphere_mass(fiber) / t_b;
+  const double t_b = dem::bond_time_step(fiber),
+               viscosity = (0.05 + 0.03 * lane) * dem::sphere_mass(fiber) / t_b;
   dem::Gradient A{};
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) A[i][j] = (0.004 * (1 + i) - 0.003 * j * (1 + lane)) / t_b;
@@ -70,7 +73,7 @@ dem::Boundary<Dim> odd_loads(const dem::Fiber& fiber) {
 
 template <int Dim>
 dem::ChainBatch<Dim> block_of(const std::vector<dem::Chain<Dim>>& chains, dem::Clamps clamps,
-                                 const dem::Physics& physics, dem::InstructionSet set) {
+                              const dem::Physics& physics, dem::InstructionSet set) {
   std::vector<double> steps, drag;
   for (const auto& chain : chains) {
     drag.push_back(0.01 / dem::bond_time_step(chain.fiber));

@@ -1,5 +1,5 @@
-// The polynomials of the inner loops against the exact functions, small matrices against Eigen, and the dashpots as a
-// matrix against their forces.
+// The polynomials of the inner loops against the exact functions, small matrices against Eigen, and the
+// dashpots as a matrix against their forces.
 #define BOOST_TEST_MODULE math
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
@@ -86,8 +86,10 @@ void matrix_gives_the_dashpots_forces() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(inverse_square_root_is_exact_near_one_and_far_away) {
-  for (double q = 0.5; q < 2; q += 1.7e-5) BOOST_REQUIRE(std::abs(dem::inverse_sqrt_near_one(q) * std::sqrt(q) - 1) < 3 * epsilon);
-  for (const double q : {1e-30, 1e-3, 0.0, 7.0, 1e30}) BOOST_TEST(dem::inverse_sqrt_near_one(q) == 1 / std::sqrt(q));
+  for (double q = 0.5; q < 2; q += 1.7e-5)
+    BOOST_REQUIRE(std::abs(dem::inverse_sqrt_near_one(q) * std::sqrt(q) - 1) < 3 * epsilon);
+  for (const double q : {1e-30, 1e-3, 0.0, 7.0, 1e30})
+    BOOST_TEST(dem::inverse_sqrt_near_one(q) == 1 / std::sqrt(q));
   BOOST_TEST(std::isnan(dem::inverse_sqrt_near_one(std::nan(""))));
 }
 

@@ -1,5 +1,5 @@
-// Hydrodynamic interactions of two and more spheres: against averages over both spheres' surfaces taken by quadrature,
-// which share nothing with the closed forms but the field of a point force.
+// Hydrodynamic interactions of two and more spheres: against averages over both spheres' surfaces taken by
+// quadrature, which share nothing with the closed forms but the field of a point force.
 #define BOOST_TEST_MODULE mobility
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "dem/model/errors.hpp"
 #include "dem/flow/mobility.hpp"
 #include "dem/flow/pair_mobility.hpp"
+#include "dem/model/errors.hpp"
 
 namespace dem = fiberchain::dem;
 namespace pair = fiberchain::dem::pair;
@@ -31,7 +31,8 @@ std::vector<Node> sphere_rule(int n) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gauss(T);
   std::vector<Node> nodes;
   for (int i = 0; i < n; ++i) {
-    const double z = gauss.eigenvalues()[i], w = std::pow(gauss.eigenvectors()(0, i), 2), s = std::sqrt(1 - z * z);
+    const double z = gauss.eigenvalues()[i], w = std::pow(gauss.eigenvectors()(0, i), 2),
+                 s = std::sqrt(1 - z * z);
     for (int k = 0; k < 2 * n; ++k) {
       const double phi = std::numbers::pi * (k + 0.37) / n;
       nodes.push_back({{s * std::cos(phi), s * std::sin(phi), z}, w / (2 * n)});
@@ -51,7 +52,8 @@ struct Motion {
   Matrix strain = Matrix::Zero();
 };
 
-/// Means over the surface of unit sphere i of what a force F, torque T and dipole S spread over unit sphere j do.
+/// Means over the surface of unit sphere i of what a force F, torque T and dipole S spread over unit sphere j
+/// do.
 Motion by_quadrature(const Vector& between, const Vector& F, const Vector& T, const Matrix& S) {
   static const std::vector<Node> rule = sphere_rule(24);
   Motion mean;
@@ -78,9 +80,7 @@ Matrix some_dipole() {
   return S;
 }
 
-dem::Fluid fluid(dem::Hydrodynamics hydrodynamics) {
-  return {0.83, {dem::simple_shear(1.7)}, hydrodynamics};
-}
+dem::Fluid fluid(dem::Hydrodynamics hydrodynamics) { return {0.83, {dem::simple_shear(1.7)}, hydrodynamics}; }
 
 dem::Poses<3> bent_line(int n, double radius) {
   dem::Poses<3> poses(n);
@@ -154,7 +154,8 @@ BOOST_AUTO_TEST_CASE(far_apart_is_free_draining) {
   for (int i = 0; i < 12; ++i) {
     const double alone = i % 6 < 3 ? 1 / (6 * pi * mu * R) : 1 / (8 * pi * mu * R * R * R);
     BOOST_TEST(m.motion(i, i) == alone, boost::test_tools::tolerance(1e-8));
-    for (int k = 0; k < i; ++k) BOOST_TEST(std::abs(m.motion(i, k)) < 2e-9 * std::sqrt(m.motion(i, i) * m.motion(k, k)));
+    for (int k = 0; k < i; ++k)
+      BOOST_TEST(std::abs(m.motion(i, k)) < 2e-9 * std::sqrt(m.motion(i, i) * m.motion(k, k)));
   }
   BOOST_TEST(m.strain.cwiseAbs().maxCoeff() < 1e-8);
 }

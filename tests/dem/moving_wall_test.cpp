@@ -106,7 +106,8 @@ BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
                     {dem::Plane{tilted(high, 0, 0), tilted(-1, 0, 0)}, -speed * tilted(1, 0, 0), 0, stops},
                     {dem::Plane{tilted(high - speed * stops, 0, 0), tilted(-1, 0, 0)}, {}, stops}};
     dem::FiberGroup group{chain, {}};
-    for (const double x : {R, 3 * R}) group.fibers.push_back(dem::placed(chain, {tilted(x, 0, 0), tilted(0, 0.6, 0.8)}));
+    for (const double x : {R, 3 * R})
+      group.fibers.push_back(dem::placed(chain, {tilted(x, 0, 0), tilted(0, 0.6, 0.8)}));
     dem::Assembly assembly({group}, around, {.step = steps[n], .account_energy = true});
     assembly.march(static_cast<int>(stops / steps[n]) - 1);
     const dem::EnergyBalance before = assembly.energy();
@@ -115,7 +116,8 @@ BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
     const dem::EnergyBalance after = assembly.energy();
     pressed = before.contacts;
     jump[n] = (total(after) - total(before)) / before.contacts;
-    BOOST_TEST_MESSAGE("a plate that stops at " << steps[n] << " s a step: total off by " << jump[n] << " of what contacts hold");
+    BOOST_TEST_MESSAGE("a plate that stops at " << steps[n] << " s a step: total off by " << jump[n]
+                                                << " of what contacts hold");
     BOOST_TEST(std::abs(before.wall_work / before.contacts) > 1);
   }
   BOOST_TEST(pressed > 0);

@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(slabs_hold_exact_parts_of_spheres) {
 BOOST_AUTO_TEST_CASE(coordination_counts_each_contact_for_both) {
   // fibers 0: spheres 0-2, 1: 3-5, 2: 6, 7
   const std::vector<std::int32_t> fiber_of{0, 0, 0, 1, 1, 1, 2, 2};
-  const auto touch = [](std::int64_t a, std::int64_t b) { 
+  const auto touch = [](std::int64_t a, std::int64_t b) {
     return dem::ContactState{{dem::primitive_of(a), dem::primitive_of(b)}, 1e-6, {}, {}};
   };
   const std::vector<dem::ContactState> contacts{touch(0, 4), touch(4, 1),  touch(2, 0),

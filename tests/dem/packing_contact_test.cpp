@@ -27,13 +27,16 @@ std::set<dem::ContactKey> brute_force(const dem::Assembly& assembly, const dem::
       for (int c = 0; c < 3; ++c) {
         if (around.period[c] > 0) r[c] -= around.period[c] * std::round(r[c] / around.period[c]);
       }
-      if (norm(r) < spheres.radius[i] + spheres.radius[j]) pairs.insert({dem::sphere_primitive(static_cast<std::int64_t>(i)), dem::sphere_primitive(static_cast<std::int64_t>(j))});
+      if (norm(r) < spheres.radius[i] + spheres.radius[j])
+        pairs.insert({dem::sphere_primitive(static_cast<std::int64_t>(i)),
+                      dem::sphere_primitive(static_cast<std::int64_t>(j))});
     }
     for (std::size_t w = 0; w < around.walls.size(); ++w) {
       const dem::Wall& wall = around.walls[w];
       if (dem::is_active(wall, assembly.time()) &&
           dem::gap_to(wall, spheres.position[i], assembly.time()) < spheres.radius[i]) {
-        pairs.insert({dem::sphere_primitive(static_cast<std::int64_t>(i)), dem::facet_primitive(static_cast<std::int64_t>(w))});
+        pairs.insert({dem::sphere_primitive(static_cast<std::int64_t>(i)),
+                      dem::facet_primitive(static_cast<std::int64_t>(w))});
       }
     }
   }
@@ -51,7 +54,8 @@ void no_contact_is_missed(const SmallPacking& packing, int moments, int steps) {
     for (const dem::ContactState& c : assembly.contacts()) {
       found.insert(c.key);
       with_walls += is_facet(c.key.second);
-      between += is_sphere(c.key.second) && c.key.first.number < second_group && c.key.second.number >= second_group;
+      between +=
+          is_sphere(c.key.second) && c.key.first.number < second_group && c.key.second.number >= second_group;
     }
     BOOST_TEST(found.size() == assembly.contacts().size());
     BOOST_TEST(static_cast<std::size_t>(assembly.touching()) == exact.size());

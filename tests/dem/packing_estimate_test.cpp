@@ -42,7 +42,8 @@ BOOST_AUTO_TEST_CASE(memory_and_files_grow_with_the_spheres) {
   const dem::PackingFileSizes files = dem::file_sizes_of(scene, 10000);
   scene.kinds[0].count *= 3;
   BOOST_TEST(dem::peak(dem::memory_of(scene)) == 3 * once, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(dem::file_sizes_of(scene, 10000).checkpoints == 3 * files.checkpoints, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(dem::file_sizes_of(scene, 10000).checkpoints == 3 * files.checkpoints,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(dem::file_sizes_of(scene, 10000).log == files.log);
 }
 

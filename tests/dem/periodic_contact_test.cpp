@@ -37,8 +37,7 @@ dem::Domain rough(const V& period) {
 }
 
 /// Places about `at` after some steps, spheres of the second group moved back by `image`.
-std::vector<V> after(const V& at, const V& image, const dem::Domain& around, int steps,
-                     std::int64_t* most) {
+std::vector<V> after(const V& at, const V& image, const dem::Domain& around, int steps, std::int64_t* most) {
   dem::Assembly assembly(colliding(at, image), around, {.step = 4e-6});
   for (int n = 0; n < steps; n += 20) {
     assembly.march(20);
@@ -67,7 +66,8 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
          {V{}, V{period[0], 0, 0}, V{-period[0], 2 * period[1], 0}, V{0, 0, -3 * period[2]}}) {
       const auto position_radius = after(at, image, rough(period), 1200, &most);
       double off = 0;
-      for (std::size_t i = 0; i < position_radius.size(); ++i) off = std::max(off, norm(position_radius[i] - free[i]) / d);
+      for (std::size_t i = 0; i < position_radius.size(); ++i)
+        off = std::max(off, norm(position_radius[i] - free[i]) / d);
       BOOST_TEST(off < 1e-9, "off by " << off << " d");
     }
   }
@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
     V one{};
     one[axis] = period[axis];
     const auto position_radius = after({}, 2.0 * one, rough(one), 1200, &most);
-    for (std::size_t i = 0; i < position_radius.size(); ++i) BOOST_TEST(norm(position_radius[i] - free[i]) < 1e-9 * d);
+    for (std::size_t i = 0; i < position_radius.size(); ++i)
+      BOOST_TEST(norm(position_radius[i] - free[i]) < 1e-9 * d);
   }
 }
 

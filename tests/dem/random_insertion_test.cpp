@@ -103,7 +103,8 @@ BOOST_AUTO_TEST_CASE(random_numbers_are_a_function_of_seed_and_place) {
   BOOST_TEST(std::abs(sum / (4 * n) - 0.5) < 4 * std::sqrt(1.0 / 12 / (4 * n)));
   BOOST_TEST(std::abs(squares / (4 * n) - 1.0 / 3) < 4 * std::sqrt(4.0 / 45 / (4 * n)));
   // Philox 4x64-10 of counter 0, key 0, as its authors' known answers have it
-  BOOST_TEST(dem::uniform_numbers(0, {0, 0, 0})[0] == static_cast<double>(0x16554d9eca36314cULL) * 0x1p-64 + 0x1p-65);
+  BOOST_TEST(dem::uniform_numbers(0, {0, 0, 0})[0] ==
+             static_cast<double>(0x16554d9eca36314cULL) * 0x1p-64 + 0x1p-65);
 }
 
 BOOST_AUTO_TEST_CASE(fibers_of_several_kinds_fill_a_room_without_overlap) {

@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(a_fiber_across_a_trough_sags_as_a_beam_on_two_supports) {
         const auto contacts = assembly.contacts();
         BOOST_REQUIRE(contacts.size() == 2u);
         for (const auto& c : contacts) {
-          BOOST_TEST((c.key.first == dem::sphere_primitive(0) || c.key.first == dem::sphere_primitive(bonds)));
+          BOOST_TEST(
+              (c.key.first == dem::sphere_primitive(0) || c.key.first == dem::sphere_primitive(bonds)));
           within(untilted(c.force)[0] / (0.5 * (bonds + 1) * m * g * weak), 1, 1e-6, "half the weight");
         }
         const double EI = dem::bending_stiffness(fiber),
@@ -101,8 +102,9 @@ BOOST_AUTO_TEST_CASE(a_trough_carries_by_the_lever_of_its_sides) {
   const auto contacts = assembly.contacts();
   BOOST_REQUIRE(contacts.size() == 4u);
   for (const auto& contact : contacts) {
-    const double expected = contact.key.second == dem::facet_primitive(0) ? W * std::sin(right) / std::sin(left + right)
-                                                 : W * std::sin(left) / std::sin(left + right);
+    const double expected = contact.key.second == dem::facet_primitive(0)
+                                ? W * std::sin(right) / std::sin(left + right)
+                                : W * std::sin(left) / std::sin(left + right);
     within(norm(contact.force) / expected, 1, 1e-6, "side");
     const V& normal = contact.key.second == dem::facet_primitive(0) ? a : b;
     within(dot(contact.force, normal) / expected, 1, 1e-6, "normal");
@@ -191,8 +193,8 @@ BOOST_AUTO_TEST_CASE(a_curled_fiber_touches_itself_where_its_turns_meet_and_nowh
                                           << assembly.touching() << ", still moves at " << fastest << " m/s");
       for (const auto& c : assembly.contacts()) {
         BOOST_TEST(c.key.second.number - c.key.first.number > 1);
-        const double overlap =
-            chain.fiber.diameter - norm(now.poses[c.key.first.number].position - now.poses[c.key.second.number].position);
+        const double overlap = chain.fiber.diameter - norm(now.poses[c.key.first.number].position -
+                                                           now.poses[c.key.second.number].position);
         BOOST_TEST(c.overlap == overlap, boost::test_tools::tolerance(1e-6));
       }
     }

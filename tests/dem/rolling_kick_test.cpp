@@ -1,7 +1,7 @@
 // The kick of rolling friction: the inner loop's solution against brute force and Coulomb's law bond by bond.
 #define BOOST_TEST_MODULE rolling_kick
-#include <boost/test/unit_test.hpp>
 #include <algorithm>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -59,8 +59,8 @@ struct Kick {
     return result;
   }
 
-  /// The least kinetic energy that impulses within the limits can leave, by accelerated projected gradient: another
-  /// statement of the problem and another method.
+  /// The least kinetic energy that impulses within the limits can leave, by accelerated projected gradient:
+  /// another statement of the problem and another method.
   std::vector<V> brute_force(int iterations) const {
     std::vector<V> l(limit.size(), V{}), y = l;
     double momentum = 1;
@@ -107,7 +107,8 @@ Kick<Dim> random_kick(std::mt19937& generator, int bonds, dem::Clamps clamps, do
 }
 
 template <int Dim>
-double largest_difference(const std::vector<dem::Spin<double, Dim>>& a, const std::vector<dem::Spin<double, Dim>>& b) {
+double largest_difference(const std::vector<dem::Spin<double, Dim>>& a,
+                          const std::vector<dem::Spin<double, Dim>>& b) {
   double worst = 0;
   for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, dem::norm(a[i] - b[i]));
   return worst;
@@ -119,7 +120,8 @@ void kicks_agree_with_brute_force() {
   double worst = 0;
   for (const int bonds : {1, 2, 3, 7, 23}) {
     for (const double reach : {0.03, 0.4, 1.0, 3.0, 20.0}) {
-      for (const dem::Clamps clamps : {dem::Clamps{false, false}, dem::Clamps{true, false}, dem::Clamps{true, true}}) {
+      for (const dem::Clamps clamps :
+           {dem::Clamps{false, false}, dem::Clamps{true, false}, dem::Clamps{true, true}}) {
         const Kick<Dim> kick = random_kick<Dim>(generator, bonds, clamps, reach);
         const auto exact = kick.brute_force(4000);
         const double off = largest_difference<Dim>(kick.solved(), exact) / 3.7;
@@ -140,8 +142,8 @@ BOOST_AUTO_TEST_CASE(a_kick_leaves_the_least_energy_that_the_limits_allow) {
 
 namespace {
 
-/// Coulomb's law bond by bond: at the limit and against the relative spin, or within it and no relative spin; angular
-/// momentum kept, energy not gained.
+/// Coulomb's law bond by bond: at the limit and against the relative spin, or within it and no relative spin;
+/// angular momentum kept, energy not gained.
 template <int Dim>
 void kicks_obey_the_law() {
   std::mt19937 generator(77 + Dim);
@@ -154,8 +156,9 @@ void kicks_obey_the_law() {
     const Kick<Dim> kick = random_kick<Dim>(generator, bonds, clamps, reach);
     std::vector<typename Kick<Dim>::V> impulse;
     const auto s = kick.solved(&impulse);
-    BOOST_TEST(kick.energy(s) <= kick.energy(kick.spin) * (1 + 1e-14),
-               Dim << "D, " << bonds << " bonds, clamps " << clamps.first << clamps.last << ", reach " << reach);
+    BOOST_TEST(
+        kick.energy(s) <= kick.energy(kick.spin) * (1 + 1e-14),
+        Dim << "D, " << bonds << " bonds, clamps " << clamps.first << clamps.last << ", reach " << reach);
     typename Kick<Dim>::V gained{};
     for (int i = 0; i <= bonds; ++i) gained = gained + (s[i] - kick.spin[i]);
     if (!clamps.first && !clamps.last) BOOST_TEST(dem::norm(gained) < 1e-13 * 3.7 * bonds);
@@ -169,7 +172,8 @@ void kicks_obey_the_law() {
       if (!kick.fixed(i) || !kick.fixed(i + 1)) worst = std::max(worst, off / 3.7);
     }
   }
-  BOOST_TEST_MESSAGE(Dim << "D: largest breach of the law " << worst << ", " << sticking << " stick, " << sliding << " slide");
+  BOOST_TEST_MESSAGE(Dim << "D: largest breach of the law " << worst << ", " << sticking << " stick, "
+                         << sliding << " slide");
   BOOST_TEST(worst < 1e-6);
   BOOST_TEST(sticking > 10000);
   BOOST_TEST(sliding > 10000);

@@ -17,21 +17,28 @@ constexpr dem::Physics rolling_physics(int dimension, Rolling law) {
 }
 
 dem::Fiber fiber_with(int bonds, double friction, double damping) {
-  return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, bonds, dem::BondModel::paper, damping,
-          dem::DashpotLaw::bond_damping, 0.0, friction};
+  return {dem::isotropic_material(3.7e5, 0.17, 431.0),
+          0.0262,
+          bonds,
+          dem::BondModel::paper,
+          damping,
+          dem::DashpotLaw::bond_damping,
+          0.0,
+          friction};
 }
 
-// ---- One bond -------------------------------------------------------------------------------------------------------
+// ---- One bond
+// -------------------------------------------------------------------------------------------------------
 
-/// Two free spheres whose bond is held at one stretch and without bending: after every step poses, strain and forces are
-/// set back, so that nothing but friction turns them. Returns the relative spin step by step.
+/// Two free spheres whose bond is held at one stretch and without bending: after every step poses, strain and
+/// forces are set back, so that nothing but friction turns them. Returns the relative spin step by step.
 template <int Dim>
 std::vector<dem::Spin<double, Dim>> spun_down(const dem::Fiber& fiber, double stretch, double dt,
-                                              const dem::Spin<double, Dim>& first, const dem::Spin<double, Dim>& second,
-                                              int steps, Rolling law) {
+                                              const dem::Spin<double, Dim>& first,
+                                              const dem::Spin<double, Dim>& second, int steps, Rolling law) {
   const std::vector<dem::Chain<Dim>> chains{dem::straight_chain<Dim>(fiber)};
   dem::ChainBatch<Dim> block(chains, {false, false}, {dt}, {0.0}, rolling_physics(Dim, law),
-                                dem::InstructionSet::scalar);
+                             dem::InstructionSet::scalar);
   dem::BondHistory<double, Dim> held{};
   if constexpr (Dim == 2) held.stretch = stretch;
   if constexpr (Dim == 3) held.displacement = {stretch, 0, 0};
@@ -47,7 +54,9 @@ std::vector<dem::Spin<double, Dim>> spun_down(const dem::Fiber& fiber, double st
     block.set_sphere(0, 1, b);
     block.set_history(0, 0, held);
     if (n == 0) block.march(1);  // so that the bond knows its tension: its friction is not applied before
-    if (n == 0) a.pose = chains[0].poses[0], b.pose = chains[0].poses[1], a.force = b.force = {}, a.moment = b.moment = {};
+    if (n == 0)
+      a.pose = chains[0].poses[0], b.pose = chains[0].poses[1], a.force = b.force = {},
+      a.moment = b.moment = {};
     if (n == 0) block.set_sphere(0, 0, a), block.set_sphere(0, 1, b), block.set_history(0, 0, held);
     spin.push_back(block.sphere(0, 1).spin - block.sphere(0, 0).spin);
     block.march(1);
@@ -57,7 +66,7 @@ std::vector<dem::Spin<double, Dim>> spun_down(const dem::Fiber& fiber, double st
 }
 
 struct SpinDown {
-  double rate;   ///< 2 T_r / J
+  double rate;  ///< 2 T_r / J
   double dt;
 };
 
@@ -77,10 +86,12 @@ BOOST_AUTO_TEST_CASE(one_bond_under_tension_spins_down_linearly_and_sticks_at_ze
     const double w0 = 61.3 * known.rate * dt;
     const auto planar = spun_down<2>(fiber, stretch, dt, {-0.3 * w0}, {0.7 * w0}, 100, Rolling::set_valued);
     const dem::Vec<double, 3> e{0.48, -0.6, 0.64};
-    const auto spatial = spun_down<3>(fiber, stretch, dt, -0.3 * w0 * e, 0.7 * w0 * e, 100, Rolling::set_valued);
+    const auto spatial =
+        spun_down<3>(fiber, stretch, dt, -0.3 * w0 * e, 0.7 * w0 * e, 100, Rolling::set_valued);
     for (int n = 0; n <= 100; ++n) {
       const double exact = std::max(w0 - known.rate * n * dt, 0.0);
-      BOOST_TEST(std::abs(planar[n][0] - exact) < 1e-12 * w0, "step " << n << ": " << planar[n][0] << " " << exact);
+      BOOST_TEST(std::abs(planar[n][0] - exact) < 1e-12 * w0,
+                 "step " << n << ": " << planar[n][0] << " " << exact);
       BOOST_TEST(dem::norm(spatial[n] - exact * e) < 1e-12 * w0);
       if (n > 62) BOOST_TEST(std::abs(planar[n][0]) < 1e-16 * w0);
       if (n > 62) BOOST_TEST(dem::norm(spatial[n]) < 1e-16 * w0);
@@ -88,7 +99,8 @@ BOOST_AUTO_TEST_CASE(one_bond_under_tension_spins_down_linearly_and_sticks_at_ze
   }
 }
 
-// ---- Chains in motion -----------------------------------------------------------------------------------------------
+// ---- Chains in motion
+// -----------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -97,7 +109,8 @@ void free_chain_keeps_its_momenta(Rolling law) {
   dem::Chain<Dim> chain = marching::odd_chain<Dim>(21, 0.4, false);
   chain.fiber.rolling_friction = 2.3;
   const std::vector<dem::Chain<Dim>> chains{chain};
-  auto block = marching::block_of(chains, {false, false}, rolling_physics(Dim, law), dem::InstructionSet::scalar);
+  auto block =
+      marching::block_of(chains, {false, false}, rolling_physics(Dim, law), dem::InstructionSet::scalar);
   marching::stir(block, chains, 9, 0.05);
   const double m = dem::sphere_mass(chain.fiber), J = dem::sphere_inertia(chain.fiber);
   const auto angular = [&](double* scale) {
@@ -105,7 +118,8 @@ void free_chain_keeps_its_momenta(Rolling law) {
     for (int i = 0; i <= chain.fiber.aspect_ratio; ++i) {
       const auto s = block.sphere(0, i);
       sum = sum + m * dem::cross(s.pose.position, s.velocity) + J * s.spin;
-      if (scale != nullptr) *scale += m * dem::norm(s.pose.position) * dem::norm(s.velocity) + J * dem::norm(s.spin);
+      if (scale != nullptr)
+        *scale += m * dem::norm(s.pose.position) * dem::norm(s.velocity) + J * dem::norm(s.spin);
     }
     return sum;
   };
@@ -128,17 +142,18 @@ namespace {
 
 /// What a clamped chain, struck across, does in three periods, watched at every step.
 struct Watch {
-  double flips = 0;    ///< of the sign of a bond's relative spin from step to step, over bonds and periods
-  double sticks = 0;   ///< part of the bonds' steps at no relative spin
-  double rises = 0;    ///< sum of the rises of the energy over its loss
-  double loss = 0;     ///< energy lost over that of the strike
+  double flips = 0;   ///< of the sign of a bond's relative spin from step to step, over bonds and periods
+  double sticks = 0;  ///< part of the bonds' steps at no relative spin
+  double rises = 0;   ///< sum of the rises of the energy over its loss
+  double loss = 0;    ///< energy lost over that of the strike
 };
 
 Watch watched(Rolling law, double step_ratio, double friction) {
   const dem::Fiber fiber = fiber_with(13, friction, 0.05);
   const std::vector<dem::Chain<2>> chains{dem::straight_chain<2>(fiber)};
   const double t_b = dem::bond_time_step(fiber), dt = step_ratio * t_b, L = dem::fiber_length(fiber);
-  dem::ChainBatch<2> block(chains, {true, false}, {dt}, {0.0}, rolling_physics(2, law), dem::InstructionSet::scalar);
+  dem::ChainBatch<2> block(chains, {true, false}, {dt}, {0.0}, rolling_physics(2, law),
+                           dem::InstructionSet::scalar);
   const double period = 7.15 * 13.5 * 13.5 * t_b;  // 4 pi / beta_1^2 r_f^2 t_b
   for (int i = 1; i <= 13; ++i) {
     const double x = dem::bond_length(fiber) * i / L;
@@ -164,10 +179,12 @@ Watch watched(Rolling law, double step_ratio, double friction) {
     block.march(1);
     const auto next = spheres();
     for (int i = 0; i <= 13; ++i) {
-      energy += 0.5 * m * dem::dot(now[i].velocity, next[i].velocity) + 0.5 * J * now[i].spin[0] * next[i].spin[0];
+      energy +=
+          0.5 * m * dem::dot(now[i].velocity, next[i].velocity) + 0.5 * J * now[i].spin[0] * next[i].spin[0];
     }
     for (int i = 0; i < 13; ++i) {
-      const double before = now[i + 1].spin[0] - now[i].spin[0], after = next[i + 1].spin[0] - next[i].spin[0];
+      const double before = now[i + 1].spin[0] - now[i].spin[0],
+                   after = next[i + 1].spin[0] - next[i].spin[0];
       if (before * after < 0) watch.flips += 1 / (3 * 13.0);
       if (std::abs(after) < 1e-12 / period) watch.sticks += 1 / (13.0 * steps);
     }
@@ -183,7 +200,8 @@ Watch watched(Rolling law, double step_ratio, double friction) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(bonds_stick_and_do_not_chatter_and_energy_only_falls) {
-  const Watch stuck = watched(Rolling::set_valued, 0.1, 3.0), chatters = watched(Rolling::explicit_sign, 0.1, 3.0);
+  const Watch stuck = watched(Rolling::set_valued, 0.1, 3.0),
+              chatters = watched(Rolling::explicit_sign, 0.1, 3.0);
   for (const Watch& w : {stuck, chatters}) {
     BOOST_TEST_MESSAGE("flips " << w.flips << " a bond and period, sticking " << w.sticks << ", energy rises "
                                 << w.rises << ", lost " << w.loss);
@@ -203,8 +221,8 @@ template <int Dim>
 std::vector<dem::TipSample<Dim>> tip_of(Rolling law, double step_ratio, double damping, double friction,
                                         double load, double periods) {
   const dem::Fiber fiber = fiber_with(11, friction, damping);
-  dem::Release<Dim> release{dem::straight_chain<Dim>(fiber), {}, {}, {}, 7.15 * 11.5 * 11.5 * dem::bond_time_step(fiber),
-                            periods};
+  dem::Release<Dim> release{
+      dem::straight_chain<Dim>(fiber), {}, {}, {}, 7.15 * 11.5 * 11.5 * dem::bond_time_step(fiber), periods};
   dem::Vec<double, Dim> force{};
   force[1] = dem::load_force(fiber, load);
   release.start = dem::solve_equilibrium(release.chain, dem::Boundary<Dim>{{0}, {{11, force, {}}}}).poses;
@@ -216,10 +234,12 @@ std::vector<dem::TipSample<Dim>> tip_of(Rolling law, double step_ratio, double d
 }
 
 template <int A, int B>
-double tip_difference(const std::vector<dem::TipSample<A>>& a, const std::vector<dem::TipSample<B>>& b, double length) {
+double tip_difference(const std::vector<dem::TipSample<A>>& a, const std::vector<dem::TipSample<B>>& b,
+                      double length) {
   double worst = 0;
   for (std::size_t n = 0; n < a.size(); ++n) {
-    worst = std::max({worst, std::abs(a[n].position[0] - b[n].position[0]), std::abs(a[n].position[1] - b[n].position[1])});
+    worst = std::max({worst, std::abs(a[n].position[0] - b[n].position[0]),
+                      std::abs(a[n].position[1] - b[n].position[1])});
   }
   return worst / length;
 }
@@ -237,8 +257,9 @@ BOOST_AUTO_TEST_CASE(planar_motion_is_the_same_in_space) {
   BOOST_TEST(coarse < 1e-6);
 }
 
-// The law itself is exact while a bond slides and where it sticks; the dashpots' lagged velocity leaves first order, with
-// friction as without. The explicit sign is tens to hundreds of times farther off at the same step.
+// The law itself is exact while a bond slides and where it sticks; the dashpots' lagged velocity leaves first
+// order, with friction as without. The explicit sign is tens to hundreds of times farther off at the same
+// step.
 BOOST_AUTO_TEST_CASE(the_set_valued_law_converges_with_the_step_and_the_explicit_sign_to_the_same) {
   const double L = dem::fiber_length(fiber_with(11, 0, 0));
   const auto finest = tip_of<2>(Rolling::set_valued, 0.005, 0.6, 3.7, 1.7, 2);

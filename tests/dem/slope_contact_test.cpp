@@ -152,7 +152,8 @@ BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_lis
     assembly.march(6000);
     BOOST_TEST(assembly.touching() >= 4);
     double tangential = 0;
-    for (const auto& c : assembly.contacts()) tangential += is_facet(c.key.second) ? std::abs(untilted(c.force)[1]) : 0;
+    for (const auto& c : assembly.contacts())
+      tangential += is_facet(c.key.second) ? std::abs(untilted(c.force)[1]) : 0;
     BOOST_TEST(tangential > 1e-6);
     for (int f : {0, 1}) {
       for (const auto& pose : assembly.state(0, f).poses) position_radius[fast].push_back(pose.position);

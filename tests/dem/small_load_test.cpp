@@ -1,5 +1,5 @@
-// The chain's tangent at rest against beam theory: departure (3E/(16G) - 1/4) / r_f^2 of the paper's bond, none of
-// the corrected one. Every bond bends under P (L - s) at its middle and shears under P.
+// The chain's tangent at rest against beam theory: departure (3E/(16G) - 1/4) / r_f^2 of the paper's bond,
+// none of the corrected one. Every bond bends under P (L - s) at its middle and shears under P.
 #define BOOST_TEST_MODULE small_load
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -30,7 +30,8 @@ double expected(const dem::Fiber& fiber) {
 dem::Fiber odd_fiber(int aspect_ratio, double nu, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> exponent(-3, 3);
-  return {dem::isotropic_material(std::pow(10, 5 + exponent(generator)), nu, std::pow(10, 3 + exponent(generator))),
+  return {dem::isotropic_material(std::pow(10, 5 + exponent(generator)), nu,
+                                  std::pow(10, 3 + exponent(generator))),
           0.0137 * std::pow(10, exponent(generator) / 3), aspect_ratio};
 }
 

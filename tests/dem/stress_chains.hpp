@@ -16,15 +16,15 @@ inline dem::Fiber fiber_of(int aspect_ratio, double nu, double damping,
 
 template <int Dim>
 dem::ChainBatch<Dim> lone_block(const dem::Chain<Dim>& chain, double dt, dem::BondForm form,
-                                   bool solved = false) {
+                                bool solved = false) {
   return dem::ChainBatch<Dim>({chain}, {false, false}, {dt}, {0.0},
-                                 {.dimension = Dim,
-                                  .form = form,
-                                  .damped = dem::damped(chain.fiber),
-                                  .settling_damping = false,
-                                  .curved = false,
-                                  .solved = solved},
-                                 dem::best_instruction_set());
+                              {.dimension = Dim,
+                               .form = form,
+                               .damped = dem::damped(chain.fiber),
+                               .settling_damping = false,
+                               .curved = false,
+                               .solved = solved},
+                              dem::best_instruction_set());
 }
 
 /// Largest component of velocity and l times spin; infinite if one is no number. By components: the square of

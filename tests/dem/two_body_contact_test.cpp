@@ -135,7 +135,8 @@ BOOST_AUTO_TEST_CASE(spheres_that_touch_by_round_off_do_nothing_to_each_other) {
       dem::Assembly assembly({group}, {}, {.instruction_set = set});
       touch += static_cast<int>(assembly.touching());
       assembly.march(3);
-      for (int f = 0; f < 4; ++f) BOOST_TEST(norm(assembly.state(0, f).velocity[1]) < 1e-12, "R = " << R << ", fiber " << f);
+      for (int f = 0; f < 4; ++f)
+        BOOST_TEST(norm(assembly.state(0, f).velocity[1]) < 1e-12, "R = " << R << ", fiber " << f);
     }
   }
   BOOST_TEST(touch > 100);
@@ -148,7 +149,9 @@ BOOST_AUTO_TEST_CASE(spheres_that_part_within_a_step_leave_no_contact_behind) {
   dem::Domain around;
   dem::AssemblyOptions options{.step = 2e-6};
   const double away = 0.35 * dem::sphere_radius(fiber) / *options.step;
-  dem::Assembly assembly({{chain, {dem::placed(chain, {V{}, V{1, 0, 0}}), dem::placed(chain, {V{0, 1.999e-3, 0}, V{1, 0, 0}, V{0, away, 0}})}}},
+  dem::Assembly assembly({{chain,
+                           {dem::placed(chain, {V{}, V{1, 0, 0}}),
+                            dem::placed(chain, {V{0, 1.999e-3, 0}, V{1, 0, 0}, V{0, away, 0}})}}},
                          around, options);
   BOOST_TEST(assembly.touching() == 2);
   BOOST_TEST(assembly.energy().contacts > 0);

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <vector>
 
-#include "dem/parallel/wavefront_schedule.hpp"
 #include "dem/parallel/partition.hpp"
+#include "dem/parallel/wavefront_schedule.hpp"
 
 namespace dem = fiberchain::dem;
 
@@ -17,7 +17,11 @@ struct Wave {
   std::vector<std::atomic<int>> first_begun, first_ended, second_begun, firsts, seconds;
 
   Wave(dem::ThreadPool& pool, const std::vector<int>& reach)
-      : first_begun(reach.size()), first_ended(reach.size()), second_begun(reach.size()), firsts(reach.size()), seconds(reach.size()) {
+      : first_begun(reach.size()),
+        first_ended(reach.size()),
+        second_begun(reach.size()),
+        firsts(reach.size()),
+        seconds(reach.size()) {
     std::atomic<int> clock{0};
     dem::WavefrontSchedule work(static_cast<int>(reach.size()));
     work.run(
@@ -44,7 +48,8 @@ BOOST_AUTO_TEST_CASE(every_piece_runs_once_and_second_pieces_wait_for_those_that
     dem::ThreadPool pool(threads);
     for (int trial = 0; trial < 200; ++trial) {
       std::vector<int> reach;
-      for (int k = 0; k < parts; ++k) reach.push_back(std::min(parts - 1, k + (trial % 4 == 3 ? parts : (k * trial) % (trial % 4 + 1))));
+      for (int k = 0; k < parts; ++k)
+        reach.push_back(std::min(parts - 1, k + (trial % 4 == 3 ? parts : (k * trial) % (trial % 4 + 1))));
       const Wave wave(pool, reach);
       for (int k = 0; k < parts; ++k) {
         BOOST_TEST_REQUIRE(wave.firsts[k].load() == 1);
@@ -62,7 +67,8 @@ BOOST_AUTO_TEST_CASE(one_thread_goes_stripe_by_stripe) {
   dem::ThreadPool pool(1);
   const std::vector<int> reach{0, 3, 3, 3, 4};
   const Wave wave(pool, reach);
-  for (std::size_t k = 0; k < reach.size(); ++k) BOOST_TEST(wave.first_begun[k].load() == static_cast<int>(3 * k + 1));
+  for (std::size_t k = 0; k < reach.size(); ++k)
+    BOOST_TEST(wave.first_begun[k].load() == static_cast<int>(3 * k + 1));
 }
 
 BOOST_AUTO_TEST_CASE(first_stripes_that_reach_others) {

@@ -20,9 +20,9 @@ json row_of(const std::string& scene) {
   return json::parse(outcome.out)["rows"][0];
 }
 
-const char* const kAll[] = {"cantilever", "cantilever-march", "cantilever-spatial", "release",       "release-rolling",
-                            "flow-shear", "flow-flexible",    "packing",            "packing-small", "crossed-layers",
-                            "compression"};
+const char* const kAll[] = {"cantilever",      "cantilever-march", "cantilever-spatial", "release",
+                            "release-rolling", "flow-shear",       "flow-flexible",      "packing",
+                            "packing-small",   "crossed-layers",   "compression"};
 
 }  // namespace
 
@@ -50,11 +50,13 @@ BOOST_AUTO_TEST_CASE(a_packing_is_told_its_steps_time_and_files) {
 BOOST_AUTO_TEST_CASE(a_release_takes_the_steps_it_was_told) {
   const Scratch scratch;
   const json told = row_of(kScenes + "release-rolling.yaml");
-  const Outcome outcome = run({"run", kScenes + "release-rolling.yaml", "--json"}, {.directory = scratch.path});
+  const Outcome outcome =
+      run({"run", kScenes + "release-rolling.yaml", "--json"}, {.directory = scratch.path});
   BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.error);
   const json taken = json::parse(outcome.out)["rows"][0];
   BOOST_TEST(told["steps"].get<double>() == taken["steps"].get<double>());
-  BOOST_TEST(told["time_step"].get<double>() == taken["time_step"].get<double>(), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(told["time_step"].get<double>() == taken["time_step"].get<double>(),
+             boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(no_fiber_is_inserted) {
@@ -62,7 +64,8 @@ BOOST_AUTO_TEST_CASE(no_fiber_is_inserted) {
   std::string text = content(kScenes + "packing-small.yaml");
   const auto at = text.find("count: 200");
   BOOST_REQUIRE(at != std::string::npos);
-  const auto scene = scratch.file("s.yaml", text.replace(at, 10, "count: 9000000"));  // far more than the box holds
+  const auto scene =
+      scratch.file("s.yaml", text.replace(at, 10, "count: 9000000"));  // far more than the box holds
   const Outcome outcome = run({"check", scene.string(), "--jobs", "1"});
   BOOST_TEST(outcome.status == 0, outcome.error);
   BOOST_TEST(outcome.out.find("fibers           9000000\n") != std::string::npos, outcome.out);
@@ -71,7 +74,8 @@ BOOST_AUTO_TEST_CASE(no_fiber_is_inserted) {
 BOOST_AUTO_TEST_CASE(wrong_scenes_are_refused_as_by_a_run) {
   const Scratch scratch;
   const auto scene = scratch.file("s.yaml", "scene: packing\nfibres: 3\n");
-  const Outcome checked = run({"check", scene.string()}), ran = run({"run", scene.string()}, {.directory = scratch.path});
+  const Outcome checked = run({"check", scene.string()}),
+                ran = run({"run", scene.string()}, {.directory = scratch.path});
   BOOST_TEST(checked.status == 2);
   BOOST_TEST(is_one_error(checked.error));
   BOOST_TEST(checked.error == ran.error);

@@ -80,8 +80,8 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_resumes_and_ends_the_same) {
   BOOST_TEST(kill_and_resume(fibers, {0, 7, 31}) >= 2);
   const fs::path journal = fibers.out("..s.h5.journal.4194303.part");
   std::ofstream(journal) << "half";
-  const fs::path left[] = {fibers.out("s/.lines-000000000007.vtp.4194303.part"), fibers.out(".s.csv.4194303.part"),
-                           fibers.out(".other.csv.4194303.part")};
+  const fs::path left[] = {fibers.out("s/.lines-000000000007.vtp.4194303.part"),
+                           fibers.out(".s.csv.4194303.part"), fibers.out(".other.csv.4194303.part")};
   for (const fs::path& path : left) std::ofstream(path) << "half";
   BOOST_TEST(fibers.go({"--resume"}).status == 0);
   BOOST_TEST((!fs::exists(left[0]) && !fs::exists(left[1]) && fs::exists(left[2]) && !fs::exists(journal)));
@@ -163,14 +163,16 @@ BOOST_AUTO_TEST_CASE(what_is_not_of_a_run_stays) {
   const std::string trajectory = content(fibers.out("s.h5"));
   const Outcome resumed = fibers.go({"--resume"});
   BOOST_TEST(resumed.status == 2);
-  BOOST_TEST(holds(resumed.error, "s.h5: holds a run up to step 500, of which no checkpoint is there"), resumed.error);
+  BOOST_TEST(holds(resumed.error, "s.h5: holds a run up to step 500, of which no checkpoint is there"),
+             resumed.error);
   BOOST_TEST((content(fibers.out("s.h5")) == trajectory));
 }
 
 BOOST_AUTO_TEST_CASE(fibers_that_lie_in_each_other_are_refused) {
   const Scratch scratch;
-  scratch.file("starts.csv", "x,y,z,ux,uy,uz\n0.01,0.01,0.02,1,0,0\n0.01,0.0122,0.02,0.8,0.6,0\n"
-                             "0.01,0.0107,0.02,1,0,0\n");
+  scratch.file("starts.csv",
+               "x,y,z,ux,uy,uz\n0.01,0.01,0.02,1,0,0\n0.01,0.0122,0.02,0.8,0.6,0\n"
+               "0.01,0.0107,0.02,1,0,0\n");
   std::string text = short_fibers(10, few);
   text.replace(text.find("count: 31"), 9, "starts: starts.csv");
   const auto filling = text.find("filling:");

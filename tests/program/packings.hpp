@@ -30,9 +30,7 @@ inline std::string short_fibers(int steps, const Crowd& crowd, const std::string
          std::to_string(crowd.fibers) +
          "}\n"
          "filling: {region: {z: [1 mm, " +
-         crowd.top +
-         "]}, velocity: [0, 0, -1], seed: 3" +
-         more +
+         crowd.top + "]}, velocity: [0, 0, -1], seed: 3" + more +
          "}\n"
          "walls: {box: {x: 24 mm, y: 22 mm, lid: open}}\n"
          "gravity: [0, 0, -9.81]\n"

@@ -19,13 +19,21 @@ const std::string kScenes = std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/"
 
 using Command = std::vector<std::string>;
 
-const Command kCommands[] = {{},         {"columns"},          {"run"},
+const Command kCommands[] = {{},
+                             {"columns"},
+                             {"run"},
                              {"check"},
-                             {"tables"}, {"tables", "static"}, {"tables", "damping"},
-                             {"tables", "friction"},           {"tables", "shear"},
-                             {"tables", "packing"},            {"fit"},
-                             {"calibrate"},                    {"stability"},
-                             {"bench"},                        {"validate"}};
+                             {"tables"},
+                             {"tables", "static"},
+                             {"tables", "damping"},
+                             {"tables", "friction"},
+                             {"tables", "shear"},
+                             {"tables", "packing"},
+                             {"fit"},
+                             {"calibrate"},
+                             {"stability"},
+                             {"bench"},
+                             {"validate"}};
 
 const Command kJsonCommands[] = {
     {"columns"},
@@ -44,8 +52,8 @@ const Command kJsonCommands[] = {
     {"tables", "friction", "--aspect-ratio", "5", "--amplitude", "0.1", "--rolling-friction", "2"},
     {"tables", "shear", "--spheres", "2,7", "--interacting", "5", "--stresslets", "3"},
     {"tables", "shear", "--part", "stiffness,buckling"},
-    {"tables", "packing", "--fibers", "500", "--seeds", "0", "--bond-damping", "0.1", "--friction",
-     "1", "--stiffness", "2", "--duration", "0.005", "--samples", "20"},
+    {"tables", "packing", "--fibers", "500", "--seeds", "0", "--bond-damping", "0.1", "--friction", "1",
+     "--stiffness", "2", "--duration", "0.005", "--samples", "20"},
     {"run", kScenes + "flow-shear.yaml"},
     {"run", kScenes + "flow-flexible.yaml"},
     {"fit", "--aspect-ratio", "5..9", "--held-out", "12"},
@@ -199,11 +207,12 @@ BOOST_AUTO_TEST_CASE(a_sweep_is_every_combination_asked_for) {
   BOOST_TEST(seen.size() == all.size());
 }
 
-// At nu = 0.3 the limit is 0.2178 t_b with xi_b = 1 and lagged dashpots, and the undamped one with solved dashpots.
+// At nu = 0.3 the limit is 0.2178 t_b with xi_b = 1 and lagged dashpots, and the undamped one with solved
+// dashpots.
 BOOST_AUTO_TEST_CASE(stability_finds_the_limits_and_judges_the_papers_rule) {
   const Scratch scratch;
-  const Outcome outcome = run({"stability", "--aspect-ratio", "10", "--poisson-ratio", "0.3,0.4", "--bond-damping",
-                               "0.2,1", "--bond", "paper", "--json", "--out", "there"},
+  const Outcome outcome = run({"stability", "--aspect-ratio", "10", "--poisson-ratio", "0.3,0.4",
+                               "--bond-damping", "0.2,1", "--bond", "paper", "--json", "--out", "there"},
                               {.directory = scratch.path});
   BOOST_REQUIRE_EQUAL(outcome.status, 0);
   const json all = json::parse(outcome.out)["rows"];
@@ -215,7 +224,8 @@ BOOST_AUTO_TEST_CASE(stability_finds_the_limits_and_judges_the_papers_rule) {
     BOOST_TEST(std::abs(row["stable_step_difference"].get<double>()) < 0.002);
     if (row["scheme"] == "leapfrog-damped") BOOST_TEST(row["stable_step_modes"].get<double>() > 1);
   }
-  BOOST_TEST(content(scratch.path / "there/stability-map-paper-leapfrog-10.svg").find(">0.218<") != std::string::npos);
+  BOOST_TEST(content(scratch.path / "there/stability-map-paper-leapfrog-10.svg").find(">0.218<") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
@@ -245,7 +255,8 @@ BOOST_AUTO_TEST_CASE(a_planted_fault_fails_the_validation) {
   const auto at = beams.find("0.30172");
   BOOST_REQUIRE(at != std::string::npos);
   scratch.file("published/beams.csv", beams.replace(at, 7, "0.30182"));
-  const Outcome outcome = run({"validate", "--json", "--part", "beams,static", "--data", scratch.path.string()});
+  const Outcome outcome =
+      run({"validate", "--json", "--part", "beams,static", "--data", scratch.path.string()});
   BOOST_TEST(outcome.status == 1);
   const json document = json::parse(outcome.out);
   std::vector<std::string> failed;

@@ -12,11 +12,15 @@ namespace {
 
 std::string scene(const std::string& time, const std::string& bond = "damping: 1") {
   return "scene: release\n"
-         "fiber: {diameter: 2 mm, aspect_ratio: 10, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, density: 1000 kg/m^3}\n"
-         "bond: {" + bond + "}\n"
+         "fiber: {diameter: 2 mm, aspect_ratio: 10, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, density: "
+         "1000 kg/m^3}\n"
+         "bond: {" +
+         bond +
+         "}\n"
          "load: {reduced: 0.05}\n"
          "periods: 4.5\n"
-         "time: {" + time + "}\n";
+         "time: {" +
+         time + "}\n";
 }
 
 }  // namespace
@@ -32,7 +36,8 @@ BOOST_AUTO_TEST_CASE(every_integrator_gives_the_damping_of_the_linear_chain) {
     const json row = json::parse(outcome.out)["rows"][0];
     BOOST_TEST_CONTEXT(time) {
       // mode 2 in the first peaks adds 0.9 % at small load
-      BOOST_TEST(std::abs(row["fiber_damping"].get<double>() / row["fiber_damping_modes"].get<double>() - 1) < 0.02);
+      BOOST_TEST(std::abs(row["fiber_damping"].get<double>() / row["fiber_damping_modes"].get<double>() - 1) <
+                 0.02);
       BOOST_TEST(row["steps"].get<double>() > 0);
     }
   }
@@ -56,6 +61,7 @@ BOOST_AUTO_TEST_CASE(an_unstable_step_is_refused_with_the_limit) {
   scratch.file("s.yaml", scene("integrator: leapfrog, step_ratio: 0.25"));
   const Outcome outcome = run({"run", "s.yaml"}, {.directory = scratch.path});
   BOOST_TEST(outcome.status == 2);
-  BOOST_TEST(outcome.error.find("largest stable step of this chain is 0.2176 t_b") != std::string::npos, outcome.error);
+  BOOST_TEST(outcome.error.find("largest stable step of this chain is 0.2176 t_b") != std::string::npos,
+             outcome.error);
   BOOST_TEST(!std::filesystem::exists(scratch.path / "results/s.csv"));
 }

@@ -4,9 +4,9 @@
 
 namespace fiberchain::dem {
 
-/// A bond law with history whose bonds break for good once their tension exceeds a strength, the last of the fiber's
-/// law_parameters [N]. The flag of a bond is part of its history: it lies in lanes for the kernels, is saved and restored with
-/// the state, and no other law has it. Assembly::is_broken() reads it.
+/// A bond law with history whose bonds break for good once their tension exceeds a strength, the last of the
+/// fiber's law_parameters [N]. The flag of a bond is part of its history: it lies in lanes for the kernels,
+/// is saved and restored with the state, and no other law has it. Assembly::is_broken() reads it.
 template <class Base>
 struct Breakable {
   static constexpr std::string_view name = "breakable";
@@ -20,13 +20,14 @@ struct Breakable {
   };
 
   template <int Dim>
-  static History<double, Dim> start(const BondParameters<double>& bond, const BondConfiguration<double, Dim>& now) {
+  static History<double, Dim> start(const BondParameters<double>& bond,
+                                    const BondConfiguration<double, Dim>& now) {
     return {Base::start(bond, now), 1};
   }
 
   template <class Real, int Dim>
-  static void advance(const BondParameters<Real>& bond, History<Real, Dim>& history, const BondConfiguration<Real, Dim>& now,
-                      const Real& dt) {
+  static void advance(const BondParameters<Real>& bond, History<Real, Dim>& history,
+                      const BondConfiguration<Real, Dim>& now, const Real& dt) {
     Base::advance(bond, history.base, now, dt);
     const auto torn = Base::tension(bond, history.base, now) > bond.own[law_parameter_count - 1];
     history.intact = select(torn, Real(0.0), history.intact);
@@ -57,7 +58,9 @@ struct Breakable {
     return Base::bending_angle(history.base, now);
   }
 
-  static double largest_stiffness(const BondParameters<double>& bond) { return Base::largest_stiffness(bond); }
+  static double largest_stiffness(const BondParameters<double>& bond) {
+    return Base::largest_stiffness(bond);
+  }
 };
 
 }  // namespace fiberchain::dem

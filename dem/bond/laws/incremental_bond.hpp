@@ -5,7 +5,8 @@
 
 namespace fiberchain::dem {
 
-/// Strain summed over the steps and turned with the bond, as in the paper (Eqs 3-6): the history is the strain.
+/// Strain summed over the steps and turned with the bond, as in the paper (Eqs 3-6): the history is the
+/// strain.
 struct IncrementalBond {
   static constexpr std::string_view name = "incremental";
   static constexpr bool from_poses = false;  ///< orientations and rest shape do not matter; acts by `action`
@@ -15,16 +16,18 @@ struct IncrementalBond {
   template <class Real, int Dim>
   using History = BondHistory<Real, Dim>;
 
-  /// History that carries the loads which the total form has in these poses: where an equilibrium of it starts.
+  /// History that carries the loads which the total form has in these poses: where an equilibrium of it
+  /// starts.
   template <int Dim>
-  static History<double, Dim> start(const BondParameters<double>& bond, const BondConfiguration<double, Dim>& now) {
+  static History<double, Dim> start(const BondParameters<double>& bond,
+                                    const BondConfiguration<double, Dim>& now) {
     return history_of(bond, now.line.vector, TotalBond::loads(bond, {}, now));
   }
 
   /// Strain at the end of a step of `dt` that led here.
   template <class Real, int Dim>
-  static void advance(const BondParameters<Real>&, History<Real, Dim>& history, const BondConfiguration<Real, Dim>& now,
-                      const Real& dt) {
+  static void advance(const BondParameters<Real>&, History<Real, Dim>& history,
+                      const BondConfiguration<Real, Dim>& now, const Real& dt) {
     dem::advance(history, now.line, now.motion, dt);
   }
 

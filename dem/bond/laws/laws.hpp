@@ -19,10 +19,12 @@
 // Its own parameters are Fiber::law_parameters, in the inner loops BondParameters::own.
 namespace fiberchain::dem {
 
-/// The laws that the library builds, in the order of BondForm. A further one: its header above, its type here.
+/// The laws that the library builds, in the order of BondForm. A further one: its header above, its type
+/// here.
 using BondLaws = std::tuple<TotalBond, IncrementalBond>;
 
-/// Number of a bond law: its position in BondLaws, or a number of its own for a law from outside of the library.
+/// Number of a bond law: its position in BondLaws, or a number of its own for a law from outside of the
+/// library.
 enum class BondForm : int { total, incremental };
 
 inline constexpr std::size_t bond_law_count = std::tuple_size_v<BondLaws>;
@@ -35,7 +37,8 @@ struct BondLawOf {
 template <BondForm form>
 using BondLawType = typename BondLawOf<form>::type;
 
-static_assert(BondLawType<BondForm::total>::name == "total" && BondLawType<BondForm::incremental>::name == "incremental");
+static_assert(BondLawType<BondForm::total>::name == "total" &&
+              BondLawType<BondForm::incremental>::name == "incremental");
 
 /// visit.operator()<form>() for a form in BondLaws; the last one for a form beyond.
 template <std::size_t I = 0, class Visit>

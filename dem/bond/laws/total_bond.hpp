@@ -6,7 +6,8 @@
 
 namespace fiberchain::dem {
 
-/// Strain from the poses of the two spheres: loads are the derivatives of the energy U (law.hpp), without history.
+/// Strain from the poses of the two spheres: loads are the derivatives of the energy U (law.hpp), without
+/// history.
 struct TotalBond {
   static constexpr std::string_view name = "total";
   static constexpr bool from_poses = true;   ///< needs orientations and the rest shape; acts by `loads`

@@ -5,10 +5,11 @@
 #include "dem/contact/laws/contact_action.hpp"
 #include "dem/contact/periodic_box.hpp"
 #include "dem/model/shapes/wall_shape.hpp"
-#include "dem/simd/storage_layout.hpp"
 #include "dem/simd/instruction_set.hpp"
+#include "dem/simd/storage_layout.hpp"
 
-// What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves all.
+// What the contact loops read and write: plain arrays, so that one compiled copy an instruction set serves
+// all.
 namespace fiberchain::dem {
 
 /// Room that arrays need behind their end, so that whole vectors can be read or written there.
@@ -16,18 +17,21 @@ inline constexpr int lanes_beyond = 16;
 
 /// What a contact loop has. A template argument: what a scene lacks is not compiled into it.
 struct ContactPhysics {
-  bool uniform;   ///< one radius and one set of parameters for all spheres
-  bool periodic;  ///< some side is periodic
-  bool rolling;   ///< rolling friction
-  bool accounted;    ///< accumulators what each mechanism takes
+  bool uniform;    ///< one radius and one set of parameters for all spheres
+  bool periodic;   ///< some side is periodic
+  bool rolling;    ///< rolling friction
+  bool accounted;  ///< accumulators what each mechanism takes
 };
 
 /// Every combination that is built, of each law.
 inline constexpr int contact_combinations = 16;
-constexpr ContactPhysics contact_physics(int n) { return {(n & 1) != 0, (n & 2) != 0, (n & 4) != 0, (n & 8) != 0}; }
+constexpr ContactPhysics contact_physics(int n) {
+  return {(n & 1) != 0, (n & 2) != 0, (n & 4) != 0, (n & 8) != 0};
+}
 /// Number of a kernel in the table of a list of laws, of which this is the law's number.
 constexpr int contact_index(const ContactPhysics& p, int law) {
-  return law * contact_combinations + (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) + (p.accounted ? 8 : 0);
+  return law * contact_combinations + (p.uniform ? 1 : 0) + (p.periodic ? 2 : 0) + (p.rolling ? 4 : 0) +
+         (p.accounted ? 8 : 0);
 }
 
 /// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
@@ -38,7 +42,7 @@ struct ContactView {
   const std::int32_t* first;
   const std::int32_t* second;
   std::int32_t* contact;     ///< of each pair that touched a step before: its number; 0 of others
-  double* histories;            ///< a row a number
+  double* histories;         ///< a row a number
   double* work;              ///< accounted: a row a number, what dissipated in the step before
   const double* parameters;  ///< the law's Parameters of kinds a and b, number a * kinds + b
   std::int32_t kinds;
@@ -64,28 +68,28 @@ struct WallView {
   double shape[wall_shape_size];  ///< numbers of its shape
   double velocity[3];
   const std::int32_t* slots;
-  std::int32_t count;       ///< padded to whole vectors
-  std::int32_t* contact;    ///< as of pairs
+  std::int32_t count;        ///< padded to whole vectors
+  std::int32_t* contact;     ///< as of pairs
   const double* parameters;  ///< the law's Parameters of each kind
 };
 
-/// One part of slots, its pairs, and what came of them. A part is worked on by one thread; its results do not depend
-/// on which.
+/// One part of slots, its pairs, and what came of them. A part is worked on by one thread; its results do not
+/// depend on which.
 struct ContactTask {
   InnerPairs near;
   std::int32_t near_count;  ///< padded to whole vectors
   std::int32_t slots_begin, slots_end;
-  double* loads;            ///< of these slots
-  std::int32_t* touching;   ///< near pairs that touch; room for all and lanes_beyond
-  std::int32_t* free;       ///< numbers for contacts that begin, those that end give them back
+  double* loads;           ///< of these slots
+  std::int32_t* touching;  ///< near pairs that touch; room for all and lanes_beyond
+  std::int32_t* free;      ///< numbers for contacts that begin, those that end give them back
   std::int32_t free_count;
   HaloForce* halo;  ///< room for all near pairs with a sphere of a later part
   std::int32_t halo_count;
-  std::int64_t contacts;    ///< counted
+  std::int64_t contacts;  ///< counted
   ContactAccount<double> account;
   ContactAccount<double> power;  ///< of this moment [W]
-  double wall_work;         ///< by moving walls on spheres [J]
-  double wall_power;        ///< of this moment [W]
+  double wall_work;              ///< by moving walls on spheres [J]
+  double wall_power;             ///< of this moment [W]
 };
 
 /// Spheres in some order, with lanes_beyond behind them.
@@ -110,14 +114,16 @@ struct NeighborQuery {
 
 struct ContactKernel {
   int width;
-  /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] or touched the step before to the
-  /// first `found`; how many then.
-  std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap, const InnerPairs&, std::int32_t found);
+  /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] or touched the step
+  /// before to the first `found`; how many then.
+  std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap,
+                       const InnerPairs&, std::int32_t found);
   void (*pairs)(const ContactView&, ContactTask&);
   /// Of each shape of the kernels' list.
   void (*const* walls)(const ContactView&, const WallView&, ContactTask&);
   /// Spheres in the runs that are near and not bonded to the asking one: written to `found`, counted.
-  std::int32_t (*search)(const SortedSpheres&, const SlotRange* runs, int count, const NeighborQuery&, std::int32_t* found);
+  std::int32_t (*search)(const SortedSpheres&, const SlotRange* runs, int count, const NeighborQuery&,
+                         std::int32_t* found);
 };
 
 /// Kernels of one instruction set for a list of laws and one of wall shapes, in the order of contact_index().

@@ -15,13 +15,14 @@ template <class Real, class Law, ContactPhysics P, class Shapes>
 struct WallKernels;
 template <class Real, class Law, ContactPhysics P, template <class> class... Shapes>
 struct WallKernels<Real, Law, P, ShapeList<Shapes...>> {
-  static constexpr void (*list[])(const ContactView&, const WallView&, ContactTask&) = {contact_wall<Law, P, Shapes, Real>...};
+  static constexpr void (*list[])(const ContactView&, const WallView&,
+                                  ContactTask&) = {contact_wall<Law, P, Shapes, Real>...};
 };
 
 template <class Real, class Law, ContactPhysics P, class Shapes>
 constexpr ContactKernel contact_kernel_of() {
-  return {lane_count<Real>, prune_pairs<P, Real>, contact_pairs<Law, P, Real>, WallKernels<Real, Law, P, Shapes>::list,
-          query_neighbors<P.periodic, Real>};
+  return {lane_count<Real>, prune_pairs<P, Real>, contact_pairs<Law, P, Real>,
+          WallKernels<Real, Law, P, Shapes>::list, query_neighbors<P.periodic, Real>};
 }
 
 template <int count>

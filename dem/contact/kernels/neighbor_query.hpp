@@ -1,14 +1,15 @@
 #pragma once
 
-#include "dem/simd/gather.hpp"
-#include "dem/contact/periodic_box.hpp"
 #include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/contact/periodic_box.hpp"
+#include "dem/simd/gather.hpp"
 
 // Who is near a sphere: distances to as many spheres at a time as there are lanes.
 namespace fiberchain::dem {
 
 template <bool periodic, class Real>
-std::int32_t query_neighbors(const SortedSpheres& all, const SlotRange* runs, int count, const NeighborQuery& own, std::int32_t* found) {
+std::int32_t query_neighbors(const SortedSpheres& all, const SlotRange* runs, int count,
+                             const NeighborQuery& own, std::int32_t* found) {
   constexpr int lanes = lane_count<Real>;
   const Real reach_of_own(own.reach);
   std::int32_t n = 0;

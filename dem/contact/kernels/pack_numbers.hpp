@@ -7,8 +7,8 @@
 #include "dem/simd/gather.hpp"
 #include "dem/simd/transpose.hpp"
 
-// Templates on the number type that consist of numbers only (a law's Parameters and History, a wall's shape): with doubles they
-// are a row of numbers in memory, with packs a lane each.
+// Templates on the number type that consist of numbers only (a law's Parameters and History, a wall's shape):
+// with doubles they are a row of numbers in memory, with packs a lane each.
 namespace fiberchain::dem {
 
 /// Numbers of such a template.
@@ -17,7 +17,8 @@ inline constexpr int numbers_in = sizeof(Struct<double>) / sizeof(double);
 
 template <class Real, template <class> class Struct>
 Real* pack_numbers(Struct<Real>& value) {
-  static_assert(sizeof(Struct<Real>) == numbers_in<Struct> * sizeof(Real) && std::is_standard_layout_v<Struct<double>>);
+  static_assert(sizeof(Struct<Real>) == numbers_in<Struct> * sizeof(Real) &&
+                std::is_standard_layout_v<Struct<double>>);
   return reinterpret_cast<Real*>(&value);
 }
 

@@ -1,14 +1,15 @@
 #pragma once
 
-#include "dem/simd/gather.hpp"
 #include "dem/contact/kernels/account.hpp"
 #include "dem/contact/kernels/contact_kernel.hpp"
 #include "dem/contact/kernels/pack_numbers.hpp"
 #include "dem/math/inverse_sqrt.hpp"
 #include "dem/simd/flatten.hpp"
+#include "dem/simd/gather.hpp"
 #include "dem/simd/transpose.hpp"
 
-// The contact loop: distances of the near pairs, then the law for those that touch, as many at a time as there are lanes.
+// The contact loop: distances of the near pairs, then the law for those that touch, as many at a time as
+// there are lanes.
 namespace fiberchain::dem {
 
 /// Slots of some spheres, one a lane.
@@ -28,7 +29,8 @@ Slots<Real> slots_of(const std::int32_t* slots, const std::int32_t* entries) {
 template <int N, class Real, class Number>
 RowStarts<Real, Number> rows_at(Number* rows, const std::int32_t* entries) {
   RowStarts<Real, Number> starts;
-  for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows + static_cast<std::ptrdiff_t>(entries[k]) * N;
+  for (int k = 0; k < lane_count<Real>; ++k)
+    starts.at[k] = rows + static_cast<std::ptrdiff_t>(entries[k]) * N;
   return starts;
 }
 
@@ -66,7 +68,8 @@ Vec<Real, 3> separation(const ContactView& view, const Balls<Real>& a, const Bal
   return r;
 }
 
-/// Fetches a line extrapolation of its use: which rows pairs need is known long before, but not to the processor.
+/// Fetches a line extrapolation of its use: which rows pairs need is known long before, but not to the
+/// processor.
 inline __attribute__((always_inline)) void fetch_line(const double* line) { __builtin_prefetch(line, 0, 3); }
 
 /// Numbers of pairs extrapolation that rows are fetched.
@@ -74,7 +77,8 @@ inline constexpr int pairs_ahead = 48, touching_ahead = 24;
 
 /// Lanes in which spheres have a gap below `gap`.
 template <ContactPhysics P, class Real>
-unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first, const std::int32_t* second) {
+unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_t* first,
+                     const std::int32_t* second) {
   const Balls<Real> a = balls_at<Real>(view, first), b = balls_at<Real>(view, second);
   const Vec<Real, 3> r = separation<P>(view, a, b);
   const Real reach = P.uniform ? Real(2.0 * view.radius) + gap : a.radius + b.radius + gap;
@@ -83,8 +87,10 @@ unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_
 
 template <class Real>
 void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32_t n, std::int32_t end) {
-  if (n + pairs_ahead + lane_count<Real> > end) return;
-  for (int k = 0; k < lane_count<Real>; ++k) fetch_line(view.position_radius + static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * position_radius_size);
+  if (n + pairs_ahead + lane_count < Real >> end) return;
+  for (int k = 0; k < lane_count<Real>; ++k)
+    fetch_line(view.position_radius +
+               static_cast<std::ptrdiff_t>(slots[n + pairs_ahead + k]) * position_radius_size);
 }
 
 /// Of some pairs, those that touched the step before.
@@ -96,13 +102,14 @@ unsigned touched_mask(const std::int32_t* contact) {
 }
 
 template <ContactPhysics P, class Real>
-FIBERCHAIN_FLATTEN std::int32_t prune_pairs(const ContactView& view, std::int32_t begin, std::int32_t end, double gap, const InnerPairs& near,
-                                           std::int32_t found) {
+FIBERCHAIN_FLATTEN std::int32_t prune_pairs(const ContactView& view, std::int32_t begin, std::int32_t end,
+                                            double gap, const InnerPairs& near, std::int32_t found) {
   constexpr int lanes = lane_count<Real>;
   for (std::int32_t p = begin; p < end; p += lanes) {
     fetch_places<Real>(view, view.second, p, end);
     const unsigned near_now = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p);
-    for (unsigned chosen = near_now | touched_mask<Real>(view.contact + p); chosen != 0; chosen &= chosen - 1) {
+    for (unsigned chosen = near_now | touched_mask<Real>(view.contact + p); chosen != 0;
+         chosen &= chosen - 1) {
       const std::int32_t pair = p + __builtin_ctz(chosen);
       near.pair[found] = pair;
       near.first[found] = view.first[pair];
@@ -150,11 +157,14 @@ int find_touching(const ContactView& view, ContactTask& task) {
   int count = 0;
   for (std::int32_t n = 0; n < task.near_count; n += lanes) {
     fetch_places<Real>(view, near.second, n, task.near_count);
-    const unsigned touching = closer_than<P, Real>(view, contact_gap<Law, Real>(view), near.first + n, near.second + n);
-    for (unsigned changed = flag_mask<Real>(near.touches + n) ^ touching; changed != 0; changed &= changed - 1) {
+    const unsigned touching =
+        closer_than<P, Real>(view, contact_gap<Law, Real>(view), near.first + n, near.second + n);
+    for (unsigned changed = flag_mask<Real>(near.touches + n) ^ touching; changed != 0;
+         changed &= changed - 1) {
       const int k = n + __builtin_ctz(changed);
       near.touches[k] ^= 1;
-      near.contact[k] = near.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(near.contact[k], task);
+      near.contact[k] =
+          near.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(near.contact[k], task);
       view.contact[near.pair[k]] = near.contact[k];
     }
     append_lanes<Real>(touching, n, task.touching + count);
@@ -171,14 +181,15 @@ struct PairLoads {
 
 /// The law for pairs of the spheres i and j, of which `count` count.
 template <class Law, ContactPhysics P, class Real>
-PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i, const Slots<Real>& j,
-                           int count, ContactTask& task) {
+PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i,
+                           const Slots<Real>& j, int count, ContactTask& task) {
   using std::max;
   constexpr int lanes = lane_count<Real>;
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
   const Vec<Real, 3> r = separation<P>(view, a, b);
-  const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared), distance = squared * inverse_distance;
+  const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared),
+             distance = squared * inverse_distance;
   typename Law::template Parameters<Real> p;
   Real radii, share = Real(0.5);
   if constexpr (P.uniform) {
@@ -195,8 +206,10 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   TouchingPair<Real> pair;
   pair.normal = inverse_distance * r;
   pair.overlap = radii - distance;
-  if constexpr (!Law::acts_beyond_touch) pair.overlap = max(pair.overlap, Real(1e-300));  // squares that differ may have one root
-  pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal, arm_i * motion_i.spin + arm_j * motion_j.spin);
+  if constexpr (!Law::acts_beyond_touch)
+    pair.overlap = max(pair.overlap, Real(1e-300));  // squares that differ may have one root
+  pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal,
+                             arm_i * motion_i.spin + arm_j * motion_j.spin);
   pair.spin = motion_j.spin - motion_i.spin;
   pair.mean_spin = Real(0.5) * (motion_i.spin + motion_j.spin);
   const RowStarts<Real> history_rows = rows_at<contact_history_size, Real>(view.histories, contacts.at);
@@ -205,7 +218,8 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   const ContactAction<Real> action = Law::template act<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.accounted) {
     const RowStarts<Real> work = rows_at<contact_account_size, Real>(view.work, contacts.at);
-    account<Law, Real>(p, pair, before, history, action, Law::elastic_force(p, pair.overlap), Real(view.step), count, work, task);
+    account<Law, Real>(p, pair, before, history, action, Law::elastic_force(p, pair.overlap), Real(view.step),
+                       count, work, task);
   }
   store_struct<contact_history_size, Law::template History, Real>(history, history_rows);
   const Vec<Real, 3> turn = cross(pair.normal, action.force);
@@ -222,13 +236,15 @@ template <class Real>
 void to_rows(const Vec<Real, 3>& force, const Vec<Real, 3>& moment, LoadRows<Real>& rows) {
   RowStarts<Real> starts;
   for (int k = 0; k < lane_count<Real>; ++k) starts.at[k] = rows.at[k];
-  const Real none(0.0), n[load_size] = {force[0], force[1], force[2], moment[0], moment[1], moment[2], none, none};
+  const Real none(0.0),
+      n[load_size] = {force[0], force[1], force[2], moment[0], moment[1], moment[2], none, none};
   store_rows<load_size>(n, starts, 0);
 }
 
 /// Adds loads to those of a sphere of the part; on AVX-512 in one go.
 template <class Real>
-inline __attribute__((always_inline)) void add_row(const double* loads, std::int32_t slot, const ContactTask& task) {
+inline __attribute__((always_inline)) void add_row(const double* loads, std::int32_t slot,
+                                                   const ContactTask& task) {
   double* row = task.loads + static_cast<std::ptrdiff_t>(slot - task.slots_begin) * load_size;
 #ifdef __AVX512F__
   if constexpr (lane_count<Real> == 8) {
@@ -241,7 +257,8 @@ inline __attribute__((always_inline)) void add_row(const double* loads, std::int
 
 /// Adds pairs' loads to their spheres in the order of the pairs.
 template <class Real>
-void add_loads(const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j, int count, ContactTask& task) {
+void add_loads(const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<Real>& j, int count,
+               ContactTask& task) {
   LoadRows<Real> first, second;
   to_rows(loads.force, loads.first_moment, first);
   to_rows(-loads.force, loads.second_moment, second);
@@ -282,7 +299,8 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
     for (int k = count; k < lanes; ++k) task.touching[n + k] = task.touching[n];
     const std::int32_t* chosen = task.touching + n;
     const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
-    const Slots<Real> i = slots_of<Real>(task.near.first, chosen), j = slots_of<Real>(task.near.second, chosen);
+    const Slots<Real> i = slots_of<Real>(task.near.first, chosen),
+                      j = slots_of<Real>(task.near.second, chosen);
     add_loads(pair_loads<Law, P, Real>(view, contacts, i, j, count, task), i, j, count, task);
   }
 }

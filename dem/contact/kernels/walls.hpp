@@ -16,7 +16,8 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     const Slots<Real> i = slots_of<Real>(wall.slots, entry);
     const Balls<Real> ball = balls_at<Real>(view, i.at);
     const NearestPoint<Real> seen = shape.nearest(ball.center - shape.point);
-    const Real radius = ball.radius, edge = Law::acts_beyond_touch ? radius + contact_gap<Law, Real>(view) : radius;
+    const Real radius = ball.radius,
+               edge = Law::acts_beyond_touch ? radius + contact_gap<Law, Real>(view) : radius;
     const unsigned touching = less_mask(seen.distance, edge);
     const unsigned touched = touched_mask<Real>(wall.contact + n);
     if ((touching | touched) == 0) continue;
@@ -60,7 +61,8 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       auto was = before, is = history;
       was.spring = on * was.spring, is.spring = on * is.spring;
       const RowStarts<Real> work = rows_at<contact_account_size, Real>(view.work, contacts.at);
-      Real elastic_force = Law::elastic_force(p, pair.overlap);  // of lanes that do not touch: 0, unless the law pulls
+      Real elastic_force =
+          Law::elastic_force(p, pair.overlap);  // of lanes that do not touch: 0, unless the law pulls
       if constexpr (Law::acts_beyond_touch) elastic_force = on * elastic_force;
       account<Law, Real>(p, pair, was, is, counted, elastic_force, Real(view.step), lanes, work, task);
       const double power = summed<Real>(dot(counted.force, wall_velocity), lanes);

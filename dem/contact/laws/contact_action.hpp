@@ -2,8 +2,8 @@
 
 #include "dem/math/vec.hpp"
 
-// The values that a contact law takes and gives: templates on the number type, a double or as many contacts side by side as
-// a Real has lanes.
+// The values that a contact law takes and gives: templates on the number type, a double or as many contacts
+// side by side as a Real has lanes.
 namespace fiberchain::dem {
 
 /// Two bodies that touch. The second one is pushed along `normal`.

@@ -7,8 +7,8 @@
 
 namespace fiberchain::dem {
 
-HertzMindlin::Parameters<double> HertzMindlin::parameters(const EffectiveBody& e, const ContactProperties& properties,
-                                                          double step) {
+HertzMindlin::Parameters<double> HertzMindlin::parameters(const EffectiveBody& e,
+                                                          const ContactProperties& properties, double step) {
   const double zeta = damping_ratio_for(properties.restitution);
   Parameters<double> p{};
   p.normal = 4.0 / 3 * e.youngs_modulus * std::sqrt(e.radius);
@@ -22,7 +22,8 @@ HertzMindlin::Parameters<double> HertzMindlin::parameters(const EffectiveBody& e
   return p;
 }
 
-ContactStiffness HertzMindlin::stiffness(const EffectiveBody& e, const ContactProperties& properties, double overlap) {
+ContactStiffness HertzMindlin::stiffness(const EffectiveBody& e, const ContactProperties& properties,
+                                         double overlap) {
   const double root = std::sqrt(e.radius * overlap), zeta = damping_ratio_for(properties.restitution);
   const double normal = 2 * e.youngs_modulus * root,
                along = properties.friction > 0 ? 8 * e.shear_modulus * root : 0;

@@ -11,8 +11,8 @@ namespace fiberchain::dem {
 struct ContactProperties;
 struct EffectiveBody;
 
-/// Hertz-Mindlin contact of two spheres, or of a sphere and a wall, with dashpots and Coulomb friction. The only place of its
-/// formulas.
+/// Hertz-Mindlin contact of two spheres, or of a sphere and a wall, with dashpots and Coulomb friction. The
+/// only place of its formulas.
 struct HertzMindlin {
   static constexpr std::string_view name = "hertz_mindlin";
   static constexpr bool acts_beyond_touch = false;
@@ -33,52 +33,60 @@ struct HertzMindlin {
 
   template <class Real>
   struct History {
-    Vec<Real, 3> spring;               ///< tangential spring force on the first body [N]
-    Real sqrt_overlap;                 ///< square root of the overlap at the step before [m^0.5]; 0 before the first touch
+    Vec<Real, 3> spring;  ///< tangential spring force on the first body [N]
+    Real sqrt_overlap;    ///< square root of the overlap at the step before [m^0.5]; 0 before the first touch
     Real normal_velocity = Real(0.0);  ///< normal velocity at the step before [m/s]
     Real rolling_power = Real(0.0);    ///< of rolling friction at the step before [W]
   };
 
-  /// The normal damping from the coefficient of restitution with the end of contact at zero force (restitution.hpp), the same
-  /// ratio along the surface. `step` [s] sets the limit of rolling friction. Throws InvalidInput for a coefficient of
-  /// restitution outside (0, 1].
-  static Parameters<double> parameters(const EffectiveBody& body, const ContactProperties& properties, double step);
+  /// The normal damping from the coefficient of restitution with the end of contact at zero force
+  /// (restitution.hpp), the same ratio along the surface. `step` [s] sets the limit of rolling friction.
+  /// Throws InvalidInput for a coefficient of restitution outside (0, 1].
+  static Parameters<double> parameters(const EffectiveBody& body, const ContactProperties& properties,
+                                       double step);
 
   /// Throws as parameters().
-  static ContactStiffness stiffness(const EffectiveBody& body, const ContactProperties& properties, double overlap);
+  static ContactStiffness stiffness(const EffectiveBody& body, const ContactProperties& properties,
+                                    double overlap);
 
-  /// Force on the first body over one step `dt`; the history moves on. Velocities are those half a step before.
-  /// Normal: max(0, k d^1.5 + c d^0.25 d'). Tangential: increments 8 G* sqrt(R* d) u dt of a spring that turns
-  /// with the contact, less by sqrt(d / d_before) on unloading (Thornton, Cummins & Cleary, Powder Technol. 233
-  /// (2013) 30), a dashpot beside it, both together at most mu F_n. Where they slide, the spring moves on as
-  /// the dashpot lets it under mu F_n: spring and dashpot stretch alike, a slider in series, which never gives
-  /// energy that it was not given. A resting contact carries what Hertz's spring does, whatever the step.
-  /// `rolls`: with rolling friction.
+  /// Force on the first body over one step `dt`; the history moves on. Velocities are those half a step
+  /// before. Normal: max(0, k d^1.5 + c d^0.25 d'). Tangential: increments 8 G* sqrt(R* d) u dt of a spring
+  /// that turns with the contact, less by sqrt(d / d_before) on unloading (Thornton, Cummins & Cleary, Powder
+  /// Technol. 233 (2013) 30), a dashpot beside it, both together at most mu F_n. Where they slide, the spring
+  /// moves on as the dashpot lets it under mu F_n: spring and dashpot stretch alike, a slider in series,
+  /// which never gives energy that it was not given. A resting contact carries what Hertz's spring does,
+  /// whatever the step. `rolls`: with rolling friction.
   template <bool rolls = true, class Real>
   static ContactAction<Real> act(const Parameters<Real>& p, const TouchingPair<Real>& pair, const Real& dt,
                                  History<Real>& history) {
     using std::max;
     using std::min;
     using std::sqrt;
-    const Real sqrt_overlap = sqrt(pair.overlap), sqrt_overlap_before = max(history.sqrt_overlap, Real(1e-150));
+    const Real sqrt_overlap = sqrt(pair.overlap),
+               sqrt_overlap_before = max(history.sqrt_overlap, Real(1e-150));
     const Real quarter = sqrt(sqrt_overlap);
     const Real normal_velocity = dot(pair.velocity, pair.normal);
-    const Real change = select(history.sqrt_overlap > Real(0.0), normal_velocity - history.normal_velocity, Real(0.0));
-    const Real normal_force = max(
-        Real(0.0), p.normal * sqrt_overlap * pair.overlap - p.normal_damping * quarter * (normal_velocity + p.extrapolation * change));
+    const Real change =
+        select(history.sqrt_overlap > Real(0.0), normal_velocity - history.normal_velocity, Real(0.0));
+    const Real normal_force =
+        max(Real(0.0), p.normal * sqrt_overlap * pair.overlap -
+                           p.normal_damping * quarter * (normal_velocity + p.extrapolation * change));
     const Vec<Real, 3> slip = pair.velocity - normal_velocity * pair.normal;
 
     Vec<Real, 3> before = tangential(history.spring, pair.normal);
     before = before + (dt * dot(pair.mean_spin, pair.normal)) * cross(pair.normal, before);
     before = min(Real(1.0), sqrt_overlap / sqrt_overlap_before) * before;
     // the mean over the step on loading; on unloading spring / sqrt(d) grows by 8 G* sqrt(R*) u dt
-    const Real stiffness = dt * p.tangential * (Real(0.5) * (sqrt_overlap + min(sqrt_overlap, sqrt_overlap_before)));
+    const Real stiffness =
+        dt * p.tangential * (Real(0.5) * (sqrt_overlap + min(sqrt_overlap, sqrt_overlap_before)));
     const Real dashpot = p.tangential_damping * quarter;
     Vec<Real, 3> tangential_force = before + (stiffness + dashpot) * slip;
     const Real limit = p.friction * normal_force;
-    const Real scale = min(Real(1.0), limit * inverse_sqrt(max(dot(tangential_force, tangential_force), Real(1e-290))));
+    const Real scale =
+        min(Real(1.0), limit * inverse_sqrt(max(dot(tangential_force, tangential_force), Real(1e-290))));
     tangential_force = scale * tangential_force;
-    // before + stiffness r + dashpot r = tangential_force, r the rate at which the spring is stretched: the slip where it sticks
+    // before + stiffness r + dashpot r = tangential_force, r the rate at which the spring is stretched: the
+    // slip where it sticks
     const Real share = stiffness / max(stiffness + dashpot, Real(1e-300));
     history = {before + share * (tangential_force - before), sqrt_overlap, normal_velocity, Real(0.0)};
 
@@ -113,7 +121,8 @@ struct HertzMindlin {
 
   /// 2/5 k d^2.5 and the tangential spring.
   static double stored_energy(const Parameters<double>& p, const History<double>& h) {
-    double energy = 0.4 * p.normal * h.sqrt_overlap * h.sqrt_overlap * h.sqrt_overlap * h.sqrt_overlap * h.sqrt_overlap;
+    double energy =
+        0.4 * p.normal * h.sqrt_overlap * h.sqrt_overlap * h.sqrt_overlap * h.sqrt_overlap * h.sqrt_overlap;
     for (const double spring : h.spring.c) {
       if (p.tangential > 0) energy += 0.5 * spring * spring / (p.tangential * h.sqrt_overlap);
     }

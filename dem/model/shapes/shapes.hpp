@@ -12,7 +12,6 @@ struct ShapeList {
   static constexpr int size = sizeof...(Shapes);
 };
 
-using WallShapes = ShapeList<BasicPlane,
-                             BasicCylinder>;
+using WallShapes = ShapeList<BasicPlane, BasicCylinder>;
 
 }  // namespace fiberchain::dem

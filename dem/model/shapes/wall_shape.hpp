@@ -8,8 +8,8 @@
 
 #include "dem/model/shapes/nearest_point.hpp"
 
-// A wall's shape is a template on the number type (plane.hpp): with doubles it is a value of a Domain, with SIMD packs it
-// stands in the contact loop, compiled once for each shape of a list (shapes.hpp).
+// A wall's shape is a template on the number type (plane.hpp): with doubles it is a value of a Domain, with
+// SIMD packs it stands in the contact loop, compiled once for each shape of a list (shapes.hpp).
 namespace fiberchain::dem {
 
 /// Numbers a shape may consist of.
@@ -17,19 +17,21 @@ inline constexpr int wall_shape_size = 12;
 
 /// Numbers only, of which `point` [m] moves with the wall; nearest() takes points relative to it.
 template <class Shape>
-concept WallGeometry = std::is_trivially_copyable_v<Shape> && sizeof(Shape) <= wall_shape_size * sizeof(double) &&
+concept WallGeometry = std::is_trivially_copyable_v<Shape> &&
+                           sizeof(Shape) <= wall_shape_size * sizeof(double) &&
                        requires(const Shape& shape, const Vec<double, 3>& from, int axis) {
-                         { shape.nearest(from) } -> std::same_as<NearestPoint<double>>;
-                         { shape.is_invariant_along(axis) } -> std::same_as<bool>;
-                         { shape.point[axis] } -> std::convertible_to<double>;
-                         { Shape::name } -> std::convertible_to<std::string_view>;
-                       };
+  { shape.nearest(from) } -> std::same_as<NearestPoint<double>>;
+  { shape.is_invariant_along(axis) } -> std::same_as<bool>;
+  { shape.point[axis] } -> std::convertible_to<double>;
+  { Shape::name } -> std::convertible_to<std::string_view>;
+};
 
 /// The functions of a shape, on a std::any that holds it.
 struct WallShapeType {
   std::string_view name;
   /// Of `point` [m] where the shape has moved by `offset` [m].
-  NearestPoint<double> (*nearest)(const std::any& shape, const Vec<double, 3>& point, const Vec<double, 3>& offset);
+  NearestPoint<double> (*nearest)(const std::any& shape, const Vec<double, 3>& point,
+                                  const Vec<double, 3>& offset);
   bool (*is_invariant_along)(const std::any& shape, int axis);
   /// Writes the numbers of the shape where it has moved by `offset` [m].
   void (*numbers)(const std::any& shape, const Vec<double, 3>& offset, double* numbers);
@@ -43,7 +45,8 @@ inline constexpr WallShapeType wall_shape_type{
           const Shape& s = *std::any_cast<Shape>(&shape);
           return s.nearest(point - s.point - offset);
         },
-    .is_invariant_along = [](const std::any& shape, int axis) { return std::any_cast<Shape>(&shape)->is_invariant_along(axis); },
+    .is_invariant_along = [](const std::any& shape,
+                             int axis) { return std::any_cast<Shape>(&shape)->is_invariant_along(axis); },
     .numbers =
         [](const std::any& shape, const Vec<double, 3>& offset, double* numbers) {
           Shape moved = *std::any_cast<Shape>(&shape);
@@ -72,7 +75,9 @@ class WallShape {
     return type_->nearest(shape_, point, offset);
   }
   bool is_invariant_along(int axis) const { return type_->is_invariant_along(shape_, axis); }
-  void numbers(const Vec<double, 3>& offset, double* numbers) const { type_->numbers(shape_, offset, numbers); }
+  void numbers(const Vec<double, 3>& offset, double* numbers) const {
+    type_->numbers(shape_, offset, numbers);
+  }
 
  private:
   const WallShapeType* type_;

@@ -1,7 +1,7 @@
 #include "dem/motion/kernels/chain_batch.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "dem/chain/chain_bond.hpp"
 #include "dem/model/errors.hpp"
@@ -22,11 +22,14 @@ EndLoad<double, Dim> load_at(const Boundary<Dim>& boundary, int sphere) {
 template <int Dim>
 void check_chains(const std::vector<Chain<Dim>>& chains, int width) {
   if (chains.empty() || static_cast<int>(chains.size()) > width) {
-    throw InvalidInput(fmt::format("chains = {} is not allowed: a block takes 1 to {}", chains.size(), width));
+    throw InvalidInput(
+        fmt::format("chains = {} is not allowed: a block takes 1 to {}", chains.size(), width));
   }
   for (const Chain<Dim>& chain : chains) {
-    if (chain.fiber.aspect_ratio != chains[0].fiber.aspect_ratio || chain.natural.empty() != chains[0].natural.empty()) {
-      throw InvalidInput("chains side by side must have the same aspect ratio and all be straight at rest or none");
+    if (chain.fiber.aspect_ratio != chains[0].fiber.aspect_ratio ||
+        chain.natural.empty() != chains[0].natural.empty()) {
+      throw InvalidInput(
+          "chains side by side must have the same aspect ratio and all be straight at rest or none");
     }
   }
 }
@@ -38,9 +41,13 @@ constexpr int steps_a_chunk = 64;
 
 template <int Dim>
 ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps,
-                                  const std::vector<double>& steps, const std::vector<double>& drag,
-                                  const Physics& physics, InstructionSet set)
-    : kernel_(chain_kernel(physics, set)), form_(physics.form), lanes_(static_cast<int>(chains.size())), clamps_(clamps), fluid_(physics.fluid) {
+                            const std::vector<double>& steps, const std::vector<double>& drag,
+                            const Physics& physics, InstructionSet set)
+    : kernel_(chain_kernel(physics, set)),
+      form_(physics.form),
+      lanes_(static_cast<int>(chains.size())),
+      clamps_(clamps),
+      fluid_(physics.fluid) {
   check_chains(chains, kernel_.width);
   bonds_ = chains[0].fiber.aspect_ratio;
   along_ = lanes_ == 1 && kernel_.march_single_chain != nullptr && bonds_ >= kernel_.width;
@@ -70,7 +77,8 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
       set_sphere(lane, i, sphere);
     }
     for (std::size_t i = 0; i < chain.natural.size(); ++i) {
-      natural_.put(chain.natural[i], place(lane, static_cast<int>(i), numbers_of<NaturalEnds<double, Dim>>), stride());
+      natural_.put(chain.natural[i], place(lane, static_cast<int>(i), numbers_of<NaturalEnds<double, Dim>>),
+                   stride());
     }
   }
   if (along_) {  // the parameters are a whole vector in every mode
@@ -102,9 +110,11 @@ ChainBatchView ChainBatch<Dim>::view() {
 }
 
 template <int Dim>
-void ChainBatch<Dim>::set_ramp(int lane, const Boundary<Dim>& from, const Boundary<Dim>& to, double ramp_steps) {
+void ChainBatch<Dim>::set_ramp(int lane, const Boundary<Dim>& from, const Boundary<Dim>& to,
+                               double ramp_steps) {
   MarchParameters<double, Dim>& p = parameters_of_[lane];
-  p.ramp = {load_at(from, 0), load_at(to, 0), load_at(from, bonds_), load_at(to, bonds_), 1 / std::max(ramp_steps, 1.0)};
+  p.ramp = {load_at(from, 0), load_at(to, 0), load_at(from, bonds_), load_at(to, bonds_),
+            1 / std::max(ramp_steps, 1.0)};
   put_parameters(lane);
 }
 
@@ -157,7 +167,8 @@ template <int Dim>
 void ChainBatch<Dim>::start_histories(int lane, const Chain<Dim>& chain, const ChainState<Dim>& state) {
   with_bond_form(form_, [&]<BondForm form>() {
     for (int i = 0; i < bonds_; ++i) {
-      history_.put(start_history<BondLawType<form>>(chain, state, i), place(lane, i, kernel_.history), stride());
+      history_.put(start_history<BondLawType<form>>(chain, state, i), place(lane, i, kernel_.history),
+                   stride());
     }
   });
 }
@@ -184,7 +195,8 @@ Poses<Dim> ChainBatch<Dim>::poses(int lane) const {
 template <int Dim>
 std::vector<double> ChainBatch<Dim>::saved() const {
   std::vector<double> all{steps_on_ramp_, steps_in_fluid_};
-  for (const LaneArray* a : {&spheres_, &history_, &workspace_}) all.insert(all.end(), a->data(), a->data() + a->size());
+  for (const LaneArray* a : {&spheres_, &history_, &workspace_})
+    all.insert(all.end(), a->data(), a->data() + a->size());
   return all;
 }
 

@@ -2,24 +2,24 @@
 
 #include <vector>
 
-#include "dem/model/loads.hpp"
 #include "dem/chain/chain_state.hpp"
 #include "dem/model/fluid.hpp"
+#include "dem/model/loads.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/simd/lane_array.hpp"
 
 // Chains of equal length marched side by side, one a lane.
 namespace fiberchain::dem {
 
-/// A block of up to `width` chains that march together. Unused lanes repeat the last chain. One chain alone lies along
-/// the lanes where that is built; it then differs from the same chain among others by round-off.
+/// A block of up to `width` chains that march together. Unused lanes repeat the last chain. One chain alone
+/// lies along the lanes where that is built; it then differs from the same chain among others by round-off.
 template <int Dim>
 class ChainBatch {
  public:
-  /// Starts the chains from rest at their own poses. All must have the same number of bonds, and all be straight at
-  /// rest or none. Throws InvalidInput otherwise.
+  /// Starts the chains from rest at their own poses. All must have the same number of bonds, and all be
+  /// straight at rest or none. Throws InvalidInput otherwise.
   ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps, const std::vector<double>& steps,
-                const std::vector<double>& drag, const Physics& physics, InstructionSet set);
+             const std::vector<double>& drag, const Physics& physics, InstructionSet set);
 
   int lanes() const { return lanes_; }
   int width() const { return kernel_.width; }
@@ -27,8 +27,9 @@ class ChainBatch {
   /// From the next step on the end loads go from `from` to `to` in `ramp_steps` steps.
   void set_ramp(int lane, const Boundary<Dim>& from, const Boundary<Dim>& to, double ramp_steps);
 
-  /// The fluid around a lane's spheres and the time of its flow now [s]; without, a lane with fluid marches as in
-  /// vacuum. Free draining only. Throws InvalidInput for a fluid that makes no sense or a physics without fluid.
+  /// The fluid around a lane's spheres and the time of its flow now [s]; without, a lane with fluid marches
+  /// as in vacuum. Free draining only. Throws InvalidInput for a fluid that makes no sense or a physics
+  /// without fluid.
   void set_fluid(int lane, const Fluid& fluid, double time = 0);
   /// Dead loads on any spheres of a lane with fluid, beside the ramp.
   void set_loads(int lane, const Boundary<Dim>& boundary);
@@ -50,8 +51,8 @@ class ChainBatch {
   /// Histories of bonds that start in this state, whatever their law.
   void start_histories(int lane, const Chain<Dim>& chain, const ChainState<Dim>& state);
 
-  /// Forces at the states now; then, with the loads of this moment and the velocities taken as those of this moment,
-  /// moves the velocities half a step back, where the leapfrog wants them.
+  /// Forces at the states now; then, with the loads of this moment and the velocities taken as those of this
+  /// moment, moves the velocities half a step back, where the leapfrog wants them.
   void synchronize();
   Poses<Dim> poses(int lane) const;
 
@@ -77,9 +78,13 @@ class ChainBatch {
   EndLoad<double, Dim> load_now(int lane, int index) const;
   /// `s` half a step on, or back, under its forces and the loads and fluid of this moment.
   void move_half_step(int lane, int index, MovingSphere<double, Dim>& s, bool back) const;
-  bool fixed(int sphere) const { return (sphere == 0 && clamps_.first) || (sphere == bonds_ && clamps_.last); }
+  bool fixed(int sphere) const {
+    return (sphere == 0 && clamps_.first) || (sphere == bonds_ && clamps_.last);
+  }
   /// Places `stride` apart hold the numbers of element `i` (sphere, bond) of a lane, `size` numbers each.
-  std::size_t place(int lane, int i, std::size_t size) const { return along_ ? i : i * size * kernel_.width + lane; }
+  std::size_t place(int lane, int i, std::size_t size) const {
+    return along_ ? i : i * size * kernel_.width + lane;
+  }
   std::size_t stride() const { return along_ ? bonds_ + 2 : kernel_.width; }
 
   ChainKernel kernel_;

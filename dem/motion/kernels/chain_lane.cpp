@@ -60,10 +60,10 @@ int broken_sphere(const ChainBatch<Dim>& block, int lane, const Fiber& fiber) {
   return -1;
 }
 
-#define FIBERCHAIN_INSTANTIATE(Dim)                                                                            \
-  template void put_state<Dim>(ChainBatch<Dim>&, int, const Chain<Dim>&, const ChainState<Dim>&);           \
-  template ChainState<Dim> lagged_state<Dim>(const ChainBatch<Dim>&, int, int);                             \
-  template ChainState<Dim> state_now<Dim>(const ChainBatch<Dim>&, int, int);                                \
+#define FIBERCHAIN_INSTANTIATE(Dim)                                                               \
+  template void put_state<Dim>(ChainBatch<Dim>&, int, const Chain<Dim>&, const ChainState<Dim>&); \
+  template ChainState<Dim> lagged_state<Dim>(const ChainBatch<Dim>&, int, int);                   \
+  template ChainState<Dim> state_now<Dim>(const ChainBatch<Dim>&, int, int);                      \
   template int broken_sphere<Dim>(const ChainBatch<Dim>&, int, const Fiber&);
 FIBERCHAIN_INSTANTIATE(2)
 FIBERCHAIN_INSTANTIATE(3)

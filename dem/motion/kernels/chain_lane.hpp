@@ -18,7 +18,8 @@ ChainState<Dim> lagged_state(const ChainBatch<Dim>& block, int lane, int spheres
 template <int Dim>
 ChainState<Dim> state_now(const ChainBatch<Dim>& block, int lane, int spheres);
 
-/// Whether a bond of that length and that rest length has blown up: not finite, or ten times too long or short.
+/// Whether a bond of that length and that rest length has blown up: not finite, or ten times too long or
+/// short.
 bool blown_up(double length, double rest_length);
 
 /// First sphere of a lane that has blown up: not finite, or its bond ten times too long or short; -1 if none.

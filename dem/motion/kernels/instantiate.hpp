@@ -4,15 +4,16 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
-#include "dem/motion/kernels/single_chain_kernel.hpp"
-#include "dem/simd/flatten.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
-#include "dem/simd/lane_count.hpp"
+#include "dem/motion/kernels/single_chain_kernel.hpp"
 #include "dem/motion/leapfrog.hpp"
 #include "dem/simd/as_numbers.hpp"
+#include "dem/simd/flatten.hpp"
+#include "dem/simd/lane_count.hpp"
 
-// Included by one source file an instruction set. Everything compiled there is a template on that set's number type:
-// its symbols are its own, and no function of another file can be replaced by one with foreign instructions.
+// Included by one source file an instruction set. Everything compiled there is a template on that set's
+// number type: its symbols are its own, and no function of another file can be replaced by one with foreign
+// instructions.
 namespace fiberchain::dem {
 
 template <Physics P, class Real>
@@ -36,7 +37,8 @@ void start_block(const ChainBatchView& block) {
 template <Physics P, class Real>
 FIBERCHAIN_FLATTEN void march_block(const ChainBatchView& block, double steps_before, int steps) {
   const ChainBlock<P, Real> chain = typed<P, Real>(block);
-  for (int n = 0; n < steps; ++n) march_step<P, Real>(chain, steps_before + n, flow_of_step<P, Real>(block, n));
+  for (int n = 0; n < steps; ++n)
+    march_step<P, Real>(chain, steps_before + n, flow_of_step<P, Real>(block, n));
 }
 
 template <class Real>
@@ -46,13 +48,22 @@ struct KernelTable {
 
 template <Physics P, class Real>
 constexpr ChainKernel lane_kernel_of() {
-  if constexpr (built_for_single_chain(P) && lane_count<Real> > 1) {
-    return {.width = lane_count<Real>, .history = numbers_of<HistoryOf<P, double>>, .workspace = workspace_reals<P, Real>, .start = start_block<P, Real>,
-            .march = march_block<P, Real>, .start_single_chain = start_single_chain<P, Real>,
+  if constexpr (built_for_single_chain(P) && lane_count < Real >> 1) {
+    return {.width = lane_count<Real>,
+            .history = numbers_of<HistoryOf<P, double>>,
+            .workspace = workspace_reals<P, Real>,
+            .start = start_block<P, Real>,
+            .march = march_block<P, Real>,
+            .start_single_chain = start_single_chain<P, Real>,
             .march_single_chain = march_single_chain<P, Real>};
   } else {
-    return {.width = lane_count<Real>, .history = numbers_of<HistoryOf<P, double>>, .workspace = workspace_reals<P, Real>, .start = start_block<P, Real>,
-            .march = march_block<P, Real>, .start_single_chain = nullptr, .march_single_chain = nullptr};
+    return {.width = lane_count<Real>,
+            .history = numbers_of<HistoryOf<P, double>>,
+            .workspace = workspace_reals<P, Real>,
+            .start = start_block<P, Real>,
+            .march = march_block<P, Real>,
+            .start_single_chain = nullptr,
+            .march_single_chain = nullptr};
   }
 }
 
@@ -63,6 +74,7 @@ constexpr KernelTable<Real> kernel_table(std::index_sequence<I...>) {
 
 /// Kernels in the order of built_physics.
 template <class Real>
-inline constexpr KernelTable<Real> kernels_of = kernel_table<Real>(std::make_index_sequence<built_physics.size()>{});
+inline constexpr KernelTable<Real> kernels_of =
+    kernel_table<Real>(std::make_index_sequence<built_physics.size()>{});
 
 }  // namespace fiberchain::dem

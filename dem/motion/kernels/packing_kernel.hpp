@@ -7,15 +7,16 @@
 #include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/simd/storage_layout.hpp"
 
-// Fibers among others: their spheres lie in rows, sphere by sphere, where contacts want them; bonds still run in lanes
-// across fibers. One pass a step reads a block's rows, evaluates its bonds, moves its spheres and writes the rows back.
+// Fibers among others: their spheres lie in rows, sphere by sphere, where contacts want them; bonds still run
+// in lanes across fibers. One pass a step reads a block's rows, evaluates its bonds, moves its spheres and
+// writes the rows back.
 namespace fiberchain::dem {
 
 /// What the bonds of a step have taken, and what is needed to know it at the next one.
 struct BondAccount {
-  double* previous;                   ///< `bond_account_size` a bond, lane by lane
-  double* bond_damping;           ///< sum [J], one a lane
-  double* bond_friction;          ///< sum [J], one a lane
+  double* previous;       ///< `bond_account_size` a bond, lane by lane
+  double* bond_damping;   ///< sum [J], one a lane
+  double* bond_friction;  ///< sum [J], one a lane
 };
 /// Loads of the dashpots (and of explicit rolling friction), their powers, and the relative spin.
 inline constexpr int bond_account_size = 9 + 1 + 3 + 1 + 3;
@@ -26,36 +27,42 @@ struct PackingBlock {
   const std::int64_t* first;  ///< row of the first sphere of each lane
   double* position_radius;
   double* motions;
-  double* loads;              ///< of the rows from `first_loaded` on
+  double* loads;  ///< of the rows from `first_loaded` on
   std::int64_t first_loaded;
-  double* orientation;        ///< null where it is not followed
-  double* history;            ///< of the bond law, lane by lane
-  const double* natural;      ///< NaturalEnds, lane by lane (curved fibers)
-  const double* parameters;   ///< MarchParameters, lane by lane
-  double* workspace;          ///< `workspace` of the kernel
-  double* scratch;            ///< room for `scratch` doubles
-  double weight[3];           ///< of a sphere [N]
-  const double* gradient;     ///< fluid: A now, lane by lane
-  const double* next_history; ///< of the block that comes next, to be fetched ahead; null if none
-  std::int64_t rows_ahead;    ///< spheres from those of this block to those whose position_radius and motions are fetched meanwhile
-  double previous_step;                 ///< the step that previous_step here: dt, or 0 before the first [s]
+  double* orientation;         ///< null where it is not followed
+  double* history;             ///< of the bond law, lane by lane
+  const double* natural;       ///< NaturalEnds, lane by lane (curved fibers)
+  const double* parameters;    ///< MarchParameters, lane by lane
+  double* workspace;           ///< `workspace` of the kernel
+  double* scratch;             ///< room for `scratch` doubles
+  double weight[3];            ///< of a sphere [N]
+  const double* gradient;      ///< fluid: A now, lane by lane
+  const double* next_history;  ///< of the block that comes next, to be fetched ahead; null if none
+  std::int64_t rows_ahead;  ///< spheres from those of this block to those whose position_radius and motions
+                            ///< are fetched meanwhile
+  double previous_step;     ///< the step that previous_step here: dt, or 0 before the first [s]
 };
 
 struct PackingKernel {
   int width;
-  std::size_t history;                  ///< doubles of a bond's history in a lane
-  std::size_t (*workspace)(int bonds);  ///< doubles a lane that solving along the chain needs, kept from step to step
-  std::size_t (*scratch)(int bonds);    ///< doubles in all
+  std::size_t history;  ///< doubles of a bond's history in a lane
+  std::size_t (*workspace)(
+      int bonds);  ///< doubles a lane that solving along the chain needs, kept from step to step
+  std::size_t (*scratch)(int bonds);  ///< doubles in all
   /// One step, after which the loads are zero; the square of the largest speed after it.
   double (*step)(const PackingBlock&);
-  /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history moves on.
+  /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history
+  /// moves on.
   void (*snapshot)(const PackingBlock&);
   /// Before a step: books what the one before took. Null where bonds take nothing.
   void (*account)(const PackingBlock&, const BondAccount&);
 };
 
-/// Every combination built for fibers among others: three dimensions, nothing solved but rolling friction, no drag.
-constexpr bool built_for_packings(const Physics& p) { return p.dimension == 3 && !p.settling_damping && !p.solved; }
+/// Every combination built for fibers among others: three dimensions, nothing solved but rolling friction, no
+/// drag.
+constexpr bool built_for_packings(const Physics& p) {
+  return p.dimension == 3 && !p.settling_damping && !p.solved;
+}
 
 /// Kernels of one instruction set, in the order of built_physics; empty where not built for packings.
 template <InstructionSet set>
@@ -66,8 +73,9 @@ struct PackingKernels {
 /// As chain_kernel().
 const PackingKernel& packing_kernel(const Physics& physics, InstructionSet set);
 
-/// Kernels of a law from outside of the library, in the order of built_physics_of<form>. Their tables are defined by one
-/// source, which fiberchain_add_kernels() compiles for each instruction set: law_kernels_of<form, CompiledReal>.
+/// Kernels of a law from outside of the library, in the order of built_physics_of<form>. Their tables are
+/// defined by one source, which fiberchain_add_kernels() compiles for each instruction set:
+/// law_kernels_of<form, CompiledReal>.
 template <BondForm form>
 struct LawKernels {
   template <InstructionSet set>
@@ -76,8 +84,8 @@ struct LawKernels {
   };
 };
 
-/// Index of a physics in a list. Throws InvalidInput, with the physics in words, where it is not in it or not built for
-/// packings.
+/// Index of a physics in a list. Throws InvalidInput, with the physics in words, where it is not in it or not
+/// built for packings.
 std::ptrdiff_t packing_index(const Physics& physics, std::span<const Physics> list);
 
 /// As packing_kernel(), of a law from outside of the library.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "dem/simd/flatten.hpp"
 #include "dem/motion/kernels/packing_kernel.hpp"
-#include "dem/simd/transpose.hpp"
 #include "dem/motion/leapfrog.hpp"
 #include "dem/simd/as_numbers.hpp"
+#include "dem/simd/flatten.hpp"
+#include "dem/simd/transpose.hpp"
 
 // Included by one source file an instruction set, as instantiate.hpp.
 namespace fiberchain::dem {
@@ -92,13 +92,14 @@ class BlockStorage {
   bool oriented_;
 };
 
-/// Inlined before the compiler asks what a function does: one that only fetches does nothing, and its calls would go.
+/// Inlined before the compiler asks what a function does: one that only fetches does nothing, and its calls
+/// would go.
 inline __attribute__((always_inline)) void fetch_lines(const double* from, std::ptrdiff_t numbers) {
   for (std::ptrdiff_t n = 0; n < numbers; n += cache_line_size) __builtin_prefetch(from + n, 1, 2);
 }
 
-/// Fetches, a part with every sphere, the rows of a later block and the history of the next one: the rows are larger than the
-/// caches, and the processor does not see them coming.
+/// Fetches, a part with every sphere, the rows of a later block and the history of the next one: the rows are
+/// larger than the caches, and the processor does not see them coming.
 template <Physics P, class Real>
 inline __attribute__((always_inline)) void fetch_ahead(const PackingBlock& block, std::ptrdiff_t i) {
   constexpr std::ptrdiff_t lanes = lane_count<Real>;
@@ -130,7 +131,8 @@ double largest_lane(const Real& value) {
   }
 }
 
-/// Bonds, then kick and drift: one sweep along the chains, the sphere whose second bond is still to come in registers.
+/// Bonds, then kick and drift: one sweep along the chains, the sphere whose second bond is still to come in
+/// registers.
 template <Physics P, class Real>
 Real sweep_packing(const PackingBlock& block) {
   using std::max;
@@ -165,7 +167,8 @@ Real step_packing_together(const PackingBlock& block) {
   const BlockStorage<Real> rows(block);
   const Real previous_step(block.previous_step);
   for (int i = 0; i <= block.bonds; ++i) chain.spheres[i] = rows.read(i);
-  for (int i = 0; i < block.bonds; ++i) add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], previous_step);
+  for (int i = 0; i < block.bonds; ++i)
+    add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], previous_step);
   kick_together<P, Real>(chain);
   Real fastest(0.0);
   for (int i = 0; i <= block.bonds; ++i) {
@@ -200,20 +203,21 @@ void snapshot_packing(const PackingBlock& block) {
 template <class Real>
 struct PreviousLoads {
   BondLoads<Real, 3> loads;
-  Real power;            ///< of the dashpots' loads [W]
-  Vec<Real, 3> moment;   ///< of explicit rolling friction, on the first sphere [N m]
-  Real rolling_power;    ///< [W]
-  Vec<Real, 3> spin;     ///< relative, half a step before the kick [1/s]
+  Real power;           ///< of the dashpots' loads [W]
+  Vec<Real, 3> moment;  ///< of explicit rolling friction, on the first sphere [N m]
+  Real rolling_power;   ///< [W]
+  Vec<Real, 3> spin;    ///< relative, half a step before the kick [1/s]
 };
 
-/// Energy taken by the dashpots [J]. A kick with a force takes force times the mean of the velocities before and after it,
-/// exactly: those of this step and of the one before, whose loads are `previous`.
+/// Energy taken by the dashpots [J]. A kick with a force takes force times the mean of the velocities before
+/// and after it, exactly: those of this step and of the one before, whose loads are `previous`.
 template <class Real>
-void account_dashpots(const PackingBlock& block, const MarchParameters<Real, 3>& p, const MovingSphere<Real, 3>& a,
-                      const MovingSphere<Real, 3>& b, const BondConfiguration<Real, 3>& now, PreviousLoads<Real>& previous,
-                      Real& damping) {
+void account_dashpots(const PackingBlock& block, const MarchParameters<Real, 3>& p,
+                      const MovingSphere<Real, 3>& a, const MovingSphere<Real, 3>& b,
+                      const BondConfiguration<Real, 3>& now, PreviousLoads<Real>& previous, Real& damping) {
   const Real half = Real(0.5) * Real(block.previous_step);
-  damping = damping + half * (previous.power + power_taken(previous.loads, now.motion.velocity, a.spin, b.spin));
+  damping =
+      damping + half * (previous.power + power_taken(previous.loads, now.motion.velocity, a.spin, b.spin));
   previous.loads = dashpot_loads(p.bond, now);
   previous.power = power_taken(previous.loads, now.motion.velocity, a.spin, b.spin);
   // the first kick began half a step before the start
@@ -229,10 +233,12 @@ void account_rolling(const PackingBlock& block, const ChainBlock<P, Real>& chain
   if constexpr (P.rolling == Rolling::set_valued) {  // the impulse l over J went from one sphere to the other
     const Real inertia = p.step / p.angular_impulse;
     const Vec<Real, 3> impulse = rolling_slots(chain)[bond].impulse;
-    if (block.previous_step > 0) friction = friction + Real(0.5) * inertia * dot(impulse, previous.spin + spin);
+    if (block.previous_step > 0)
+      friction = friction + Real(0.5) * inertia * dot(impulse, previous.spin + spin);
     previous.spin = spin;
   } else if constexpr (P.rolling == Rolling::explicit_sign) {
-    friction = friction + Real(0.5) * Real(block.previous_step) * (previous.rolling_power + dot(previous.moment, spin));
+    friction = friction +
+               Real(0.5) * Real(block.previous_step) * (previous.rolling_power + dot(previous.moment, spin));
     const HistoryOf<P, Real> history = advanced_history<P, Real>(chain, bond, now, Real(block.previous_step));
     previous.moment = sliding_moment(largest_rolling_moment<P, Real>(chain, history, now), spin);
     previous.rolling_power = dot(previous.moment, spin);
@@ -240,8 +246,9 @@ void account_rolling(const PackingBlock& block, const ChainBlock<P, Real>& chain
 }
 
 template <Physics P, class Real>
-void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, int bond, const MovingSphere<Real, 3>& a,
-                  const MovingSphere<Real, 3>& b, const BondAccount& account) {
+void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, int bond,
+                  const MovingSphere<Real, 3>& a, const MovingSphere<Real, 3>& b,
+                  const BondAccount& account) {
   PreviousLoads<Real>& previous = as_values<PreviousLoads<Real>>(account.previous)[bond];
   Real& damping = *as_values<Real>(account.bond_damping);
   const BondConfiguration<Real, 3> now = configuration<P, Real>(chain, bond, a, b);
@@ -281,9 +288,13 @@ constexpr PackingKernel packing_kernel_of() {
   if constexpr (!built_for_packings(P)) {
     return {};
   } else {
-    PackingKernel kernel{.width = lane_count<Real>, .history = numbers_of<HistoryOf<P, double>>,
-                         .workspace = workspace_reals<P, Real>, .scratch = packing_scratch<P, Real>, .step = step_packing<P, Real>,
-                         .snapshot = snapshot_packing<P, Real>, .account = nullptr};
+    PackingKernel kernel{.width = lane_count<Real>,
+                         .history = numbers_of<HistoryOf<P, double>>,
+                         .workspace = workspace_reals<P, Real>,
+                         .scratch = packing_scratch<P, Real>,
+                         .step = step_packing<P, Real>,
+                         .snapshot = snapshot_packing<P, Real>,
+                         .account = nullptr};
     if constexpr (P.damped || BondLaw<P>::dissipates) kernel.account = account_packing<P, Real>;
     return kernel;
   }

@@ -12,18 +12,22 @@ namespace {
 std::ptrdiff_t index_of(const Physics& physics, std::span<const Physics> list, bool for_packings) {
   const auto found = std::ranges::find(list, physics);
   if (found == list.end() || (for_packings && !built_for_packings(physics))) {
-    throw InvalidInput(fmt::format(
-        "dimension = {}, form = {}, damped = {}, drag = {}, curved = {}, solved = {}, rolling = {}, fluid = {} is not among the "
-        "combinations that are built{}",
-        physics.dimension, name(physics.form), physics.damped, physics.settling_damping, physics.curved, physics.solved,
-        name(physics.rolling), physics.fluid, for_packings ? " for fibers among others" : ""));
+    throw InvalidInput(
+        fmt::format("dimension = {}, form = {}, damped = {}, drag = {}, curved = {}, solved = {}, rolling = "
+                    "{}, fluid = {} is not among the "
+                    "combinations that are built{}",
+                    physics.dimension, name(physics.form), physics.damped, physics.settling_damping,
+                    physics.curved, physics.solved, name(physics.rolling), physics.fluid,
+                    for_packings ? " for fibers among others" : ""));
   }
   return found - list.begin();
 }
 
 }  // namespace
 
-std::ptrdiff_t packing_index(const Physics& physics, std::span<const Physics> list) { return index_of(physics, list, true); }
+std::ptrdiff_t packing_index(const Physics& physics, std::span<const Physics> list) {
+  return index_of(physics, list, true);
+}
 
 const ChainKernel& chain_kernel(const Physics& physics, InstructionSet set) {
   return kernel_of<ChainKernels>(set, index_of(physics, built_physics, false));

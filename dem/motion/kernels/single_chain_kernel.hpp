@@ -2,13 +2,14 @@
 
 #include <xsimd/xsimd.hpp>
 
+#include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/motion/leapfrog.hpp"
 #include "dem/simd/as_numbers.hpp"
 #include "dem/simd/flatten.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
 
-// One chain, its spheres and bonds side by side in lanes: number n of sphere i stands at [n * stride + i]. The last
-// vector overlaps the one before; it is worked out first and stored last, so that both give the same numbers.
+// One chain, its spheres and bonds side by side in lanes: number n of sphere i stands at [n * stride + i].
+// The last vector overlaps the one before; it is worked out first and stored last, so that both give the same
+// numbers.
 namespace fiberchain::dem {
 
 /// A value type of Reals, each taken from (or put to) consecutive places `stride` doubles apart.
@@ -16,14 +17,16 @@ template <class Value, class Real>
 Value load_along(const double* source, int stride, int i) {
   Value value;
   Real* numbers = as_numbers<Real>(value);
-  for (std::size_t n = 0; n < numbers_of<Value, Real>; ++n) numbers[n] = Real::load_unaligned(source + n * stride + i);
+  for (std::size_t n = 0; n < numbers_of<Value, Real>; ++n)
+    numbers[n] = Real::load_unaligned(source + n * stride + i);
   return value;
 }
 
 template <class Real, class Value>
 void store_along(const Value& value, double* target, int stride, int i) {
   const Real* numbers = as_numbers<Real>(value);
-  for (std::size_t n = 0; n < numbers_of<Value, Real>; ++n) numbers[n].store_unaligned(target + n * stride + i);
+  for (std::size_t n = 0; n < numbers_of<Value, Real>; ++n)
+    numbers[n].store_unaligned(target + n * stride + i);
 }
 
 /// Calls store(i, make(i)) for vectors that cover 0 ... count - 1; count is at least the width.
@@ -49,7 +52,8 @@ LocalFlow<P, Real> flow_of_step(const ChainBatchView& block, int n) {
 }
 
 template <Physics P, class Real>
-void move_spheres_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p, const LocalFlow<P, Real>& flow) {
+void move_spheres_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p,
+                        const LocalFlow<P, Real>& flow) {
   using Sphere = MovingSphere<Real, P.dimension>;
   const int stride = block.stride;
   cover<Real>(
@@ -61,7 +65,8 @@ void move_spheres_along(const ChainBatchView& block, const MarchParameters<Real,
         own.impulse = own.impulse * mobile, own.angular_impulse = own.angular_impulse * mobile;
         if constexpr (P.fluid) {
           own.follow = own.follow * mobile, own.spin_follow = own.spin_follow * mobile;
-          if (block.dead) add_load(sphere, load_along<EndLoad<Real, P.dimension>, Real>(block.dead, stride, i));
+          if (block.dead)
+            add_load(sphere, load_along<EndLoad<Real, P.dimension>, Real>(block.dead, stride, i));
         }
         kick<P>(sphere, own, flow);
         drift(sphere, p.step);
@@ -72,7 +77,8 @@ void move_spheres_along(const ChainBatchView& block, const MarchParameters<Real,
 
 /// Bond loads go one place up, so that place i holds what the bond before sphere i does.
 template <Physics P, class Real>
-void evaluate_bonds_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p, const Real& dt) {
+void evaluate_bonds_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p,
+                          const Real& dt) {
   using Sphere = MovingSphere<Real, P.dimension>;
   using History = HistoryOf<P, Real>;
   const int stride = block.stride;
@@ -80,8 +86,12 @@ void evaluate_bonds_along(const ChainBatchView& block, const MarchParameters<Rea
       block.bonds,
       [&](int i) {
         BondSlot<P, Real> slot{load_along<History, Real>(block.history, stride, i), {}};
-        const ChainBlock<P, Real> one{.bonds = 1, .clamps = {}, .spheres = nullptr, .history = &slot.history,
-                                      .natural = nullptr, .parameters = p};
+        const ChainBlock<P, Real> one{.bonds = 1,
+                                      .clamps = {},
+                                      .spheres = nullptr,
+                                      .history = &slot.history,
+                                      .natural = nullptr,
+                                      .parameters = p};
         slot.loads = bond_step<P, Real>(one, 0, load_along<Sphere, Real>(block.spheres, stride, i),
                                         load_along<Sphere, Real>(block.spheres, stride, i + 1), dt);
         return slot;
@@ -107,14 +117,18 @@ void reduce_bond_loads_along(const ChainBatchView& block) {
       [&](int i) {
         const Loads before = load_along<Loads, Real>(block.loads, stride, i);
         const Loads after = load_along<Loads, Real>(block.loads, stride, i + 1);
-        return Forces{after.force_on_first - before.force_on_first, before.moment_on_second + after.moment_on_first};
+        return Forces{after.force_on_first - before.force_on_first,
+                      before.moment_on_second + after.moment_on_first};
       },
-      [&](int i, const Forces& forces) { store_along<Real>(forces, block.spheres + first * stride, stride, i); });
+      [&](int i, const Forces& forces) {
+        store_along<Real>(forces, block.spheres + first * stride, stride, i);
+      });
 }
 
 /// Dead loads of the ends, added to the forces of the spheres there.
 template <Physics P, class Real>
-void load_ends_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p, double steps_before) {
+void load_ends_along(const ChainBatchView& block, const MarchParameters<Real, P.dimension>& p,
+                     double steps_before) {
   constexpr int Dim = P.dimension;
   constexpr int first = numbers_of<MovingSphere<Real, Dim>, Real> - numbers_of<EndLoad<Real, Dim>, Real>;
   const Real factor = ramp_factor(p.ramp.rate, steps_before);

@@ -15,7 +15,8 @@ namespace {
 
 dem::AssemblyOptions breakable() { return {.law = &dem::outside_law<dem::breakable_form>}; }
 
-/// Fibers of three bonds apart from each other, the last sphere of each flying off along the axis: faster from fiber to fiber.
+/// Fibers of three bonds apart from each other, the last sphere of each flying off along the axis: faster
+/// from fiber to fiber.
 dem::FiberGroup pulled(double strength, double slowest, int count) {
   dem::Fiber fiber = scenes::odd_fiber(3);
   fiber.law_parameters.back() = strength;
@@ -45,10 +46,12 @@ BOOST_AUTO_TEST_CASE(no_bond_breaks_below_its_strength_and_the_motion_is_that_of
   }
 }
 
-// The first pull reaches N = v sqrt(K_n m) times a number between 1/2 and 1: a strength far below breaks it, far above not.
+// The first pull reaches N = v sqrt(K_n m) times a number between 1/2 and 1: a strength far below breaks it,
+// far above not.
 BOOST_AUTO_TEST_CASE(bond_breaks_once_its_tension_exceeds_the_strength_and_the_sphere_flies_free) {
   const dem::Fiber fiber = scenes::odd_fiber(3);
-  const double speed = 0.05, pull = speed * std::sqrt(dem::bond_stiffness(fiber).stretch * dem::sphere_mass(fiber));
+  const double speed = 0.05,
+               pull = speed * std::sqrt(dem::bond_stiffness(fiber).stretch * dem::sphere_mass(fiber));
   dem::Assembly assembly({pulled(2 * pull, speed, 6)}, {}, breakable());
   assembly.march(2000);
   BOOST_TEST(!assembly.is_broken(0, 0, 2));  // at most `pull`

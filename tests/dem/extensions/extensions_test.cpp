@@ -13,8 +13,10 @@ using namespace scenes;
 
 namespace {
 
-const dem::ContactLaw& linear_contact = dem::contact_law_of<extensions::LinearContact, extensions::MoreLaws, dem::WallShapes>;
-const dem::ContactLaw& hertz_on_spheres = dem::contact_law_of<dem::HertzMindlin, dem::ContactLaws, extensions::MoreShapes>;
+const dem::ContactLaw& linear_contact =
+    dem::contact_law_of<extensions::LinearContact, extensions::MoreLaws, dem::WallShapes>;
+const dem::ContactLaw& hertz_on_spheres =
+    dem::contact_law_of<dem::HertzMindlin, dem::ContactLaws, extensions::MoreShapes>;
 
 /// Two spheres abreast, joined by a bond that carries nothing.
 const dem::Fiber ball{dem::isotropic_material(2.6e6, 0.31, 1130), 1.66e-3, 1};
@@ -31,7 +33,8 @@ double largest_off(dem::Assembly& assembly, int moments, int steps) {
   for (int n = 0; n < moments; ++n) {
     assembly.march(steps);
     const dem::EnergyBalance now = assembly.energy();
-    off = std::max(off, std::abs(total(now) - total(start)) / (start.kinetic + start.gravity - now.gravity + now.wall_work));
+    off = std::max(off, std::abs(total(now) - total(start)) /
+                            (start.kinetic + start.gravity - now.gravity + now.wall_work));
   }
   return off;
 }
@@ -46,8 +49,9 @@ BOOST_AUTO_TEST_CASE(linear_springs_collide_in_half_a_period_whatever_the_speed)
       // E* = E / (2 (1 - nu^2)), R* = R / 2, m* = m / 2
       const double k = 2.6e6 / 2 / (1 - 0.31 * 0.31) * R / 2, l = std::log(e), pi = std::numbers::pi;
       const double time = std::sqrt(m / 2 / k * (pi * pi + l * l)), dt = time / 4000;
-      dem::Assembly assembly({moving({}, {0, 0, 1}, {}), moving({2 * R + 0.4 * dt * speed, 0, 0}, {0, 0, 1}, {-speed, 0, 0})},
-                             around, {.step = dt, .account_energy = true});
+      dem::Assembly assembly(
+          {moving({}, {0, 0, 1}, {}), moving({2 * R + 0.4 * dt * speed, 0, 0}, {0, 0, 1}, {-speed, 0, 0})},
+          around, {.step = dt, .account_energy = true});
       int touching = 0;
       for (int n = 0; n < 4400; ++n) assembly.march(1), touching += assembly.touching() > 0;
       const double first = assembly.state(0, 0).velocity[0][0], second = assembly.state(1, 0).velocity[0][0];
@@ -77,14 +81,16 @@ BOOST_AUTO_TEST_CASE(the_balance_of_a_packing_with_linear_springs_closes) {
   }
 }
 
-/// Each sphere of a fiber falls upon the top of a spherical wall of its own, so that the bond carries nothing.
+/// Each sphere of a fiber falls upon the top of a spherical wall of its own, so that the bond carries
+/// nothing.
 BOOST_AUTO_TEST_CASE(a_sphere_bounces_off_a_spherical_wall_by_the_coefficient_of_restitution) {
   const double radius = 4.1e-3, speed = 0.3, rise = 0.1, gap = 1e-6;
   for (const double e : {1.0, 0.5}) {
     dem::Domain around;
     around.contacts = {.restitution = e, .friction = 0.3, .law = &hertz_on_spheres};
     const V tops[2] = {{1e-3, -2e-3, 0}, {1e-3 + 2 * R, -2e-3, 0}}, below{0, 0, -radius};
-    for (const V& top : tops) around.walls.push_back({extensions::SphereWall{top + below, radius}, {0, 0, rise}});
+    for (const V& top : tops)
+      around.walls.push_back({extensions::SphereWall{top + below, radius}, {0, 0, rise}});
     dem::Assembly assembly({moving(tops[0] + V{0, 0, R + gap}, {1, 0, 0}, {0, 0, -speed})}, around,
                            {.step = 1e-7, .account_energy = true});
     int touched = 0;
@@ -106,7 +112,8 @@ BOOST_AUTO_TEST_CASE(a_sphere_bounces_off_a_spherical_wall_by_the_coefficient_of
       BOOST_TEST(std::hypot(v[0], v[1]) < 1e-9);
     }
     const dem::EnergyBalance now = assembly.energy();
-    const double work = 2 * m * (speed + after) * rise, lost = m * closing * closing * (1 - e * e);  // of two spheres
+    const double work = 2 * m * (speed + after) * rise,
+                 lost = m * closing * closing * (1 - e * e);  // of two spheres
     BOOST_TEST(now.wall_work == work, boost::test_tools::tolerance(2e-3));
     BOOST_TEST(std::abs(now.contact_normal - lost) < 2e-3 * m * closing * closing);
     BOOST_TEST(total(now) == m * speed * speed, boost::test_tools::tolerance(1e-3));

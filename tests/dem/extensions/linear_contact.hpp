@@ -11,12 +11,20 @@
 namespace extensions {
 using namespace fiberchain::dem;
 
-/// Springs k = E* R* and 2/7 k and a normal dashpot, with Coulomb friction (Cundall & Strack, Geotechnique 29 (1979) 47).
+/// Springs k = E* R* and 2/7 k and a normal dashpot, with Coulomb friction (Cundall & Strack, Geotechnique 29
+/// (1979) 47).
 struct LinearContact {
   static constexpr std::string_view name = "linear";
   static constexpr bool acts_beyond_touch = false;
-  template <class Real> struct Parameters { Real normal, tangential, damping, friction; };
-  template <class Real> struct History { Vec<Real, 3> spring; Real depth, normal_velocity, rolling_power; };
+  template <class Real>
+  struct Parameters {
+    Real normal, tangential, damping, friction;
+  };
+  template <class Real>
+  struct History {
+    Vec<Real, 3> spring;
+    Real depth, normal_velocity, rolling_power;
+  };
 
   static double damping(const EffectiveBody& e, const ContactProperties& c) {
     const double l = std::log(c.restitution), pi = std::numbers::pi;
@@ -31,23 +39,35 @@ struct LinearContact {
     return {k, c.friction > 0 ? 2.0 / 7 * k : 0, damping(e, c), 0};
   }
   template <bool rolls, class Real>
-  static ContactAction<Real> act(const Parameters<Real>& p, const TouchingPair<Real>& pair, const Real& dt, History<Real>& h) {
+  static ContactAction<Real> act(const Parameters<Real>& p, const TouchingPair<Real>& pair, const Real& dt,
+                                 History<Real>& h) {
     using std::max, std::min;
     const Real v = dot(pair.velocity, pair.normal), force = p.normal * pair.overlap - p.damping * v;
-    const Vec<Real, 3> slip = pair.velocity - v * pair.normal, trial = tangential(h.spring, pair.normal) + (dt * p.tangential) * slip;
-    const Real limit = p.friction * max(force, Real(0.0)), size = inverse_sqrt(max(dot(trial, trial), Real(1e-290)));
+    const Vec<Real, 3> slip = pair.velocity - v * pair.normal,
+                       trial = tangential(h.spring, pair.normal) + (dt * p.tangential) * slip;
+    const Real limit = p.friction * max(force, Real(0.0)),
+               size = inverse_sqrt(max(dot(trial, trial), Real(1e-290)));
     h = {min(Real(1.0), limit * size) * trial, pair.overlap, v, Real(0.0)};
     return {h.spring - force * pair.normal, {Real(0.0), Real(0.0), Real(0.0)}};
   }
-  template <class Real> static Real overlap(const History<Real>& h) { return h.depth; }
-  template <class Real> static Real elastic_force(const Parameters<Real>& p, const Real& overlap) { return p.normal * overlap; }
-  template <class Real> static Real spring_energy(const Parameters<Real>& p, const History<Real>& h) {
+  template <class Real>
+  static Real overlap(const History<Real>& h) {
+    return h.depth;
+  }
+  template <class Real>
+  static Real elastic_force(const Parameters<Real>& p, const Real& overlap) {
+    return p.normal * overlap;
+  }
+  template <class Real>
+  static Real spring_energy(const Parameters<Real>& p, const History<Real>& h) {
     return Real(0.5) * dot(h.spring, h.spring) / p.tangential;
   }
   static double stored_energy(const Parameters<double>& p, const History<double>& h) {
     return 0.5 * p.normal * h.depth * h.depth + spring_energy(p, h);
   }
-  static double closing_power(const Parameters<double>& p, const History<double>& h) { return -p.normal * h.depth * h.normal_velocity; }
+  static double closing_power(const Parameters<double>& p, const History<double>& h) {
+    return -p.normal * h.depth * h.normal_velocity;
+  }
 };
 
 }  // namespace extensions

@@ -5,8 +5,8 @@
 #include "tests/dem/extensions/linear_contact.hpp"
 #include "tests/dem/extensions/sphere_wall.hpp"
 
-// The lists of laws.hpp and shapes.hpp with a further law, and with a further shape. Loops of their own are compiled for them
-// (kernels.cpp), so that the library stays as it is.
+// The lists of laws.hpp and shapes.hpp with a further law, and with a further shape. Loops of their own are
+// compiled for them (kernels.cpp), so that the library stays as it is.
 namespace extensions {
 
 using MoreLaws = TypeList<LinearContact>;

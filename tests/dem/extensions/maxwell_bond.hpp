@@ -7,8 +7,9 @@
 
 namespace fiberchain::dem {
 
-/// The incremental bond with one Maxwell branch beside each spring: the branch's spring is g times as stiff, its dashpot lets it
-/// relax within tau (standard linear solid, G(t) = K (1 + g exp(-t / tau))). law_parameters: g [-], tau [s].
+/// The incremental bond with one Maxwell branch beside each spring: the branch's spring is g times as stiff,
+/// its dashpot lets it relax within tau (standard linear solid, G(t) = K (1 + g exp(-t / tau))).
+/// law_parameters: g [-], tau [s].
 struct MaxwellBond : IncrementalBond {
   static constexpr std::string_view name = "maxwell";
   static constexpr bool rolls = false, dissipates = true;
@@ -18,15 +19,18 @@ struct MaxwellBond : IncrementalBond {
     BondHistory<Real, Dim> springs, branch;  ///< strain of the bond, of the branch's spring
   };
   template <int Dim>
-  static History<double, Dim> start(const BondParameters<double>& bond, const BondConfiguration<double, Dim>& now) {
+  static History<double, Dim> start(const BondParameters<double>& bond,
+                                    const BondConfiguration<double, Dim>& now) {
     return {IncrementalBond::start(bond, now), {}};
   }
-  /// Exact for a constant rate: z -> E z + f d, E = exp(-x), f = (1 - E) / x, x = dt / tau, d the strain of the step.
+  /// Exact for a constant rate: z -> E z + f d, E = exp(-x), f = (1 - E) / x, x = dt / tau, d the strain of
+  /// the step.
   template <class Real, int Dim>
-  static void advance(const BondParameters<Real>& bond, History<Real, Dim>& history, const BondConfiguration<Real, Dim>& now,
-                      const Real& dt) {
+  static void advance(const BondParameters<Real>& bond, History<Real, Dim>& history,
+                      const BondConfiguration<Real, Dim>& now, const Real& dt) {
     using std::exp;
-    const Real x = dt / bond.own[1], E = exp(-x), f = select(x > Real(0.0), (Real(1.0) - E) / (x + Real(1e-300)), Real(1.0));
+    const Real x = dt / bond.own[1], E = exp(-x),
+               f = select(x > Real(0.0), (Real(1.0) - E) / (x + Real(1e-300)), Real(1.0));
     dem::advance(history.springs, now.line, now.motion, dt);
     scale(history.branch, E / f);
     dem::advance(history.branch, now.line, now.motion, dt);
@@ -64,7 +68,8 @@ struct MaxwellBond : IncrementalBond {
   template <class Real, int Dim>
   static void scale(BondHistory<Real, Dim>& strain, const Real& factor) {
     Real* numbers = as_numbers<Real>(strain);
-    for (std::size_t n = 0; n < numbers_of<BondHistory<Real, Dim>, Real>; ++n) numbers[n] = factor * numbers[n];
+    for (std::size_t n = 0; n < numbers_of<BondHistory<Real, Dim>, Real>; ++n)
+      numbers[n] = factor * numbers[n];
   }
 };
 

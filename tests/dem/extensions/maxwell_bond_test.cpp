@@ -39,7 +39,8 @@ dem::FiberGroup parting(const dem::Fiber& fiber, int count) {
   return group;
 }
 
-/// Stretch after a time of x'' = -2 K/m (x + g z), z' = x' - z / tau from x = z = 0, by the eigenvalues of the linear system.
+/// Stretch after a time of x'' = -2 K/m (x + g z), z' = x' - z / tau from x = z = 0, by the eigenvalues of
+/// the linear system.
 double exact_stretch(const dem::Fiber& fiber, double speed_apart, double time) {
   const double omega_squared = 2 * dem::bond_stiffness(fiber).stretch / dem::sphere_mass(fiber);
   Eigen::Matrix3d A;
@@ -48,7 +49,8 @@ double exact_stretch(const dem::Fiber& fiber, double speed_apart, double time) {
   const Eigen::Vector3cd start = Eigen::Vector3d(0, speed_apart, 0).cast<std::complex<double>>();
   const Eigen::Vector3cd part = modes.eigenvectors().partialPivLu().solve(start);
   std::complex<double> x = 0;
-  for (int k = 0; k < 3; ++k) x += modes.eigenvectors()(0, k) * part[k] * std::exp(modes.eigenvalues()[k] * time);
+  for (int k = 0; k < 3; ++k)
+    x += modes.eigenvectors()(0, k) * part[k] * std::exp(modes.eigenvalues()[k] * time);
   return x.real();
 }
 
@@ -73,7 +75,8 @@ double stretch_error(double step_ratio) {
 
 }  // namespace
 
-// Bent at a constant rate for a time T, then held: Boltzmann's integral of G gives K (1 + g (1 - exp(-T/tau)) tau/T exp(-t/tau)).
+// Bent at a constant rate for a time T, then held: Boltzmann's integral of G gives K (1 + g (1 - exp(-T/tau))
+// tau/T exp(-t/tau)).
 BOOST_AUTO_TEST_CASE(held_bend_relaxes_as_the_standard_linear_solid) {
   const dem::Fiber fiber = viscoelastic(scenes::odd_fiber(1));
   const dem::BondParameters<double> bond = dem::bond_parameters(fiber);
@@ -82,12 +85,14 @@ BOOST_AUTO_TEST_CASE(held_bend_relaxes_as_the_standard_linear_solid) {
   for (const double dt : {0.03 * tau, 0.7 * tau}) {
     dem::MaxwellBond::History<double, 3> history{};
     const dem::Vec<double, 3> along{l, 0, 0};
-    dem::BondConfiguration<double, 3> now{{}, {}, dem::bond_vector(along, 1 / l), {{}, {}, {0, 0, angle / T}}};
+    dem::BondConfiguration<double, 3> now{
+        {}, {}, dem::bond_vector(along, 1 / l), {{}, {}, {0, 0, angle / T}}};
     dem::MaxwellBond::advance(bond, history, now, T);
     now.motion = {};
     for (int n = 0; n <= 5; ++n) {
       const double moment = dem::MaxwellBond::action<false>(bond, history, now).moment[2];
-      BOOST_TEST(moment == bond.bend * angle * (1 + g * bent * std::exp(-n * dt / tau)), boost::test_tools::tolerance(1e-11));
+      BOOST_TEST(moment == bond.bend * angle * (1 + g * bent * std::exp(-n * dt / tau)),
+                 boost::test_tools::tolerance(1e-11));
       dem::MaxwellBond::advance(bond, history, now, dt);
     }
   }
@@ -131,6 +136,7 @@ BOOST_AUTO_TEST_CASE(packing_with_contacts_goes_on_from_its_saved_state_to_the_b
 
 BOOST_AUTO_TEST_CASE(stable_step_is_that_of_the_stiffer_bonds) {
   const dem::FiberGroup group = parting(viscoelastic(scenes::odd_fiber(1)), 1);
-  const double plain = dem::assembly_time_step({group}, {}).bonds, stiffer = dem::assembly_time_step({group}, {}, maxwell()).bonds;
+  const double plain = dem::assembly_time_step({group}, {}).bonds,
+               stiffer = dem::assembly_time_step({group}, {}, maxwell()).bonds;
   BOOST_TEST(stiffer * std::sqrt(1 + g) == plain, boost::test_tools::tolerance(1e-12));
 }

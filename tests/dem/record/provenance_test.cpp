@@ -20,7 +20,8 @@ BOOST_AUTO_TEST_CASE(sha256_is_the_standard_one) {
 
 BOOST_AUTO_TEST_CASE(every_fact_of_a_run_is_there) {
   ::unsetenv("SOURCE_DATE_EPOCH");
-  const dem::Provenance provenance = dem::with_scene(dem::collect_provenance({"fiberchain", "run"}), "a/b.yaml", "abc");
+  const dem::Provenance provenance =
+      dem::with_scene(dem::collect_provenance({"fiberchain", "run"}), "a/b.yaml", "abc");
   std::map<std::string, std::string> found;
   for (const auto& [key, value] : dem::entries(provenance)) found[key] = value;
   BOOST_TEST(found.size() == 10);

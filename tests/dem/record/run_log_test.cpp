@@ -24,7 +24,8 @@ dem::RunStatus status(std::int64_t step) {
 }
 
 dem::Table empty_table() {
-  return dem::Table({"step", "simulated_time", "contacts", "kinetic_energy", "height", "step_rate", "time_left"});
+  return dem::Table(
+      {"step", "simulated_time", "contacts", "kinetic_energy", "height", "step_rate", "time_left"});
 }
 
 dem::Table row(std::int64_t step) {
@@ -48,14 +49,14 @@ std::vector<std::int64_t> steps(const std::filesystem::path& path) {
 }
 
 const dem::Provenance kProvenance{.version = "1",
-                             .commit = "abc",
-                             .command = "run",
-                             .scene = "",
-                             .scene_sha256 = "",
-                             .compiler = "",
-                             .flags = "",
-                             .cpu = "",
-                             .date = ""};
+                                  .commit = "abc",
+                                  .command = "run",
+                                  .scene = "",
+                                  .scene_sha256 = "",
+                                  .compiler = "",
+                                  .flags = "",
+                                  .cpu = "",
+                                  .date = ""};
 
 }  // namespace
 
@@ -100,7 +101,8 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_is_later_and_what_was_cut_off) {
   BOOST_TEST(steps(scratch.path / "other.csv") == (std::vector<std::int64_t>{8}),
              boost::test_tools::per_element());
   std::ofstream(scratch.path / "foreign.csv") << "a,b\n1,2\n";
-  BOOST_CHECK_THROW(dem::RunLog::resume(scratch.path / "foreign.csv", empty_table(), kProvenance, 1), InputError);
+  BOOST_CHECK_THROW(dem::RunLog::resume(scratch.path / "foreign.csv", empty_table(), kProvenance, 1),
+                    InputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_whole_lines) {

@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "compare/study/errors.hpp"
-#include "dem/record/columns.hpp"
-#include "dem/record/csv.hpp"
 #include "compare/study/json.hpp"
 #include "compare/study/markdown.hpp"
+#include "dem/record/columns.hpp"
+#include "dem/record/csv.hpp"
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(every_column_is_documented_once) {
     BOOST_TEST(!column.meaning.empty());
     BOOST_TEST(column.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") ==
                std::string_view::npos);
-    if (column.kind == dem::CellKind::text) BOOST_TEST(column.unit.empty(), column.name << " is text with a unit");
+    if (column.kind == dem::CellKind::text)
+      BOOST_TEST(column.unit.empty(), column.name << " is text with a unit");
   }
 }
 

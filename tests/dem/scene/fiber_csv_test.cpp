@@ -10,7 +10,6 @@
 
 namespace dem = fiberchain::dem;
 
-
 namespace {
 
 std::vector<dem::FiberStart> read(const std::string& text) {

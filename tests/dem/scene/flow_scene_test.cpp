@@ -6,7 +6,6 @@
 
 namespace dem = fiberchain::dem;
 
-
 namespace {
 
 const std::string kScene = R"(scene: flow

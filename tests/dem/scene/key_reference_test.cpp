@@ -21,7 +21,8 @@ void check_documented(const std::vector<dem::KeyDeclaration>& keys, const std::s
   for (const dem::KeyDeclaration& key : keys) {
     BOOST_TEST(!key.meaning.empty(), path + key.name);
     BOOST_TEST(!key.allowed.empty(), path + key.name);
-    BOOST_TEST((key.must || !key.otherwise.empty() || !key.keys.empty()), path + key.name + " has no default");
+    BOOST_TEST((key.must || !key.otherwise.empty() || !key.keys.empty()),
+               path + key.name + " has no default");
     BOOST_TEST(key.meaning.find('|') == std::string::npos, path + key.name);
     check_documented(key.keys, path + key.name + ".");
   }
@@ -30,7 +31,8 @@ void check_documented(const std::vector<dem::KeyDeclaration>& keys, const std::s
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_key_says_what_it_is) {
-  for (const dem::SceneKind& kind : dem::scene_kinds()) check_documented(kind.keys(), std::string(kind.name) + ": ");
+  for (const dem::SceneKind& kind : dem::scene_kinds())
+    check_documented(kind.keys(), std::string(kind.name) + ": ");
 }
 
 BOOST_AUTO_TEST_CASE(every_key_has_a_row) {

@@ -32,12 +32,17 @@ dem::KeyTable<Leg> leg_keys() {
 dem::KeyTable<Thing> thing_keys() {
   dem::KeyTable<Thing> table;
   table.quantity("mass", "kg", &Thing::mass, dem::kPositive, "its mass");
-  table.choice("shape", &Thing::shape, dem::Words<Shape>{{"ball", Shape::ball}, {"rod", Shape::rod}}, "its shape");
+  table.choice("shape", &Thing::shape, dem::Words<Shape>{{"ball", Shape::ball}, {"rod", Shape::rod}},
+               "its shape");
   const auto is_rod = [](const Thing& thing) { return thing.shape == Shape::rod; };
-  table.number("aspect", &Thing::aspect, dem::kPositive, "length over diameter").required().only_with("shape: rod", is_rod);
+  table.number("aspect", &Thing::aspect, dem::kPositive, "length over diameter")
+      .required()
+      .only_with("shape: rod", is_rod);
   table.number("stretch", &Thing::stretch, dem::kFinite, "strain").otherwise("none");
   table.integer("number", &Thing::number, {.low = 1, .high = 9}, "how many");
-  const auto store = [](const dem::StrictMapping&, const Leg& leg, Thing& thing) { thing.legs.push_back(leg.length); };
+  const auto store = [](const dem::StrictMapping&, const Leg& leg, Thing& thing) {
+    thing.legs.push_back(leg.length);
+  };
   table.list("legs", leg_keys(), store, "its legs").otherwise("none");
   table.one_of({"stretch", "number"}, "it is one");
   return table;
@@ -99,7 +104,8 @@ BOOST_DATA_TEST_CASE(faults_are_told_by_the_declaration, boost::unit_test::data:
 BOOST_AUTO_TEST_CASE(a_declaration_documents_its_key) {
   const std::vector<dem::KeyDeclaration> keys = thing_keys().declarations();
   BOOST_REQUIRE_EQUAL(keys.size(), 6u);
-  BOOST_TEST((keys[0].unit == "kg" && keys[0].allowed == "above 0" && keys[0].otherwise == "2" && !keys[0].must));
+  BOOST_TEST(
+      (keys[0].unit == "kg" && keys[0].allowed == "above 0" && keys[0].otherwise == "2" && !keys[0].must));
   BOOST_TEST((keys[1].allowed == "`ball`, `rod`" && keys[1].otherwise == "ball"));
   BOOST_TEST((keys[2].must && keys[2].meaning == "length over diameter; only with shape: rod"));
   BOOST_TEST(keys[3].otherwise == "with `number`; without both it is one");

@@ -11,7 +11,6 @@
 
 namespace dem = fiberchain::dem;
 
-
 namespace {
 
 const std::string kScene = R"(scene: packing
@@ -105,7 +104,9 @@ const Fault kFaults[] = {
     {filling("seed: -1"), "test.yaml:5: filling.seed: '-1' is not allowed"},
     {filling("attempts: 0"), "test.yaml:5: filling.attempts: '0' is not allowed"},
     {filling("batches: {number: 2}"), "test.yaml:5: filling.batches: key 'interval' is missing"},
-    {filling("seed: 3000000000"), "test.yaml:5: filling.seed: '3000000000' is not allowed; allowed: a whole number at least 0 and at most 2147483647"},
+    {filling("seed: 3000000000"),
+     "test.yaml:5: filling.seed: '3000000000' is not allowed; allowed: a whole number at least 0 and at most "
+     "2147483647"},
     {filling("batches: {number: 12, interval: 1 ms}"),
      "test.yaml:5: filling.batches.number: leaves no fiber for the first batch; allowed: at most 11"},
     {filling("batches: {number: 9, interval: 40 ms}"),
@@ -206,7 +207,8 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_TEST((scene.duration == 0.3 && scene.steps == 0));
   BOOST_TEST((scene.output.samples == 17 && scene.output.frames == 6 && scene.output.checkpoints == 4));
   BOOST_TEST(scene.output.vtk);
-  BOOST_TEST((scene.scene_box.low[1] == 0 && scene.scene_box.high[1] == 0.05 && scene.scene_box.high[2] == 0.16));
+  BOOST_TEST(
+      (scene.scene_box.low[1] == 0 && scene.scene_box.high[1] == 0.05 && scene.scene_box.high[2] == 0.16));
 }
 
 BOOST_DATA_TEST_CASE(bad_input_is_refused_with_its_place, kFaults, fault) {
@@ -231,7 +233,8 @@ BOOST_AUTO_TEST_CASE(what_is_left_out_is_as_documented) {
   BOOST_TEST((scene.filling.seed == 1 && scene.filling.gap == 0 && scene.batches.number == 1));
   BOOST_TEST((scene.filling.orientation.alignment == dem::Alignment::isotropic));
   BOOST_TEST((scene.domain.contacts.restitution == 1 && scene.domain.contacts.friction == 0));
-  BOOST_TEST((scene.scene_box.low[0] == -0.01 && scene.scene_box.low[2] == 0.01 && scene.scene_box.high[2] == 0.09));
+  BOOST_TEST(
+      (scene.scene_box.low[0] == -0.01 && scene.scene_box.low[2] == 0.01 && scene.scene_box.high[2] == 0.09));
   BOOST_TEST(dem::largest_rate(scene.domain.fluid->flow.gradient) == 0);  // at rest
 }
 
@@ -253,7 +256,8 @@ BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
   BOOST_TEST(start.steps == 100000);
   BOOST_TEST(dem::batch_step(scene, 2, 3e-6) == 26667);
   const dem::PlacedSpheres present = dem::spheres_of(start.groups);
-  const auto second = dem::packing_batch(scene, 1, 0.04, present), third = dem::packing_batch(scene, 2, 0.08, present);
+  const auto second = dem::packing_batch(scene, 1, 0.04, present),
+             third = dem::packing_batch(scene, 2, 0.08, present);
   BOOST_TEST((second[0].fibers.size() == 4u && second[1].fibers.size() == 2u));
   BOOST_TEST((third[0].fibers.size() == 4u && third[1].fibers.size() == 2u));
   BOOST_TEST(second[0].fibers[0].poses[0].position[0] != third[0].fibers[0].poses[0].position[0]);
@@ -263,10 +267,12 @@ BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
 
 BOOST_AUTO_TEST_CASE(batches_that_would_never_come_are_refused) {
   for (const auto& [interval, steps] : {std::pair("40 ms", "20000"), {"1 us", "100000"}}) {
-    const std::string text = less("duration: 0.3 s", std::string("steps: ") + steps, less("interval: 40 ms", std::string("interval: ") + interval));
-    BOOST_CHECK_EXCEPTION(dem::packing_start(parse(text), 1), dem::InvalidInput, [](const dem::InvalidInput& error) {
-      return std::string(error.what()).starts_with("batches.interval = ");
-    });
+    const std::string text = less("duration: 0.3 s", std::string("steps: ") + steps,
+                                  less("interval: 40 ms", std::string("interval: ") + interval));
+    BOOST_CHECK_EXCEPTION(dem::packing_start(parse(text), 1), dem::InvalidInput,
+                          [](const dem::InvalidInput& error) {
+                            return std::string(error.what()).starts_with("batches.interval = ");
+                          });
   }
 }
 

@@ -6,7 +6,6 @@
 
 namespace dem = fiberchain::dem;
 
-
 namespace {
 
 const std::string kScene = R"(scene: release
@@ -42,19 +41,28 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << 
 
 const Fault kFaults[] = {
     {timed("integrator: leapfrogs"), "test.yaml:7: time.integrator: 'leapfrogs'"},
-    {timed("integrator: auto, step_ratio: 0.1"), "test.yaml:7: time.step_ratio: is of use only with integrator: leapfrog"},
+    {timed("integrator: auto, step_ratio: 0.1"),
+     "test.yaml:7: time.step_ratio: is of use only with integrator: leapfrog"},
     {timed("integrator: cvode, tolerance: 0"), "test.yaml:7: time.tolerance: '0' is out of range"},
-    {timed("integrator: implicit, tolerance: 1e-3"), "test.yaml:7: time.tolerance: is of use only with integrator: cvode"},
-    {timed("integrator: leapfrog, error: 1e-3"), "test.yaml:7: time.error: is of use only with integrator: auto"},
-    {timed("integrator: cvode, allow_unstable: true"), "test.yaml:7: time.allow_unstable: is of use only with"},
-    {timed("integrator: leapfrog, samples_per_period: 3"), "test.yaml:7: time.samples_per_period: '3' is not allowed"},
+    {timed("integrator: implicit, tolerance: 1e-3"),
+     "test.yaml:7: time.tolerance: is of use only with integrator: cvode"},
+    {timed("integrator: leapfrog, error: 1e-3"),
+     "test.yaml:7: time.error: is of use only with integrator: auto"},
+    {timed("integrator: cvode, allow_unstable: true"),
+     "test.yaml:7: time.allow_unstable: is of use only with"},
+    {timed("integrator: leapfrog, samples_per_period: 3"),
+     "test.yaml:7: time.samples_per_period: '3' is not allowed"},
     {with("periods: 7.5", "periods: 0"), "test.yaml:6: periods: '0' is out of range"},
     {with("reduced: 1.25", "reduced: 0"), "test.yaml:5: load: must not be zero"},
     {with("[0, 3, 4]", "[0, 0, 4]"), "test.yaml:5: load: needs a direction with a part along y"},
-    {with("damping: 0.7", "rolling: set_valued"), "test.yaml:4: bond.rolling: is of use only with rolling_friction"},
-    {with("damping: 0.7", "rolling_friction: -1"), "test.yaml:4: bond.rolling_friction: '-1' is out of range"},
-    {with("damping: 0.7", "rolling_friction: 1"), "test.yaml:7: time: rolling friction is built for integrator: leapfrog"},
-    {kScene.substr(0, kScene.find("bond:")) + "bond: {form: incremental}\nload: {reduced: 1}\ntime: {integrator: cvode}\n",
+    {with("damping: 0.7", "rolling: set_valued"),
+     "test.yaml:4: bond.rolling: is of use only with rolling_friction"},
+    {with("damping: 0.7", "rolling_friction: -1"),
+     "test.yaml:4: bond.rolling_friction: '-1' is out of range"},
+    {with("damping: 0.7", "rolling_friction: 1"),
+     "test.yaml:7: time: rolling friction is built for integrator: leapfrog"},
+    {kScene.substr(0, kScene.find("bond:")) +
+         "bond: {form: incremental}\nload: {reduced: 1}\ntime: {integrator: cvode}\n",
      "test.yaml:4: bond: form: incremental is built for the leapfrogs"},
 };
 
@@ -80,7 +88,8 @@ BOOST_AUTO_TEST_CASE(every_key_arrives) {
 BOOST_AUTO_TEST_CASE(what_is_left_out_is_the_documented_default) {
   const dem::ReleaseScene scene = parse(
       "scene: release\n"
-      "fiber: {diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, shear_modulus: 0.4 MPa, density: 900}\n"
+      "fiber: {diameter: 2 mm, aspect_ratio: 7, youngs_modulus: 1 MPa, shear_modulus: 0.4 MPa, density: "
+      "900}\n"
       "bond: {damping: 1, rolling_friction: 0.5}\n"
       "load: {reduced: 0.5}\n");
   BOOST_TEST((scene.dimension == dem::Dimension::planar));
@@ -94,7 +103,8 @@ BOOST_AUTO_TEST_CASE(what_is_left_out_is_the_documented_default) {
   BOOST_TEST(!scene.motion.allow_unstable);
 }
 
-BOOST_DATA_TEST_CASE(each_fault_is_named_with_file_line_and_key, boost::unit_test::data::make(kFaults), fault) {
+BOOST_DATA_TEST_CASE(each_fault_is_named_with_file_line_and_key, boost::unit_test::data::make(kFaults),
+                     fault) {
   std::string error = "no error";
   try {
     parse(fault.scene);

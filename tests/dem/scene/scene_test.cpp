@@ -8,8 +8,6 @@
 #include <cmath>
 #include <string>
 
-
-
 namespace dem = fiberchain::dem;
 
 namespace {

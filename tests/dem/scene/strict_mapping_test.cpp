@@ -46,18 +46,23 @@ BOOST_AUTO_TEST_CASE(values_arrive_in_si_units) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_file_line_and_path) {
-  BOOST_TEST(error_of([] { kMapping.allow({"size", "count"}); }) ==
-             "test.yaml:3: unknown key 'word'; allowed: size, count");
+  BOOST_TEST(error_of([] {
+               kMapping.allow({"size", "count"});
+             }) == "test.yaml:3: unknown key 'word'; allowed: size, count");
   BOOST_TEST(error_of([] { kMapping.quantity("count", "m", {.low = 0, .high = 3}); }) ==
              "test.yaml:2: count: '4' is out of range; allowed: a number at least 0 and at most 3, in m");
   BOOST_TEST(error_of([] { kMapping.quantity("length", "m", dem::kPositive); }) ==
              "test.yaml:1: key 'length' is missing");
-  BOOST_TEST(error_of([] { kMapping.mapping("nested", {"a", "c"}); }) ==
-             "test.yaml:7: unknown key 'nested.b'; did you mean 'a'?");
-  BOOST_TEST(error_of([] { kMapping.mapping("nested").fail("a", "is wrong"); }) == "test.yaml:7: nested.a: is wrong");
+  BOOST_TEST(error_of([] {
+               kMapping.mapping("nested", {"a", "c"});
+             }) == "test.yaml:7: unknown key 'nested.b'; did you mean 'a'?");
+  BOOST_TEST(error_of([] { kMapping.mapping("nested").fail("a", "is wrong"); }) ==
+             "test.yaml:7: nested.a: is wrong");
   BOOST_TEST(error_of([] { kMapping.mappings("several", {"a"})[1].fail_missing("b"); }) ==
              "test.yaml:8: several[1]: key 'b' is missing");
-  BOOST_TEST(error_of([] { kMapping.one_of({"size", "count"}); }) == "test.yaml:1: must have exactly one of size, count");
+  BOOST_TEST(error_of([] {
+               kMapping.one_of({"size", "count"});
+             }) == "test.yaml:1: must have exactly one of size, count");
   BOOST_TEST(error_of([] { kMapping.direction("list"); }) ==
              "test.yaml:5: list: must be three finite numbers such as [0, 1, 0]");
 }

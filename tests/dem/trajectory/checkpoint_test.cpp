@@ -26,9 +26,10 @@ Checkpoint example(std::int64_t step, std::size_t numbers) {
                         .state = {}};
   std::vector<double> reals;
   for (std::size_t i = 0; i < numbers; ++i) reals.push_back(1 / (3.0 + static_cast<double>(i)));
-  checkpoint.state = {{"load", {1, reals}},
-                      {"orientation", {2, std::vector<double>{}}},
-                      {"steps", {1, std::vector<std::int64_t>{step, -1, std::numeric_limits<std::int64_t>::min()}}}};
+  checkpoint.state = {
+      {"load", {1, reals}},
+      {"orientation", {2, std::vector<double>{}}},
+      {"steps", {1, std::vector<std::int64_t>{step, -1, std::numeric_limits<std::int64_t>::min()}}}};
   return checkpoint;
 }
 
@@ -60,7 +61,8 @@ BOOST_AUTO_TEST_CASE(every_bit_comes_back) {
   reals[3] = -0.0;
   reals[4] = std::numeric_limits<double>::denorm_min();
   reals[5] = -std::numeric_limits<double>::infinity();
-  reals[6] = std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
+  reals[6] =
+      std::bit_cast<double>(0x7ff4dead0000beefull);  // a NaN with a payload, as counters kept in a double are
   written.scene += std::string("\0 and beyond", 12);
   write_checkpoint(path, written);
   Checkpoint read = read_checkpoint(path, written.scene_sha256);
@@ -124,8 +126,8 @@ void write_image(const fs::path& path, int format, const Write& write) {
     image.resize(static_cast<std::size_t>(H5Fget_file_image(file, nullptr, 0)));
     BOOST_REQUIRE(H5Fget_file_image(file, image.data(), image.size()) > 0);
   }
-  std::string head = "fiberchain checkpoint " + std::to_string(format) + "\nsha256 " + sha256(image) + "\nbytes " +
-                     std::to_string(image.size()) + "\n";
+  std::string head = "fiberchain checkpoint " + std::to_string(format) + "\nsha256 " + sha256(image) +
+                     "\nbytes " + std::to_string(image.size()) + "\n";
   head.resize(512, '\0');
   std::ofstream(path, std::ios::binary) << head << image;
 }
@@ -148,8 +150,9 @@ BOOST_AUTO_TEST_CASE(the_old_layout_is_refused) {
   const Scratch scratch;
   const fs::path path = scratch.path / "run.checkpoint";
   write_image(path, 1, write_unnamed_state);
-  BOOST_TEST(refusal(path) ==
-             "is a checkpoint of the old format 1, whose state has no named fields; this program reads format 2");
+  BOOST_TEST(
+      refusal(path) ==
+      "is a checkpoint of the old format 1, whose state has no named fields; this program reads format 2");
   write_image(path, 2, write_unnamed_state);
   BOOST_TEST(refusal(path) == "is no checkpoint of this program: its state is not stored by named fields");
 }
@@ -161,7 +164,8 @@ BOOST_AUTO_TEST_CASE(a_field_without_a_version_is_named) {
     write_unnamed_state(file);
     hdf5::check(H5Ldelete(file, "state", H5P_DEFAULT), "delete");
     const double number = 1;
-    hdf5::write_array(hdf5::make_group(file, "state"), "load", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {1}, &number, false);
+    hdf5::write_array(hdf5::make_group(file, "state"), "load", {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}, {1},
+                      &number, false);
   });
   BOOST_TEST(refusal(path) == "is no checkpoint of this program: field 'load' of the state has no version");
 }

@@ -6,9 +6,9 @@
 #include <boost/test/unit_test.hpp>
 #include <thread>
 
-#include "dem/model/errors.hpp"
 #include "dem/files/file_error.hpp"
 #include "dem/files/journaled_file.hpp"
+#include "dem/model/errors.hpp"
 #include "tests/dem/trajectory/files.hpp"
 #include "tests/dem/trajectory/frames.hpp"
 

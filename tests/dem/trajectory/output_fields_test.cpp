@@ -40,7 +40,8 @@ BOOST_AUTO_TEST_CASE(values_are_set_as_they_are_got) {
 BOOST_AUTO_TEST_CASE(a_trajectory_gives_every_field_back) {
   const Scratch scratch;
   const TrajectoryFrame frame = bent_fibers(4, 6, 9);
-  TrajectoryWriter(scratch.path / "run.h5", {.author = "a", .creator_version = "1", .provenance = {}}).append(frame);
+  TrajectoryWriter(scratch.path / "run.h5", {.author = "a", .creator_version = "1", .provenance = {}})
+      .append(frame);
   const TrajectoryFrame read = TrajectoryReader(scratch.path / "run.h5").read(0);
   each_field(frame, [&](const OutputField& field, std::size_t) {
     BOOST_TEST(singles(field.values(read)) == singles(field.values(frame)), field.name);
@@ -57,6 +58,7 @@ BOOST_AUTO_TEST_CASE(vtk_and_xdmf_name_every_field) {
   });
   const std::string series = xdmf("run.h5", {0}, frame.position.size());
   for (const OutputField& field : sphere_fields) {
-    BOOST_TEST(series.find("run.h5:/particles/fibers/" + std::string(field.name) + "/value") != std::string::npos);
+    BOOST_TEST(series.find("run.h5:/particles/fibers/" + std::string(field.name) + "/value") !=
+               std::string::npos);
   }
 }

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <sstream>
 
-#include "dem/model/errors.hpp"
 #include "dem/files/base64.hpp"
 #include "dem/files/file_error.hpp"
+#include "dem/model/errors.hpp"
 #include "tests/dem/trajectory/files.hpp"
 #include "tests/dem/trajectory/frames.hpp"
 
