@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dem/analysis/observables.hpp"
 #include "dem/assembly/assembly.hpp"
+#include "dem/chain/bending.hpp"
 #include "dem/chain/chain_bond.hpp"
 #include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/simd/as_numbers.hpp"

@@ -1,18 +1,41 @@
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
+#include "dem/analysis/observables.hpp"
 #include "dem/equilibrium/newton.hpp"
+#include "dem/run/run_scene.hpp"
+#include "dem/scene/build_packing.hpp"
 
-/// Tip deflection of a cantilever at a small load against P L^3/(3 E I) and the chain's own error of it,
-/// (3E/(16G) - 1/4)/r_f^2. Returns 0 if they agree.
-int main() {
-  namespace dem = fiberchain::dem;
-  const dem::Fiber fiber{dem::isotropic_material(2.6e6, 0.17, 1100), 1.3e-3, 13};
-  const double load = 1e-5;
-  const dem::Boundary<2> boundary{{0}, {{13, {0, dem::load_force(fiber, load)}, {}}}};
-  const auto rest = dem::solve_equilibrium<2>(dem::straight_chain<2>(fiber), boundary);
-  const double measured = rest.poses.back().position[1] / dem::fiber_length(fiber) / (load / 3) - 1;
-  const double expected = (3 * 2 * 1.17 / 16 - 0.25) / (13 * 13);
+using namespace fiberchain::dem;
+
+/// Departure of a cantilever's tip at a small load from P L^3 / (3 E I): the chain's own is (3E/(16G) - 1/4)
+/// / r_f^2.
+bool solves_a_cantilever() {
+  const Fiber fiber{isotropic_material(2.6e6, 0.17, 1100), 1.3e-3, 13};
+  const double load = 1e-5, expected = (3 * 2 * 1.17 / 16 - 0.25) / (13 * 13);
+  const auto rest =
+      solve_equilibrium<2>(straight_chain<2>(fiber), {{0}, {{13, {0, load_force(fiber, load)}, {}}}});
+  const double measured = rest.poses.back().position[1] / fiber_length(fiber) / (load / 3) - 1;
   std::printf("departure %.9g, expected %.9g\n", measured, expected);
-  return std::abs(measured - expected) < 1e-6 * std::abs(expected) ? 0 : 1;
+  return std::abs(measured - expected) < 1e-6 * expected;
+}
+
+/// Reads a scene, builds it, steps it, and runs it with its files: both see the same energy at the end.
+bool runs_a_packing(const std::filesystem::path& path, const std::filesystem::path& directory) {
+  const auto scene = std::get<PackingScene>(read_scene(path));
+  const PackingStart start = packing_start(scene, 1);
+  Assembly assembly(start.groups, start.domain, start.options);
+  assembly.march(start.steps);
+  const auto end =
+      std::get<PackingEndState>(run_scene(path, {.directory = directory, .earlier = EarlierRun::replace}));
+  const double own = assembly.energy().kinetic, run = end.last.energy.kinetic;
+  std::printf("%ld contacts, kinetic energy %.9g J, by the run %.9g J\n",
+              static_cast<long>(assembly.touching()), own, run);
+  return own == run && assembly.touching() == end.last.contacts &&
+         std::filesystem::exists(directory / "packing.h5");
+}
+
+int main(int, char** arguments) {
+  return solves_a_cantilever() && runs_a_packing(arguments[1], arguments[2]) ? 0 : 1;
 }

@@ -17,7 +17,8 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
   -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/consumer)
+run(${WORK_DIR}/build/main ${SOURCE_DIR}/packing.yaml ${WORK_DIR}/main)
+run(${WORK_DIR}/build/readme ${SOURCE_DIR}/packing.yaml ${WORK_DIR}/readme)
 
 # The installed program finds its installed data, wherever the prefix is.
 run(${WORK_DIR}/prefix/bin/fiberchain --version)
