@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dem/motion/kernels/chain_kernel.hpp"
+
 namespace fiberchain::compare {
 namespace {
 

@@ -28,10 +28,6 @@ struct DampingCase {
   PeakRange peaks{1, 10};         ///< of fiber_damping_paper; peak 0 is the point of release
 };
 
-/// Largest load at which the fiber is let go from its first mode for fiber_damping; beyond, from its
-/// equilibrium.
-inline constexpr double largest_mode_release_load = 0.01;
-
 /// Where a measured damping departs from the uniform beam's, in parts of the beam's. They add up to the
 /// whole.
 struct DampingBudget {
