@@ -82,7 +82,7 @@ ReleaseRun run_in(const ReleaseScene& scene) {
 template <int Dim>
 ReleasePlan plan_in(const ReleaseScene& scene) {
   const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
-  const dem::Release<Dim> release = release_of<Dim>(scene, period);
+  const dem::Release<Dim> release = dem::build_release<Dim>(scene, period);
   dem::ReleaseOptions options = scene.motion;
   std::string reason;
   if (options.integrator == dem::Integrator::automatic) {
