@@ -7,6 +7,7 @@
 #include "compare/study/errors.hpp"
 #include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/motion/kernels/chain_kernel.hpp"
 #include "reference/elastica.hpp"
 #include "reference/errors.hpp"
 #include "reference/reissner.hpp"
