@@ -4,6 +4,7 @@
 #include <map>
 
 #include "compare/damping/table.hpp"
+#include "compare/measure/ring_down_release.hpp"
 
 namespace fiberchain::compare {
 namespace {
