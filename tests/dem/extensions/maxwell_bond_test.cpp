@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(packing_with_contacts_goes_on_from_its_saved_state_to_the_b
   for (dem::FiberGroup& group : packing.groups) group.chain.fiber = viscoelastic(group.chain.fiber);
   dem::Assembly through = packing.assembly(maxwell()), again = packing.assembly(maxwell());
   through.march(300);
-  const std::vector<double> saved = through.saved();
+  const dem::SavedState saved = through.saved();
   through.march(300);
   BOOST_TEST(through.touching() > 0);
   again.restore(saved);
