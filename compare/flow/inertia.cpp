@@ -119,8 +119,8 @@ FlowStudy inertia_study(const OrbitOptions& options) {
                         {"flow_method", std::string(name(cases[i].method))},
                         {"stokes", cases[i].stokes},
                         {"inertia_distance", distance[i]},
-                        {"order", known(order)},
-                        {"orbit_drift", known(drift[i])},
+                        {"order", dem::known(order)},
+                        {"orbit_drift", dem::known(drift[i])},
                         {"orbit_drift_inertialess", without}});
     Series& places = cases[i].method == cvode ? by_cvode : by_leapfrog;
     places.x.push_back(cases[i].stokes), places.y.push_back(distance[i]);

@@ -30,7 +30,7 @@ dem::Table table_of(const std::vector<RegimePoint>& points) {
             {"inflections", std::int64_t{p.inflections}},
             {"half_turns", std::int64_t{p.half_turns}},
             {"axis_half_turns", std::int64_t{p.axis_half_turns}},
-            {"period", known(p.period)},
+            {"period", dem::known(p.period)},
             {"run_time", p.run_time},
             {"status", p.status}};
   });

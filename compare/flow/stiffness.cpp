@@ -55,7 +55,7 @@ FlowStudy stiffness_study(const OrbitOptions& options) {
                           {"viscous_ratio", p.viscous_ratio},
                           {"elasto_viscous", 192 * std::pow(p.spheres, 4) * p.viscous_ratio},
                           {"period_error", p.correction},
-                          {"order", known(p.order)}});
+                          {"order", dem::known(p.order)}});
       if (std::isnan(p.correction)) ++study.failed;
       s.x.push_back(p.viscous_ratio);
       s.y.push_back(std::abs(p.correction));

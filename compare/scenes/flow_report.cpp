@@ -39,8 +39,6 @@ double least(const FlowHistory& history, Value value) {
   return found;
 }
 
-dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
-
 std::string status_of(const FlowHistory& history) {
   return history.record.failure.empty() ? "finished" : history.record.failure;
 }
@@ -104,11 +102,11 @@ dem::Table flow_table(const FlowScene& scene, const FlowHistory& history) {
        {"flow_method", std::string(name(scene.motion.method))},
        {"elasto_viscous", elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate)},
        {"strain", history.record.reached * scene.rate},
-       {"period", known(orbit_period(history.moments) * scene.rate)},
-       {"orbit_constant", known(constant(history.moments, false))},
-       {"orbit_constant_last", known(constant(history.moments, true))},
-       {"end_to_end_least", known(least(history, [](const FlowMoment& m) { return m.end_to_end; }))},
-       {"bending_angle", known(-least(history, [](const FlowMoment& m) { return -m.bending_angle; }))},
+       {"period", dem::known(orbit_period(history.moments) * scene.rate)},
+       {"orbit_constant", dem::known(constant(history.moments, false))},
+       {"orbit_constant_last", dem::known(constant(history.moments, true))},
+       {"end_to_end_least", dem::known(least(history, [](const FlowMoment& m) { return m.end_to_end; }))},
+       {"bending_angle", dem::known(-least(history, [](const FlowMoment& m) { return -m.bending_angle; }))},
        {"time_step", history.record.time_step},
        {"steps", static_cast<std::int64_t>(work.steps)},
        {"bond_evaluations", static_cast<std::int64_t>(work.bond_evaluations)},
@@ -128,7 +126,7 @@ dem::Table flow_history_table(const FlowScene& scene, const FlowHistory& history
                   {"direction_x", m.direction[0]},
                   {"direction_y", m.direction[1]},
                   {"direction_z", m.direction[2]},
-                  {"orbit_constant", known(orbit_constant(scene, r_e, m.direction))},
+                  {"orbit_constant", dem::known(orbit_constant(scene, r_e, m.direction))},
                   {"end_to_end", m.end_to_end},
                   {"bending_energy", m.energy},
                   {"bending_angle", m.bending_angle},

@@ -22,8 +22,6 @@ void add_line(Figure& figure, std::string_view label, const std::vector<double>&
   if (!line.x.empty()) figure.series.push_back(std::move(line));
 }
 
-dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
-
 std::string status_of(const dem::PackingEndState& end) {
   if (!end.failure.empty()) return end.failure;
   return end.finished() ? "finished" : "stopped";
@@ -43,7 +41,7 @@ dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndSt
                 {"steps", end.last.step},
                 {"simulated_time", end.last.time},
                 {"contacts", end.last.contacts},
-                {"coordination", known(end.coordination)},
+                {"coordination", dem::known(end.coordination)},
                 {"height", end.last.height},
                 {"bending_mean", end.last.bending_mean},
                 {"kinetic_energy", end.last.energy.kinetic},

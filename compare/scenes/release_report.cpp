@@ -48,9 +48,7 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   run.damping = run.frequency = nan;
   const dem::Release<Dim> release = dem::build_release<Dim>(scene, run.period);
   dem::ReleaseOptions options = scene.motion;
-  const bool leapfrog = options.integrator == dem::Integrator::leapfrog ||
-                        options.integrator == dem::Integrator::leapfrog_damped;
-  options.energy = !leapfrog || scene.fiber.rolling_friction == 0;
+  options.energy = dem::has_energy(scene);
   const auto begin = std::chrono::steady_clock::now();
   const dem::ReleaseRecord<Dim> record = dem::ring_down<Dim>({release}, options)[0];
   run.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -96,8 +94,6 @@ ReleasePlan plan_in(const ReleaseScene& scene) {
   return {options.integrator, reason, step, samples * std::round(interval / step)};
 }
 
-dem::Cell known(double value) { return std::isfinite(value) ? dem::Cell(value) : dem::Cell(dem::Missing{}); }
-
 }  // namespace
 
 ReleaseRun run_release(const ReleaseScene& scene) {
@@ -130,9 +126,9 @@ dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
                 {"steps", static_cast<std::int64_t>(run.work.steps)},
                 {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
                 {"linear_solves", static_cast<std::int64_t>(run.work.linear_solves)},
-                {"fiber_damping", known(run.damping)},
+                {"fiber_damping", dem::known(run.damping)},
                 {"fiber_damping_modes", run.damping_modes},
-                {"frequency", known(run.frequency)},
+                {"frequency", dem::known(run.frequency)},
                 {"run_time", run.run_time},
                 {"status", run.failure.empty() ? (run.reason.empty() ? std::string("finished") : run.reason)
                                                : run.failure}});

@@ -32,7 +32,4 @@ dem::Table tabulate(const Items& items, const RowOf& row_of) {
   return table;
 }
 
-/// The number; Missing if it is not finite.
-dem::Cell known(double value);
-
 }  // namespace fiberchain::compare

@@ -3,15 +3,14 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sha2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 
 #include "dem/files/numbers.hpp"
+#include "dem/files/sha256.hpp"
 #include "dem/record/build_info.hpp"
 
 namespace fiberchain::dem {
@@ -75,12 +74,6 @@ std::vector<std::pair<std::string, std::string>> entries(const Provenance& p) {
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   for (auto& [key, value] : all) std::ranges::replace_if(value, is_control, '?');
   return all;
-}
-
-std::string sha256(const std::string& bytes) {
-  std::array<char, SHA256_DIGEST_STRING_LENGTH> digest{};
-  SHA256Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), digest.data());
-  return digest.data();
 }
 
 }  // namespace fiberchain::dem

@@ -30,7 +30,4 @@ Provenance with_scene(Provenance provenance, const std::filesystem::path& scene,
 /// Key and value of every field that is set, in the order above; control characters replaced by '?'.
 std::vector<std::pair<std::string, std::string>> entries(const Provenance& provenance);
 
-/// SHA-256 of the bytes, 64 hexadecimal digits.
-std::string sha256(const std::string& bytes);
-
 }  // namespace fiberchain::dem

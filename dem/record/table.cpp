@@ -30,6 +30,8 @@ Cell fitted(const Column& column, const Cell& cell) {
 
 }  // namespace
 
+Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
+
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     find_column(columns_[i]);

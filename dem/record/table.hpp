@@ -17,6 +17,9 @@ struct Missing {
 /// One value. Quantities that do not exist for a row (a NaN, an empty text) are Missing.
 using Cell = std::variant<Missing, double, std::int64_t, std::string>;
 
+/// The number; Missing if it is not finite.
+Cell known(double value);
+
 /// A row by column name; columns it leaves out are Missing.
 using NamedRow = std::vector<std::pair<std::string_view, Cell>>;
 

@@ -26,13 +26,6 @@ CantileverResult cantilever(const CantileverScene& scene) {
   return {positions_of<Dim>(rest.poses), rest.residual};
 }
 
-/// The explicit schemes have no energy to speak of where rolling friction acts.
-bool has_energy(const ReleaseScene& scene) {
-  const Integrator integrator = scene.motion.integrator;
-  const bool leapfrog = integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped;
-  return !leapfrog || scene.fiber.rolling_friction == 0;
-}
-
 template <int Dim>
 ReleaseResult release(const ReleaseScene& scene) {
   ReleaseResult result{};

@@ -2,13 +2,36 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
 
+#include "dem/record/output.hpp"
 #include "dem/run/session.hpp"
 
 namespace fiberchain::dem {
 
 /// What becomes of a run whose files are in the directory already.
 enum class EarlierRun { refuse, resume, replace };
+
+/// A packing's run where it begins or goes on: its directory made, locked while this lives, and rid of
+/// leftovers.
+class OpenedRun {
+ public:
+  /// `job.resume` must agree with `earlier`; `advice` follows "FILE is there already, of a run before" where
+  /// that is refused. A scene that cannot begin leaves no files.
+  /// @throws InvalidInput, NoRoom; InputError for an earlier run that is refused or a checkpoint that cannot
+  /// be used; OutputError
+  OpenedRun(const PackingJob& job, EarlierRun earlier, std::string_view advice, const Say& say);
+
+  RunBegin begin() { return std::move(*begin_); }  ///< to be taken once
+  const OutputDirectory& directory() const { return *directory_; }
+
+ private:
+  std::optional<RunBegin> begin_;
+  std::optional<OutputDirectory> directory_;
+  std::optional<DirectoryLock> lock_;
+};
 
 /// How a packing is run, and who is told. The defaults are silent and do not stop it.
 struct RunOptions {

@@ -30,8 +30,6 @@ double bending_mean(const Assembly& assembly) {
   return mean.value();
 }
 
-Cell known(double value) { return std::isfinite(value) ? Cell(value) : Cell(Missing{}); }
-
 const std::vector<std::string> kColumns = {"step", "simulated_time", "contacts", "height", "bending_mean"};
 /// Terms of the balance that a run knows: those stored, and where energy is accounted all.
 std::vector<EnergyMechanism> known_terms(bool accounted) {

@@ -54,6 +54,12 @@ CantileverCase<Dim> build_cantilever(const CantileverScene& scene) {
   return {straight_chain<Dim>(scene.fiber), {{0}, {end_load<Dim>(scene.fiber, scene.load, scene.direction)}}};
 }
 
+bool has_energy(const ReleaseScene& scene) {
+  const Integrator integrator = scene.motion.integrator;
+  const bool leapfrog = integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped;
+  return !leapfrog || scene.fiber.rolling_friction == 0;
+}
+
 template <int Dim>
 Release<Dim> build_release(const ReleaseScene& scene, double period) {
   Release<Dim> release{straight_chain<Dim>(scene.fiber), {}, {}, {}, period, scene.periods};

@@ -20,6 +20,10 @@ CantileverCase<Dim> build_cantilever(const CantileverScene& scene);
 template <int Dim>
 Release<Dim> build_release(const ReleaseScene& scene, double period);
 
+/// Whether a release has an energy to follow: explicit schemes have none to speak of where rolling friction
+/// acts.
+bool has_energy(const ReleaseScene& scene);
+
 /// The straight fiber's spheres on the start's curve, center of mass at the origin. Bonds keep their length:
 /// their angle to the line is the curve's slope, which is exact as the bend vanishes.
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "dem/simd/as_numbers.hpp"
 #include "dem/simd/gather.hpp"
 #include "dem/simd/transpose.hpp"
 
@@ -19,7 +20,7 @@ template <class Real, template <class> class Struct>
 Real* pack_numbers(Struct<Real>& value) {
   static_assert(sizeof(Struct<Real>) == numbers_in<Struct> * sizeof(Real) &&
                 std::is_standard_layout_v<Struct<double>>);
-  return reinterpret_cast<Real*>(&value);
+  return as_numbers<Real>(value);
 }
 
 /// The same numbers in every lane.

@@ -7,6 +7,8 @@
 #include <map>
 #include <regex>
 
+#include "dem/files/sha256.hpp"
+
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
 
