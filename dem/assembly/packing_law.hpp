@@ -46,7 +46,10 @@ void add_stored_energy(const Chain<3>& chain, const ChainState<3>& state, const 
   double own = 0;
   for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
     const auto history = get_strided<BondLawHistory<Law, double, 3>>(histories + i * bond_stride, stride);
-    (Law::from_poses ? own : sum) += Law::stored_energy(law, history, configuration(chain, state, i));
+    (Law::from_poses ? own : sum) +=
+        with_configuration(chain, state, i, [&](const BondConfiguration<double, 3>& now) {
+          return Law::stored_energy(law, history, now);
+        });
   }
   sum += own;
 }
@@ -56,20 +59,23 @@ BondState state(const Chain<3>& chain, const ChainState<3>& state, int bond, con
                 std::size_t stride) {
   const BondParameters<double> law = bond_parameters(chain.fiber);
   const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
-  const BondConfiguration<double, 3> now = configuration(chain, state, bond);
-  if constexpr (Law::from_poses) {
-    return {(Law::loads(law, history, now) + dashpot_loads(law, now)).force_on_first,
-            bending_angle(chain, state.poses, bond)};
-  } else {
-    return {Law::template action<true>(law, history, now).force, Law::bending_angle(history, now)};
-  }
+  return with_configuration(chain, state, bond, [&](const BondConfiguration<double, 3>& now) -> BondState {
+    if constexpr (Law::from_poses) {
+      return {(Law::loads(law, history, now) + dashpot_loads(law, now)).force_on_first,
+              bending_angle(chain, state.poses, bond)};
+    } else {
+      return {Law::template action<true>(law, history, now).force, Law::bending_angle(history, now)};
+    }
+  });
 }
 
 template <class Law>
 double dissipated(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers,
                   std::size_t stride, double dt) {
   const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
-  return Law::dissipated(bond_parameters(chain.fiber), history, configuration(chain, state, bond), dt);
+  return with_configuration(chain, state, bond, [&](const BondConfiguration<double, 3>& now) {
+    return Law::dissipated(bond_parameters(chain.fiber), history, now, dt);
+  });
 }
 
 template <class Law>

@@ -20,13 +20,15 @@ BondVector<Real, Dim> bond_vector(const Vec<Real, Dim>& vector, const Real& scal
   return {vector, squared, scale * inverse_sqrt_near_one(squared * (scale * scale))};
 }
 
-/// What a bond law may depend on besides its parameters and its history.
+/// What a bond law may depend on besides its parameters and its history. Poses are those of the bond's ends:
+/// of its spheres, turned to where the bond is straight. Nothing is copied (a copy of packs goes through
+/// memory); all of it must live as long.
 template <class Real, int Dim>
 struct BondConfiguration {
-  Pose<Real, Dim> first,
-      second;                  ///< of the bond's ends: of its spheres, turned to where the bond is straight
-  BondVector<Real, Dim> line;  ///< between the centers
-  RelativeMotion<Real, Dim> motion;  ///< half a step before the poses in the leapfrog
+  const Pose<Real, Dim>& first;
+  const Pose<Real, Dim>& second;
+  const BondVector<Real, Dim>& line;        ///< between the centers
+  const RelativeMotion<Real, Dim>& motion;  ///< half a step before the poses in the leapfrog
 };
 
 template <class Real, int Dim>

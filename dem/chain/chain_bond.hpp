@@ -7,20 +7,19 @@
 // inner loops.
 namespace fiberchain::dem {
 
-/// Bond `bond` of a chain in motion.
-template <int Dim>
-BondConfiguration<double, Dim> configuration(const Chain<Dim>& chain, const ChainState<Dim>& state,
-                                             int bond) {
-  BondConfiguration<double, Dim> now{
-      .first = state.poses[bond], .second = state.poses[bond + 1], .line = {}, .motion = {}};
+/// Calls use(now) with bond `bond` of a chain in motion.
+template <int Dim, class Use>
+auto with_configuration(const Chain<Dim>& chain, const ChainState<Dim>& state, int bond, const Use& use) {
+  Pose<double, Dim> first = state.poses[bond], second = state.poses[bond + 1];
   if (!chain.natural.empty()) {
-    now.first.orientation = turned(now.first.orientation, chain.natural[bond].first);
-    now.second.orientation = turned(now.second.orientation, chain.natural[bond].second);
+    first.orientation = turned(first.orientation, chain.natural[bond].first);
+    second.orientation = turned(second.orientation, chain.natural[bond].second);
   }
-  now.line = bond_vector<double, Dim>(now.second.position - now.first.position, 1 / bond_length(chain.fiber));
-  now.motion = {state.velocity[bond + 1] - state.velocity[bond],
-                0.5 * (state.spin[bond] + state.spin[bond + 1]), state.spin[bond + 1] - state.spin[bond]};
-  return now;
+  const auto line = bond_vector<double, Dim>(second.position - first.position, 1 / bond_length(chain.fiber));
+  const RelativeMotion<double, Dim> motion{state.velocity[bond + 1] - state.velocity[bond],
+                                           0.5 * (state.spin[bond] + state.spin[bond + 1]),
+                                           state.spin[bond + 1] - state.spin[bond]};
+  return use(BondConfiguration<double, Dim>{first, second, line, motion});
 }
 
 /// History of a bond that has just been made in this state; empty where the law has none.
@@ -28,7 +27,9 @@ template <class Law, int Dim>
 BondLawHistory<Law, double, Dim> start_history(const Chain<Dim>& chain, const ChainState<Dim>& state,
                                                int bond) {
   if constexpr (has_history<Law>) {
-    return Law::start(bond_parameters(chain.fiber), configuration(chain, state, bond));
+    return with_configuration(chain, state, bond, [&](const BondConfiguration<double, Dim>& now) {
+      return Law::start(bond_parameters(chain.fiber), now);
+    });
   } else {
     return {};
   }

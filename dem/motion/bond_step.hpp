@@ -26,35 +26,67 @@ struct ChainBlock {
 template <Physics P, class Real>
 using HistoryOf = BondLawHistory<BondLaw<P>, Real, P.dimension>;
 
-/// Bond `bond` between spheres a and b as its law sees it. Poses where the law needs them, line and motion
-/// where it or the dashpots do.
-template <Physics P, class Real>
-BondConfiguration<Real, P.dimension> configuration(const ChainBlock<P, Real>& chain, int bond,
-                                                   const MovingSphere<Real, P.dimension>& a,
-                                                   const MovingSphere<Real, P.dimension>& b) {
-  constexpr int Dim = P.dimension;
-  BondConfiguration<Real, Dim> now{.first = a.pose, .second = b.pose, .line = {}, .motion = {}};
+template <Physics P>
+inline constexpr bool needs_motion = P.damped || has_history<BondLaw<P>>;
+
+/// Pose of a bond's end: its sphere's, turned to where the bond is straight. `natural` gives the turn.
+template <Physics P, class Real, class Natural>
+decltype(auto) end_pose(const Pose<Real, P.dimension>& sphere, const Natural& natural) {
   if constexpr (P.curved) {
-    now.first.orientation = turned(now.first.orientation, chain.natural[bond].first);
-    now.second.orientation = turned(now.second.orientation, chain.natural[bond].second);
+    return Pose<Real, P.dimension>{sphere.position, turned(sphere.orientation, natural())};
+  } else {
+    return (sphere);
   }
-  if constexpr (P.damped || has_history<BondLaw<P>>) {
-    now.line = bond_vector<Real, Dim>(b.pose.position - a.pose.position, chain.parameters.inverse_length);
-    now.motion = {b.velocity - a.velocity, Real(0.5) * (a.spin + b.spin), b.spin - a.spin};
-  }
-  return now;
 }
 
-/// The history at the end of a step of `dt` that led here.
 template <Physics P, class Real>
-HistoryOf<P, Real> advanced_history(const ChainBlock<P, Real>& chain, int bond,
-                                    const BondConfiguration<Real, P.dimension>& now, const Real& dt) {
-  HistoryOf<P, Real> history{};
-  if constexpr (has_history<BondLaw<P>>) {
-    history = chain.history[bond];
-    BondLaw<P>::advance(chain.parameters.bond, history, now, dt);
+BondVector<Real, P.dimension> bond_line(const ChainBlock<P, Real>& chain, const MovingSphere<Real, P.dimension>& a,
+                                   const MovingSphere<Real, P.dimension>& b) {
+  if constexpr (needs_motion<P>) {
+    return bond_vector<Real, P.dimension>(b.pose.position - a.pose.position, chain.parameters.inverse_length);
+  } else {
+    return {};
   }
-  return history;
+}
+
+template <Physics P, class Real>
+RelativeMotion<Real, P.dimension> relative_motion(const MovingSphere<Real, P.dimension>& a,
+                                                  const MovingSphere<Real, P.dimension>& b) {
+  if constexpr (needs_motion<P>) {
+    return {b.velocity - a.velocity, Real(0.5) * (a.spin + b.spin), b.spin - a.spin};
+  } else {
+    return {};
+  }
+}
+
+/// Calls use(now) with bond `bond` between spheres a and b as its law sees it. Line and motion where it or the
+/// dashpots need them. All are made, none assigned: GCC 12 assigns packs 16 bytes at a time, and reading them
+/// whole waits for that.
+template <Physics P, class Real, class Use>
+auto with_configuration(const ChainBlock<P, Real>& chain, int bond, const MovingSphere<Real, P.dimension>& a,
+                        const MovingSphere<Real, P.dimension>& b, const Use& use) {
+  const auto& first = end_pose<P, Real>(a.pose, [&] { return chain.natural[bond].first; });
+  const auto& second = end_pose<P, Real>(b.pose, [&] { return chain.natural[bond].second; });
+  const BondVector<Real, P.dimension> line = bond_line<P, Real>(chain, a, b);
+  const RelativeMotion<Real, P.dimension> motion = relative_motion<P, Real>(a, b);
+  return use(BondConfiguration<Real, P.dimension>{first, second, line, motion});
+}
+
+/// The history before the step.
+template <Physics P, class Real>
+HistoryOf<P, Real> history_before(const ChainBlock<P, Real>& chain, int bond) {
+  if constexpr (has_history<BondLaw<P>>) {
+    return chain.history[bond];
+  } else {
+    return {};
+  }
+}
+
+/// Moves it on over a step of `dt` that led here.
+template <Physics P, class Real>
+void advance_history(const ChainBlock<P, Real>& chain, HistoryOf<P, Real>& history,
+                     const BondConfiguration<Real, P.dimension>& now, const Real& dt) {
+  if constexpr (has_history<BondLaw<P>>) BondLaw<P>::advance(chain.parameters.bond, history, now, dt);
 }
 
 /// Largest moment of the rolling friction, xi_r |N| R / 2 (Eq 21) [N m].
@@ -78,30 +110,39 @@ void add_rolling(const ChainBlock<P, Real>& chain, int bond, const HistoryOf<P, 
   }
 }
 
+/// Forces of one bond as it is now; the history has moved on to here.
+template <Physics P, class Real>
+BondLoads<Real, P.dimension> bond_loads_now(const ChainBlock<P, Real>& chain, int bond,
+                                            const HistoryOf<P, Real>& history,
+                                            const BondConfiguration<Real, P.dimension>& now) {
+  using Law = BondLaw<P>;
+  const BondParameters<Real>& law = chain.parameters.bond;
+  if constexpr (Law::from_poses) {
+    if constexpr (P.damped) {
+      return Law::loads(law, history, now) + dashpot_loads(law, now);
+    } else {
+      return Law::loads(law, history, now);
+    }
+  } else {
+    BondAction<Real, P.dimension> action = Law::template action<P.damped>(law, history, now);
+    if constexpr (P.rolling != Rolling::none) add_rolling<P, Real>(chain, bond, history, now, action);
+    return act_at_middle(now.line.vector, action);
+  }
+}
+
 /// Forces of one bond at the poses now; `dt` is the step that led here (0 before the first). The history
 /// moves on.
 template <Physics P, class Real>
 BondLoads<Real, P.dimension> bond_step(const ChainBlock<P, Real>& chain, int bond,
                                        const MovingSphere<Real, P.dimension>& a,
                                        const MovingSphere<Real, P.dimension>& b, const Real& dt) {
-  constexpr int Dim = P.dimension;
-  using Law = BondLaw<P>;
-  const BondParameters<Real>& law = chain.parameters.bond;
-  const BondConfiguration<Real, Dim> now = configuration<P, Real>(chain, bond, a, b);
-  const HistoryOf<P, Real> history = advanced_history<P, Real>(chain, bond, now, dt);
-  if constexpr (has_history<Law>) chain.history[bond] = history;
-  if constexpr (Law::from_poses) {
-    const BondLoads<Real, Dim> springs = Law::loads(law, history, now);
-    if constexpr (P.damped) {
-      return springs + dashpot_loads(law, now);
-    } else {
-      return springs;
-    }
-  } else {
-    BondAction<Real, Dim> action = Law::template action<P.damped>(law, history, now);
-    if constexpr (P.rolling != Rolling::none) add_rolling<P, Real>(chain, bond, history, now, action);
-    return act_at_middle(now.line.vector, action);
-  }
+  const auto use = [&](const BondConfiguration<Real, P.dimension>& now) {
+    HistoryOf<P, Real> history = history_before<P, Real>(chain, bond);
+    advance_history<P, Real>(chain, history, now, dt);
+    if constexpr (has_history<BondLaw<P>>) chain.history[bond] = history;
+    return bond_loads_now<P, Real>(chain, bond, history, now);
+  };
+  return with_configuration<P, Real>(chain, bond, a, b, use);
 }
 
 }  // namespace fiberchain::dem

@@ -239,7 +239,8 @@ void account_rolling(const PackingBlock& block, const ChainBlock<P, Real>& chain
   } else if constexpr (P.rolling == Rolling::explicit_sign) {
     friction = friction +
                Real(0.5) * Real(block.previous_step) * (previous.rolling_power + dot(previous.moment, spin));
-    const HistoryOf<P, Real> history = advanced_history<P, Real>(chain, bond, now, Real(block.previous_step));
+    HistoryOf<P, Real> history = history_before<P, Real>(chain, bond);
+    advance_history<P, Real>(chain, history, now, Real(block.previous_step));
     previous.moment = sliding_moment(largest_rolling_moment<P, Real>(chain, history, now), spin);
     previous.rolling_power = dot(previous.moment, spin);
   }
@@ -251,13 +252,15 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
                   const BondAccount& account) {
   PreviousLoads<Real>& previous = as_values<PreviousLoads<Real>>(account.previous)[bond];
   Real& damping = *as_values<Real>(account.bond_damping);
-  const BondConfiguration<Real, 3> now = configuration<P, Real>(chain, bond, a, b);
-  if constexpr (P.damped) account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
-  if constexpr (BondLaw<P>::dissipates) {
-    const Real dt = Real(block.previous_step);
-    damping = damping + BondLaw<P>::dissipated(chain.parameters.bond, chain.history[bond], now, dt);
-  }
-  account_rolling<P, Real>(block, chain, bond, now, previous, *as_values<Real>(account.bond_friction));
+  const auto book = [&](const BondConfiguration<Real, 3>& now) {
+    if constexpr (P.damped) account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
+    if constexpr (BondLaw<P>::dissipates) {
+      const Real dt = Real(block.previous_step);
+      damping = damping + BondLaw<P>::dissipated(chain.parameters.bond, chain.history[bond], now, dt);
+    }
+    account_rolling<P, Real>(block, chain, bond, now, previous, *as_values<Real>(account.bond_friction));
+  };
+  with_configuration<P, Real>(chain, bond, a, b, book);
 }
 
 template <Physics P, class Real>
