@@ -17,7 +17,7 @@ function(fiberchain_add_kernels target)
     target_include_directories(${copy} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${copy} SYSTEM PRIVATE ${FIBERCHAIN_XSIMD_INCLUDE})
     target_compile_features(${copy} PRIVATE cxx_std_20)
-    set_target_properties(${copy} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    set_target_properties(${copy} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
     target_link_libraries(${copy} PRIVATE Eigen3::Eigen)
     # Those of every target first: the last one that says whether to fuse wins.
     target_compile_options(${copy} PRIVATE

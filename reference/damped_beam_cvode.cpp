@@ -12,7 +12,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using State = Eigen::Map<const VectorXd>;
 
-constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLargestNumber = std::numeric_limits<double>::max();
 
 /// Deflections w = int theta at the nodes, with the roots of their weights: mass = factor^T factor.
 MatrixXd mass_factor(const detail::LegendreBeam& beam) {
@@ -89,9 +89,9 @@ struct Discretization {
 
 BeamHistory damped_beam_cvode(const BeamDamping& damping, const Release& release,
                               const std::vector<double>& times, const BeamResolution& resolution) {
-  require_between("retardation", damping.retardation, 0, kLargest);
-  require_between("viscous", damping.viscous, 0, kLargest);
-  require_between("release amount", release.amount, -kLargest, kLargest);
+  require_between("retardation", damping.retardation, 0, kLargestNumber);
+  require_between("viscous", damping.viscous, 0, kLargestNumber);
+  require_between("release amount", release.amount, -kLargestNumber, kLargestNumber);
   require_times(times);
   const Discretization beam(damping, resolution.modes);
   const VectorXd start = beam.start(release);

@@ -1,6 +1,5 @@
 // Within dem/ and within compare/ a room includes only rooms below it: nobody has to know the upper ones to
 // read a lower one.
-#define BOOST_TEST_MODULE rooms
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -8,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(rooms_test)
 
 namespace fs = std::filesystem;
 
@@ -70,3 +71,5 @@ BOOST_AUTO_TEST_CASE(no_room_of_dem_includes_one_above_it) {
 BOOST_AUTO_TEST_CASE(no_room_of_compare_includes_one_above_it) {
   for (const std::string& fault : faults("compare", kCompare)) BOOST_ERROR(fault);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

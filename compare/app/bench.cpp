@@ -108,7 +108,7 @@ void add_packing(Report& report, const BenchOptions& options) {
              times);
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   Cases cases{Case::statics,       Case::damping, Case::history, Case::flow,
               Case::feature_costs, Case::kernels, Case::packing};
@@ -148,7 +148,7 @@ Command bench_command() {
                   json_option(),
                   {"--out", "DIR",
                    "directory for the results; with --json none are written unless given [results]"}},
-      .run = &run};
+      .run = &run_bench};
 }
 
 }  // namespace fiberchain::app

@@ -21,16 +21,16 @@ using compare::InputError;
 using dem::DashpotLaw;
 
 /// The columns worth a look on a terminal; the files and the JSON have them all.
-const std::vector<std::string> kShown = {"aspect_ratio",
-                                         "dashpots",
-                                         "bond_damping",
-                                         "retardation_time",
-                                         "fiber_damping_modes",
-                                         "natural_frequency",
-                                         "natural_frequency_hertz",
-                                         "stable_time_step",
-                                         "stable_step_ratio",
-                                         "expected_error"};
+const std::vector<std::string> calibrate_shown = {"aspect_ratio",
+                                                  "dashpots",
+                                                  "bond_damping",
+                                                  "retardation_time",
+                                                  "fiber_damping_modes",
+                                                  "natural_frequency",
+                                                  "natural_frequency_hertz",
+                                                  "stable_time_step",
+                                                  "stable_step_ratio",
+                                                  "expected_error"};
 
 constexpr std::array kTargets = {
     std::pair{"--damping-ratio", DampingMeasure::damping_ratio},
@@ -155,7 +155,7 @@ CalibrationAnswer answer_of(const Arguments& arguments) {
   return from_setting(asked, arguments, option);
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_calibrate(const Arguments& arguments, Context& context) {
   OutputOptions output;
   output.json = arguments.has("--json");
   std::optional<dem::OutputDirectory> directory;
@@ -166,7 +166,7 @@ int run(const Arguments& arguments, Context& context) {
                   .heading = "Damping of the bonds for a damping of the fiber",
                   .table = compare::calibration_table({answer}),
                   .notes = compare::calibration_notes(answer)};
-  deliver(results, results.table.select(kShown), output, directory, context);
+  deliver(results, results.table.select(calibrate_shown), output, directory, context);
   return kSuccess;
 }
 
@@ -208,7 +208,7 @@ Command calibrate_command() {
                   {"--verify", "", "run the chain and report its damping", OptionKind::flag},
                   json_option(),
                   {"--out", "DIR", "directory for the results [none]"}},
-      .run = &run};
+      .run = &run_calibrate};
 }
 
 }  // namespace fiberchain::app

@@ -35,7 +35,7 @@ void warn_of_memory(const dem::Table& table, Context& context) {
     context.log->warn("warning: the scene needs {:.3g} B of memory, {:.3g} B are free", needed, free);
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_check(const Arguments& arguments, Context& context) {
   if (arguments.has("--keys")) {
     if (arguments.has("SCENE"))
       throw compare::InputError("--keys is not allowed with a scene: it lists the keys of all kinds");
@@ -73,7 +73,7 @@ Command check_command() {
                       json_option(),
                       {"--keys", "", "print all keys of all kinds of scenes, in Markdown", OptionKind::flag},
                       {"--jobs", "N", "threads [all cores]", OptionKind::text, "--threads"}},
-          .run = &run};
+          .run = &run_check};
 }
 
 }  // namespace fiberchain::app

@@ -9,7 +9,7 @@
 namespace fiberchain::app {
 namespace {
 
-int run(const Arguments& arguments, Context& context) {
+int run_columns(const Arguments& arguments, Context& context) {
   dem::Table table({"column", "kind", "unit", "meaning"});
   for (const dem::Column& column : dem::all_columns()) {
     table.append({{"column", std::string(column.name)},
@@ -29,7 +29,7 @@ Command columns_command() {
           .description = "list every column of the tables: type, unit, meaning",
           .footer = "Example:\n  fiberchain columns --json",
           .options = {json_option()},
-          .run = &run};
+          .run = &run_columns};
 }
 
 }  // namespace fiberchain::app

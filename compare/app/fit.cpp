@@ -9,17 +9,17 @@ namespace fiberchain::app {
 namespace {
 
 /// The columns worth a look on a terminal; the files have them all.
-const std::vector<std::string> kShown = {"law",
-                                         "weighting",
-                                         "fit_a",
-                                         "fit_b",
-                                         "fit_c",
-                                         "fit_rms",
-                                         "fit_largest",
-                                         "held_out_largest",
-                                         "information_criterion",
-                                         "within_1_percent",
-                                         "within_5_percent"};
+const std::vector<std::string> fit_shown = {"law",
+                                            "weighting",
+                                            "fit_a",
+                                            "fit_b",
+                                            "fit_c",
+                                            "fit_rms",
+                                            "fit_largest",
+                                            "held_out_largest",
+                                            "information_criterion",
+                                            "within_1_percent",
+                                            "within_5_percent"};
 
 std::optional<compare::PeakRange> peaks_of(const Arguments& arguments) {
   if (!arguments.has("--peaks")) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<compare::PeakRange> peaks_of(const Arguments& arguments) {
   return compare::PeakRange{peaks.front(), peaks.back()};
 }
 
-compare::FitSweep sweep_of(const Arguments& arguments) {
+compare::FitSweep fit_sweep(const Arguments& arguments) {
   compare::FitSweep sweep;
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 100}, sweep.aspect_ratio);
   if (arguments.text("--held-out") == "none") {
@@ -47,9 +47,9 @@ compare::FitSweep sweep_of(const Arguments& arguments) {
   return sweep;
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_fit(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::FitSweep sweep = sweep_of(arguments);
+  const compare::FitSweep sweep = fit_sweep(arguments);
   const auto directory = open_output(output);
   const compare::FitStudy study = compare::fit_study(sweep, output.jobs);
   Results results{.name = "fit",
@@ -59,7 +59,7 @@ int run(const Arguments& arguments, Context& context) {
                   .more_tables = {{"fit-residuals", compare::fit_residual_table(study)},
                                   {"fit-choices", compare::fit_choice_table(study)}}};
   if (directory) results.figures = compare::fit_figures(study);
-  deliver(results, results.table.select(kShown), output, directory, context);
+  deliver(results, results.table.select(fit_shown), output, directory, context);
   return kSuccess;
 }
 
@@ -82,7 +82,7 @@ Command fit_command() {
            {"--peaks", "LIST",
             "release from rest under the load and fit these peaks, 0 the point of release [release from the "
             "first mode]"}}),
-      .run = &run};
+      .run = &run_fit};
 }
 
 }  // namespace fiberchain::app

@@ -61,7 +61,7 @@ dem::TrajectoryReader open_trajectory(const std::filesystem::path& path) {
   }
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_render(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   compare::PictureOptions options = picture_options(arguments);
   options.threads = output.jobs;
@@ -102,7 +102,7 @@ Command render_command() {
                       {"--height", "PIXELS", "of the picture [800]"},
                       {"--out", "DIR", "directory for the picture [results]"},
                       {"--jobs", "N", "threads [all cores]"}},
-          .run = &run};
+          .run = &run_render};
 }
 
 }  // namespace fiberchain::app

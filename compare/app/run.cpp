@@ -75,7 +75,7 @@ Outcome outcome_of(const dem::Scene& scene, const std::string& name) {
   return outcome_of(std::get<dem::FlowScene>(scene), name);
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_scene_file(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
   const dem::SceneText text = dem::read_scene_text(path);
@@ -112,7 +112,7 @@ Command run_command() {
           {{"SCENE", "", "scene file (YAML)", OptionKind::required},
            {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
            {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag}}),
-      .run = &run};
+      .run = &run_scene_file};
 }
 
 }  // namespace fiberchain::app

@@ -7,19 +7,19 @@
 namespace fiberchain::app {
 namespace {
 
-const std::vector<std::string> kShown = {"aspect_ratio",
-                                         "poisson_ratio",
-                                         "bond_damping",
-                                         "bond",
-                                         "scheme",
-                                         "stable_step_endless",
-                                         "stable_step_modes",
-                                         "stable_step_measured",
-                                         "stable_step_difference",
-                                         "bond_time_verdict",
-                                         "quarter_verdict"};
+const std::vector<std::string> stability_shown = {"aspect_ratio",
+                                                  "poisson_ratio",
+                                                  "bond_damping",
+                                                  "bond",
+                                                  "scheme",
+                                                  "stable_step_endless",
+                                                  "stable_step_modes",
+                                                  "stable_step_measured",
+                                                  "stable_step_difference",
+                                                  "bond_time_verdict",
+                                                  "quarter_verdict"};
 
-compare::StabilitySweep sweep_of(const Arguments& arguments) {
+compare::StabilitySweep stability_sweep(const Arguments& arguments) {
   using dem::BondModel;
   using dem::Integrator;
   using reference::ChainEnds;
@@ -39,17 +39,18 @@ compare::StabilitySweep sweep_of(const Arguments& arguments) {
 }
 
 /// Whether any case was asked for; without, the map's and the figures' own are run.
-bool chose_cases(const Arguments& arguments) {
+bool chose_stability_cases(const Arguments& arguments) {
   const auto options = {"--aspect-ratio", "--poisson-ratio", "--bond-damping", "--bond",
                         "--scheme",       "--ends",          "--dimension"};
   return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_stability(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::StabilitySweep sweep = sweep_of(arguments);
+  const compare::StabilitySweep sweep = stability_sweep(arguments);
   const auto directory = open_output(output);
-  const auto cases = chose_cases(arguments) ? compare::cases(sweep) : compare::stability_figure_cases();
+  const auto cases =
+      chose_stability_cases(arguments) ? compare::cases(sweep) : compare::stability_figure_cases();
   const auto progress = context.progress(cases.size());
   const auto points =
       compare::stability_points(cases, {.jobs = output.jobs, .advance = [&] { progress->advance(); }});
@@ -58,7 +59,7 @@ int run(const Arguments& arguments, Context& context) {
                   .table = compare::stability_table(points),
                   .notes = compare::stability_notes(points)};
   if (directory) results.figures = compare::stability_figures(points);
-  deliver(results, results.table.select(kShown), output, directory, context);
+  deliver(results, results.table.select(stability_shown), output, directory, context);
   return kSuccess;
 }
 
@@ -81,7 +82,7 @@ Command stability_command() {
             "leapfrog (lagged dashpots), leapfrog-damped (dashpots solved within the step) [both]"},
            {"--ends", "LIST", "clamped_free, free_free [clamped_free]"},
            {"--dimension", "LIST", "planar, spatial [planar]"}}),
-      .run = &run};
+      .run = &run_stability};
 }
 
 }  // namespace fiberchain::app

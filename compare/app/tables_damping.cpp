@@ -12,21 +12,21 @@
 namespace fiberchain::app {
 namespace {
 
-const std::vector<std::string> kShown = {"aspect_ratio",
-                                         "bond_damping",
-                                         "load",
-                                         "fiber_damping",
-                                         "fiber_damping_paper",
-                                         "fiber_damping_modes",
-                                         "fiber_damping_elastica",
-                                         "fiber_damping_closed_form",
-                                         "fiber_damping_eq20",
-                                         "status"};
+const std::vector<std::string> tables_damping_shown = {"aspect_ratio",
+                                                       "bond_damping",
+                                                       "load",
+                                                       "fiber_damping",
+                                                       "fiber_damping_paper",
+                                                       "fiber_damping_modes",
+                                                       "fiber_damping_elastica",
+                                                       "fiber_damping_closed_form",
+                                                       "fiber_damping_eq20",
+                                                       "status"};
 
-using Points = std::vector<compare::DampingPoint>;
-using Cases = std::vector<compare::DampingCase>;
+using DampingPoints = std::vector<compare::DampingPoint>;
+using DampingCases = std::vector<compare::DampingCase>;
 
-compare::DampingSweep sweep_of(const Arguments& arguments) {
+compare::DampingSweep tables_damping_sweep(const Arguments& arguments) {
   using dem::BondForm;
   using dem::BondModel;
   using dem::DashpotLaw;
@@ -48,24 +48,24 @@ compare::DampingSweep sweep_of(const Arguments& arguments) {
 }
 
 /// Whether any case was asked for; without, the figures' own are run.
-bool chose_cases(const Arguments& arguments) {
+bool chose_tables_damping_cases(const Arguments& arguments) {
   const auto options = {"--aspect-ratio", "--poisson-ratio", "--bond-damping", "--load",
                         "--dashpots",     "--bond",          "--form"};
   return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
 }
 
-Points measure(const Cases& cases, int jobs, const Context& context) {
+DampingPoints measure_damping(const DampingCases& cases, int jobs, const Context& context) {
   const auto progress = context.progress(cases.size());
   return compare::damping_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
 }
 
 /// All figures' cases measured together, then handed back figure by figure.
 compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
-                                             const Context& context, Points& all) {
+                                             const Context& context, DampingPoints& all) {
   const compare::DampingFigureCases wanted = compare::damping_figure_cases(peaks);
-  all = measure(
-      joined<Cases::value_type>({wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}),
-      jobs, context);
+  all = measure_damping(joined<DampingCases::value_type>(
+                            {wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}),
+                        jobs, context);
   Portions portions(all);
   compare::DampingFigurePoints figures;
   figures.bond_damping = portions.next(wanted.bond_damping.size());
@@ -75,16 +75,16 @@ compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, in
   return figures;
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_tables_damping(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::DampingSweep sweep = sweep_of(arguments);
+  const compare::DampingSweep sweep = tables_damping_sweep(arguments);
   const auto directory = open_output(output);
-  Points points;
+  DampingPoints points;
   Results results{.name = "damping",
                   .heading = "Damping of the fiber by dashpots in its bonds",
                   .table = compare::damping_table({})};
-  if (chose_cases(arguments)) {
-    points = measure(compare::cases(sweep), output.jobs, context);
+  if (chose_tables_damping_cases(arguments)) {
+    points = measure_damping(compare::cases(sweep), output.jobs, context);
   } else {
     const compare::DampingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
     const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
@@ -92,7 +92,7 @@ int run(const Arguments& arguments, Context& context) {
     results.figures = compare::damping_figures(figures, ring_down);
   }
   results.table = compare::damping_table(points);
-  deliver(results, results.table.select(kShown), output, directory, context);
+  deliver(results, results.table.select(tables_damping_shown), output, directory, context);
   return status_of(points, context);
 }
 
@@ -116,7 +116,7 @@ Command tables_damping_command() {
            {"--bond", "LIST", "bond law: paper, corrected [paper]"},
            {"--form", "LIST", "form of the bond law: total, incremental [incremental]"},
            {"--peaks", "LIST", "peaks of fiber_damping_paper; 0 is the point of release [1..10]"}}),
-      .run = &run};
+      .run = &run_tables_damping};
 }
 
 }  // namespace fiberchain::app

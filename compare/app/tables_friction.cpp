@@ -12,22 +12,22 @@
 namespace fiberchain::app {
 namespace {
 
-const std::vector<std::string> kShown = {"aspect_ratio",
-                                         "load",
-                                         "amplitude",
-                                         "rolling_friction",
-                                         "rolling",
-                                         "step_ratio",
-                                         "fiber_damping_paper",
-                                         "fiber_damping_modes",
-                                         "fiber_damping_weak",
-                                         "fiber_damping_as_bond",
-                                         "status"};
+const std::vector<std::string> tables_friction_shown = {"aspect_ratio",
+                                                        "load",
+                                                        "amplitude",
+                                                        "rolling_friction",
+                                                        "rolling",
+                                                        "step_ratio",
+                                                        "fiber_damping_paper",
+                                                        "fiber_damping_modes",
+                                                        "fiber_damping_weak",
+                                                        "fiber_damping_as_bond",
+                                                        "status"};
 
-using Points = std::vector<compare::RollingPoint>;
-using Cases = std::vector<compare::RollingCase>;
+using RollingPoints = std::vector<compare::RollingPoint>;
+using RollingCases = std::vector<compare::RollingCase>;
 
-compare::RollingSweep sweep_of(const Arguments& arguments) {
+compare::RollingSweep tables_friction_sweep(const Arguments& arguments) {
   using dem::Rolling;
   compare::RollingSweep sweep;
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 1e4}, sweep.aspect_ratio);
@@ -48,23 +48,24 @@ compare::RollingSweep sweep_of(const Arguments& arguments) {
 }
 
 /// Whether any case was asked for; without, the figures' own are run.
-bool chose_cases(const Arguments& arguments) {
+bool chose_tables_friction_cases(const Arguments& arguments) {
   const auto options = {"--aspect-ratio", "--poisson-ratio",    "--load", "--amplitude",
                         "--bond-damping", "--rolling-friction", "--law",  "--step"};
   return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
 }
 
-Points measure(const Cases& cases, int jobs, const Context& context) {
+RollingPoints measure_rolling(const RollingCases& cases, int jobs, const Context& context) {
   const auto progress = context.progress(cases.size());
   return compare::rolling_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
 }
 
 /// All figures' cases measured together, then handed back figure by figure.
 compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
-                                             const Context& context, Points& all) {
+                                             const Context& context, RollingPoints& all) {
   const compare::RollingFigureCases wanted = compare::rolling_figure_cases(peaks);
-  all = measure(joined<Cases::value_type>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}),
-                jobs, context);
+  all = measure_rolling(
+      joined<RollingCases::value_type>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}), jobs,
+      context);
   Portions portions(all);
   compare::RollingFigurePoints figures;
   figures.friction = portions.next(wanted.friction.size());
@@ -74,16 +75,16 @@ compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, in
   return figures;
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_tables_friction(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::RollingSweep sweep = sweep_of(arguments);
+  const compare::RollingSweep sweep = tables_friction_sweep(arguments);
   const auto directory = open_output(output);
-  Points points;
+  RollingPoints points;
   Results results{.name = "friction",
                   .heading = "Rolling friction of the bonds and the fiber's damping",
                   .table = compare::rolling_table({})};
-  if (chose_cases(arguments)) {
-    points = measure(compare::cases(sweep), output.jobs, context);
+  if (chose_tables_friction_cases(arguments)) {
+    points = measure_rolling(compare::cases(sweep), output.jobs, context);
     results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(points)}};
   } else {
     const compare::RollingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
@@ -91,7 +92,7 @@ int run(const Arguments& arguments, Context& context) {
     results.figures = compare::rolling_figures(figures);
   }
   results.table = compare::rolling_table(points);
-  deliver(results, results.table.select(kShown), output, directory, context);
+  deliver(results, results.table.select(tables_friction_shown), output, directory, context);
   return status_of(points, context);
 }
 
@@ -116,7 +117,7 @@ Command tables_friction_command() {
            {"--law", "LIST", "law of rolling friction: set_valued, explicit_sign [set_valued]"},
            {"--step", "LIST", "time step over t_b [0.8 of the stable one]"},
            {"--peaks", "LIST", "peaks the damping is measured on; 0 is the point of release [1..5]"}}),
-      .run = &run};
+      .run = &run_tables_friction};
 }
 
 }  // namespace fiberchain::app

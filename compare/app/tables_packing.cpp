@@ -89,7 +89,7 @@ int status_of(const Runs& runs, const Context& context) {
   return kRunFailed;
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_tables_packing(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::PackingPlan plan = plan_of(arguments);
   const auto directory = open_output(output);
@@ -135,7 +135,7 @@ Command tables_packing_command() {
                {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"},
                {"--duration", "SECONDS", "simulated [0.6]"},
                {"--samples", "N", "intervals of the histories [140]"}}),
-          .run = &run};
+          .run = &run_tables_packing};
 }
 
 }  // namespace fiberchain::app

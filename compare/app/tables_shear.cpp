@@ -37,7 +37,7 @@ std::vector<Part> parts_of(const Arguments& arguments) {
 }
 
 /// The sweep of the orbit period that was asked for; nothing if none was.
-std::optional<compare::PeriodSweep> sweep_of(const Arguments& arguments) {
+std::optional<compare::PeriodSweep> tables_shear_sweep(const Arguments& arguments) {
   compare::PeriodSweep sweep{.spheres = {}, .interacting = {}, .stresslets = {}};
   read_list(arguments, "--spheres", {.low = 2, .high = 1000}, sweep.spheres);
   read_list(arguments, "--interacting", {.low = 2, .high = 200}, sweep.interacting);
@@ -53,7 +53,8 @@ std::optional<compare::PeriodSweep> sweep_of(const Arguments& arguments) {
 std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& arguments,
                                                           const OrbitOptions& options,
                                                           const Context& context) {
-  if (const auto sweep = sweep_of(arguments)) return {{"period", compare::period_study(*sweep, options)}};
+  if (const auto sweep = tables_shear_sweep(arguments))
+    return {{"period", compare::period_study(*sweep, options)}};
   const std::vector<Part> parts = parts_of(arguments);
   const auto progress = context.progress(parts.size());
   std::vector<std::pair<std::string, FlowStudy>> studies;
@@ -64,7 +65,7 @@ std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& argum
   return studies;
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_tables_shear(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const auto directory = open_output(output);
   auto studies = studies_of(arguments, {.jobs = output.jobs}, context);
@@ -97,7 +98,7 @@ Command tables_shear_command() {
                            {"--spheres", "LIST", "orbit period alone: N = r_f + 1 of free-draining chains"},
                            {"--interacting", "LIST", "N of chains with hydrodynamic interactions"},
                            {"--stresslets", "LIST", "N of chains with interactions and stresslets"}}),
-          .run = &run};
+          .run = &run_tables_shear};
 }
 
 }  // namespace fiberchain::app

@@ -10,11 +10,11 @@ namespace fiberchain::app {
 namespace {
 
 /// The columns worth a look on a terminal; the files have them all.
-const std::vector<std::string> kShown = {
+const std::vector<std::string> tables_static_shown = {
     "bond",        "method",  "aspect_ratio", "poisson_ratio",    "load",  "tip_y",
     "departure_y", "shear_y", "stretch_y",    "discretization_y", "status"};
 
-compare::StaticSweep sweep_of(const Arguments& arguments) {
+compare::StaticSweep tables_static_sweep(const Arguments& arguments) {
   using compare::StaticMethod;
   using dem::BondForm;
   using dem::BondModel;
@@ -39,9 +39,9 @@ std::vector<compare::StaticPoint> points_of(const compare::StaticSweep& sweep, i
   return static_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_tables_static(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::StaticSweep sweep = sweep_of(arguments);
+  const compare::StaticSweep sweep = tables_static_sweep(arguments);
   const auto directory = open_output(output);
   const std::vector<compare::StaticPoint> points = points_of(sweep, output.jobs, context);
   Results results{.name = "static",
@@ -52,7 +52,7 @@ int run(const Arguments& arguments, Context& context) {
     results.more_tables = {{"static-order", orders}};
     results.figures = compare::static_figures(points, orders);
   }
-  deliver(results, results.table.select(kShown), output, directory, context);
+  deliver(results, results.table.select(tables_static_shown), output, directory, context);
   const auto failed =
       std::ranges::count_if(points, [](const auto& point) { return point.status != "converged"; });
   if (failed == 0) return kSuccess;
@@ -81,7 +81,7 @@ Command tables_static_command() {
            {"--method", "LIST", "way to the equilibrium: solve, march [solve]"},
            {"--form", "LIST", "form of the bond law: total, incremental (march only) [total]"},
            {"--dimension", "LIST", "planar, spatial [planar]"}}),
-      .run = &run};
+      .run = &run_tables_static};
 }
 
 }  // namespace fiberchain::app

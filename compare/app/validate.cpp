@@ -41,7 +41,7 @@ void log_summary(const std::vector<compare::MatrixRow>& rows, const Context& con
                     count(compare::Verdict::disputed), count(compare::Verdict::fails));
 }
 
-int run(const Arguments& arguments, Context& context) {
+int run_validate(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
@@ -70,7 +70,7 @@ Command validate_command() {
           .options = with_output(
               {{"--part", "LIST", "beams, static, damping, friction, stability, flow, packing [all]"},
                {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),
-          .run = &run};
+          .run = &run_validate};
 }
 
 }  // namespace fiberchain::app

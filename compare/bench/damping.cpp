@@ -20,7 +20,7 @@ using reference::ChainMode;
 constexpr double amplitude = 1e-4;
 constexpr double amplitude_effect = amplitude * amplitude / 2;
 /// Two peaks after the release give the first guess of the fit over the whole watch.
-constexpr double periods = 2.2;
+constexpr double damping_periods = 2.2;
 
 struct Exact {
   double damping;
@@ -84,7 +84,7 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
       .rows = {}};
   problem.rows.push_back(eigenvalue_row(fiber, exact, row_budget(options)));
   const ChainMode mode = reference::first_bending_mode(linear_chain_of(fiber));
-  const dem::Release<2> release = mode_release(fiber, mode, amplitude, periods);
+  const dem::Release<2> release = mode_release(fiber, mode, amplitude, damping_periods);
   auto rows = ring_down_rows(ring_down_settings(release, options.quick, false), release, row_budget(options),
                              [&](const dem::ReleaseRecord<2>& record) {
                                return std::abs(fitted_damping(record, fiber) / exact.damping - 1);

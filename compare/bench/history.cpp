@@ -15,7 +15,7 @@ namespace {
 
 using Path = std::vector<dem::Vec<double, 2>>;
 
-constexpr double periods = 3;
+constexpr double history_periods = 3;
 /// A multiple of every number of samples a period that a setting has.
 constexpr int samples_per_period = 4050;
 
@@ -27,7 +27,7 @@ double largest_distance(const Path& a, const Path& b) {
 
 std::vector<double> times_of(double period) {
   std::vector<double> times;
-  const int n = static_cast<int>(periods * samples_per_period);
+  const int n = static_cast<int>(history_periods * samples_per_period);
   for (int i = 0; i <= n; ++i) times.push_back(period * i / samples_per_period);
   return times;
 }
@@ -48,7 +48,7 @@ PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptio
   dem::Fiber fiber = nominal_fiber(aspect_ratio, 0.3, dem::BondModel::paper);
   fiber.bond_damping = 1;
   const dem::Release<2> release =
-      static_release(fiber, reference::first_bending_mode(linear_chain_of(fiber)), load, periods);
+      static_release(fiber, reference::first_bending_mode(linear_chain_of(fiber)), load, history_periods);
   const std::vector<double> times = times_of(release.period);
   const Path exact = tip_path_by_runge_kutta(release, times, 1e-12),
              looser = tip_path_by_runge_kutta(release, times, 1e-11);

@@ -12,6 +12,7 @@
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/errors.hpp"
@@ -19,7 +20,6 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double vanishing_load = 1e-5;
 constexpr int mode_release_peaks = 4;  // after the release
 constexpr int clean_peaks = 6;         // used for fiber_damping after a static release

@@ -9,9 +9,9 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<DampingPoint>;
+using DampingPoints = std::vector<DampingPoint>;
 
-Points measure(const std::vector<DampingCase>& cases, int jobs) {
+DampingPoints measure(const std::vector<DampingCase>& cases, int jobs) {
   DampingOptions options;
   options.jobs = jobs;
   options.elastica = false;
@@ -19,7 +19,7 @@ Points measure(const std::vector<DampingCase>& cases, int jobs) {
 }
 
 /// Load P L^2/(E I) of a force on the nominal fiber.
-double load_of(double force, int aspect_ratio, double shear_modulus = 1e6) {
+double load_of_shear_modulus(double force, int aspect_ratio, double shear_modulus = 1e6) {
   const DampingCase unit{.aspect_ratio = aspect_ratio, .youngs_modulus = 2.6 * shear_modulus};
   return force / dem::load_force(damped_fiber(unit), 1.0);
 }
@@ -30,7 +30,7 @@ Measured slope(const ValidationInput& in, int aspect_ratio, const std::string& i
   const double wanted = find_claim(in.claims, id).value;
   std::vector<DampingCase> cases;
   for (int i = 0; i < 16; ++i) cases.push_back({.aspect_ratio = aspect_ratio, .load = 0.02 + 0.2 * i});
-  const Points points = measure(cases, in.jobs);
+  const DampingPoints points = measure(cases, in.jobs);
   double load = std::numeric_limits<double>::quiet_NaN(), there = load;
   for (std::size_t i = 1; i < points.size() && std::isnan(load); ++i) {
     const double above = points[i - 1].damping_paper, below = points[i].damping_paper;
@@ -46,9 +46,11 @@ std::vector<Measured> slopes(const ValidationInput& in) {
 }
 
 std::vector<Measured> loads(const ValidationInput& in) {
-  const Points ten = measure(
-      {{.load = load_of(0.001, 10)}, {.load = load_of(0.008, 10)}, {.load = load_of(0.02, 10)}}, in.jobs);
-  const Points eight = measure({{.aspect_ratio = 8, .load = load_of(0.02, 8)}}, in.jobs);
+  const DampingPoints ten = measure({{.load = load_of_shear_modulus(0.001, 10)},
+                                     {.load = load_of_shear_modulus(0.008, 10)},
+                                     {.load = load_of_shear_modulus(0.02, 10)}},
+                                    in.jobs);
+  const DampingPoints eight = measure({{.aspect_ratio = 8, .load = load_of_shear_modulus(0.02, 8)}}, in.jobs);
   const auto fall = [](double from, double to) { return 100 * (1 - to / from); };
   const double far_ten = fall(ten[0].damping_modes, ten[2].damping),
                far_eight = fall(eight[0].damping_modes, eight[0].damping);
@@ -60,10 +62,10 @@ std::vector<Measured> modulus(const ValidationInput& in) {
   std::vector<DampingCase> cases;
   for (const double force : {0.002, 0.0005}) {
     for (const double modulus : {0.2e6, 2e6}) {
-      cases.push_back({.load = load_of(force, 10, modulus), .youngs_modulus = 2.6 * modulus});
+      cases.push_back({.load = load_of_shear_modulus(force, 10, modulus), .youngs_modulus = 2.6 * modulus});
     }
   }
-  const Points p = measure(cases, in.jobs);
+  const DampingPoints p = measure(cases, in.jobs);
   const auto rise = [](const DampingPoint& soft, const DampingPoint& stiff) {
     return 100 * (stiff.damping / soft.damping - 1);
   };

@@ -9,10 +9,10 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<DampingPoint>;
-using Value = std::function<double(const DampingPoint&)>;
+using DampingPoints = std::vector<DampingPoint>;
+using DampingValue = std::function<double(const DampingPoint&)>;
 
-Series series(std::string label, const Points& points, const Value& x, const Value& y,
+Series series(std::string label, const DampingPoints& points, const DampingValue& x, const DampingValue& y,
               Mark mark = Mark::line_and_points, Dash dash = Dash::solid) {
   Series s{std::move(label), {}, {}, mark, dash};
   for (const DampingPoint& p : points) {
@@ -22,7 +22,7 @@ Series series(std::string label, const Points& points, const Value& x, const Val
   return s;
 }
 
-double measured(const DampingPoint& p) { return p.damping; }
+double measured_damping(const DampingPoint& p) { return p.damping; }
 double as_paper(const DampingPoint& p) { return p.damping_paper; }
 
 Figure ring_down_figure(const dem::Table& table) {
@@ -41,21 +41,21 @@ Figure ring_down_figure(const dem::Table& table) {
       {elastica, chain}};
 }
 
-Figure bond_damping_figure(const Points& points) {
-  std::map<std::pair<int, double>, Points> groups;
+Figure bond_damping_figure(const DampingPoints& points) {
+  std::map<std::pair<int, double>, DampingPoints> groups;
   for (const DampingPoint& p : points) groups[{p.asked.aspect_ratio, p.asked.load}].push_back(p);
   Figure figure{"Fig 7: damping of the fiber against damping of the bonds",
                 {"{/Symbol x}_b", true},
                 {"{/Symbol x}_f", true},
                 {}};
-  const Value x = [](const DampingPoint& p) { return p.asked.bond_damping; };
+  const DampingValue x = [](const DampingPoint& p) { return p.asked.bond_damping; };
   for (const auto& [kind, group] : groups) {
     const bool small = kind.second <= largest_mode_release_load;
     figure.series.push_back(
         series(fmt::format("r_f = {}, {}", kind.first, small ? "small load" : "P = 0.02 N"), group, x,
-               measured, small ? Mark::line_and_points : Mark::points));
+               measured_damping, small ? Mark::line_and_points : Mark::points));
   }
-  Points eight;
+  DampingPoints eight;
   for (const DampingPoint& p : points)
     if (p.asked.load <= largest_mode_release_load) eight.push_back(p);
   for (const int aspect_ratio : {8, 10}) {
@@ -70,12 +70,14 @@ Figure bond_damping_figure(const Points& points) {
   return figure;
 }
 
-Figure load_figure(const Points& points) {
-  const Value x = [](const DampingPoint& p) { return dem::load_force(damped_fiber(p.asked), p.asked.load); };
+Figure load_figure(const DampingPoints& points) {
+  const DampingValue x = [](const DampingPoint& p) {
+    return dem::load_force(damped_fiber(p.asked), p.asked.load);
+  };
   return {"Fig 8: damping of the fiber against load, r_f = 10, {/Symbol x}_b = 1",
           {"{/:Italic P}, N"},
           {"{/Symbol x}_f"},
-          {series("chain, mode 2 gone", points, x, measured),
+          {series("chain, mode 2 gone", points, x, measured_damping),
            series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
                   points, x, as_paper),
            series(
@@ -86,22 +88,24 @@ Figure load_figure(const Points& points) {
                Dash::dotted)}};
 }
 
-Figure modulus_figure(const Points& points) {
-  const Value x = [](const DampingPoint& p) { return damped_fiber(p.asked).material.shear_modulus / 1e6; };
+Figure modulus_figure(const DampingPoints& points) {
+  const DampingValue x = [](const DampingPoint& p) {
+    return damped_fiber(p.asked).material.shear_modulus / 1e6;
+  };
   return {"Fig 8: damping of the fiber against shear modulus, P = 0.002 N, r_f = 10, {/Symbol x}_b = 1",
           {"{/:Italic G}, MPa"},
           {"{/Symbol x}_f"},
-          {series("chain, mode 2 gone", points, x, measured),
+          {series("chain, mode 2 gone", points, x, measured_damping),
            series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
                   points, x, as_paper)}};
 }
 
-Figure aspect_ratio_figure(const Points& points) {
-  const Value x = [](const DampingPoint& p) { return static_cast<double>(p.asked.aspect_ratio); };
+Figure aspect_ratio_figure(const DampingPoints& points) {
+  const DampingValue x = [](const DampingPoint& p) { return static_cast<double>(p.asked.aspect_ratio); };
   return {"Fig 9: damping of the fiber against aspect ratio, {/Symbol x}_b = 1",
           {"{/:Italic r_f}", true},
           {"{/Symbol x}_f", true},
-          {series("sphere chain", points, x, measured, Mark::points),
+          {series("sphere chain", points, x, measured_damping, Mark::points),
            series(
                "({/Symbol b}_1^2/√20) {/Symbol x}_b/(r_f + 1/2)^2", points, x,
                [](const DampingPoint& p) { return p.damping_closed_form; }, Mark::line),

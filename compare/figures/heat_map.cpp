@@ -11,7 +11,7 @@
 namespace fiberchain::compare {
 namespace {
 
-std::string quoted(std::string text) {
+std::string quoted_text(std::string text) {
   for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 2) text.insert(at, 1, '\'');
   return "'" + text + "'";
 }
@@ -66,14 +66,14 @@ std::string heat_map_commands(const HeatMap& map, const std::string& x_label, co
   const std::string framed = cells(map, e, true);
   std::string text = fmt::format("$cells << EOD\n{}EOD\n", cells(map, e, false));
   if (!framed.empty()) text += fmt::format("$framed << EOD\n{}EOD\n", framed);
-  text += fmt::format("set xlabel {}\nset ylabel {}\n{}{}", quoted(x_label), quoted(y_label),
+  text += fmt::format("set xlabel {}\nset ylabel {}\n{}{}", quoted_text(x_label), quoted_text(y_label),
                       ticks('x', map.x), ticks('y', map.y));
   // viridis
   text +=
       "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 "
       "'#a0da39', 7 '#fde725')\nset logscale cb\n";
   text += fmt::format("set cbrange [{}:{}]\nset cblabel {}\nset format cb '%g'\n", e.low / 1.05,
-                      e.high * 1.05, quoted(map.label));
+                      e.high * 1.05, quoted_text(map.label));
   text += "set cbtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)\nunset grid\nset nokey\n";
   text +=
       "plot $cells using 1:2:(0.5):(0.5):3 with boxxyerror fillstyle solid noborder fillcolor palette, \\\n";

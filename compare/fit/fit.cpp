@@ -10,11 +10,10 @@
 
 #include "compare/fit/least_squares.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 
 namespace fiberchain::compare {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void fill_intervals(DampingFit& fit, const LeastSquares& found, std::size_t points) {
   const std::size_t p = fit.parameters.size();

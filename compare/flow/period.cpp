@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "compare/flow/study.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/tabulate.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
@@ -12,9 +13,7 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<OrbitPoint>;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using OrbitPoints = std::vector<OrbitPoint>;
 
 double jeffery(int spheres) {
   return reference::jeffery_period(reference::free_draining_aspect_ratio(spheres), 1);
@@ -37,7 +36,7 @@ double correlated(std::string_view name, double ratio) {
   return nan;
 }
 
-dem::NamedRow row_of(const OrbitPoint& p) {
+dem::NamedRow orbit_row(const OrbitPoint& p) {
   const int N = p.asked.spheres;
   const double cox = correlated("Cox", N), measured = correlated("Goldsmith-Mason", N);
   const double rigid_period = rigid(N, p.asked.hydrodynamics);
@@ -64,7 +63,7 @@ dem::NamedRow row_of(const OrbitPoint& p) {
 using Transform = std::function<double(double period, double spheres)>;
 
 /// Chains as points, formulas as lines.
-std::vector<Series> series_of(const Points& points, const Transform& y) {
+std::vector<Series> series_of(const OrbitPoints& points, const Transform& y) {
   using dem::Hydrodynamics;
   std::vector<Series> all;
   for (const auto& [hydrodynamics, label] : {std::pair{Hydrodynamics::free_draining, "free draining"},
@@ -99,7 +98,7 @@ std::vector<Series> series_of(const Points& points, const Transform& y) {
   return all;
 }
 
-std::vector<std::pair<std::string, Figure>> figures_of(const Points& points) {
+std::vector<std::pair<std::string, Figure>> orbit_figures(const OrbitPoints& points) {
   const auto figure = [&](std::string title, Axis y, const Transform& transform) {
     Figure made{};
     made.title = std::move(title);
@@ -137,11 +136,12 @@ std::vector<OrbitCase> period_cases(const PeriodSweep& sweep) {
 FlowStudy period_study(const PeriodSweep& sweep, const OrbitOptions& options) {
   std::vector<OrbitCase> cases = period_cases(sweep);
   std::ranges::reverse(cases);  // the dearest first, so that no thread is left with one of them alone
-  Points points = orbit_points(cases, options);
+  OrbitPoints points = orbit_points(cases, options);
   std::ranges::reverse(points);
   const auto failed = std::ranges::count_if(points, [](const OrbitPoint& p) { return std::isnan(p.period); });
-  return {
-      .table = tabulate(points, row_of), .figures = figures_of(points), .failed = static_cast<int>(failed)};
+  return {.table = tabulate(points, orbit_row),
+          .figures = orbit_figures(points),
+          .failed = static_cast<int>(failed)};
 }
 
 }  // namespace fiberchain::compare

@@ -11,6 +11,7 @@
 #include "compare/friction/law.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
@@ -18,7 +19,6 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double periods_beyond_last_peak = 0.9;  // friction and amplitude shift the last peak
 
 DampingCase without_friction(const RollingCase& asked, double bond_damping) {

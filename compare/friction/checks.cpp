@@ -9,14 +9,14 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<RollingPoint>;
+using RollingPoints = std::vector<RollingPoint>;
 
 constexpr double over_bond(const RollingPoint& p) { return p.damping / p.as_bond; }
 
 /// The paper's statements on Fig 10, all at xi_b = 1.
 std::vector<Measured> figure_10(const ValidationInput& in) {
   const auto sign = dem::Rolling::explicit_sign;
-  const Points p =
+  const RollingPoints p =
       rolling_points({{.load = 3, .rolling_friction = 2},
                       {.load = 3, .rolling_friction = 10},
                       {.load = 3, .rolling_friction = 2, .law = sign, .step_ratio = 0.1},
@@ -48,7 +48,7 @@ double worst_weak_friction(const ValidationInput& in) {
                        .rolling_friction = friction});
     }
   }
-  const Points p = rolling_points(cases, {.jobs = in.jobs});
+  const RollingPoints p = rolling_points(cases, {.jobs = in.jobs});
   double worst = 0;
   for (std::size_t i = 0; i < p.size(); i += 3) {
     for (std::size_t k = i + 1; k < i + 3; ++k) {

@@ -6,21 +6,21 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<RollingPoint>;
-using Value = std::function<double(const RollingPoint&)>;
+using RollingPoints = std::vector<RollingPoint>;
+using RollingValue = std::function<double(const RollingPoint&)>;
 
 constexpr double figure_load = 3;
 
-Points where(const Points& points, const std::function<bool(const RollingCase&)>& wanted) {
-  Points chosen;
+RollingPoints where(const RollingPoints& points, const std::function<bool(const RollingCase&)>& wanted) {
+  RollingPoints chosen;
   for (const RollingPoint& p : points) {
     if (wanted(p.asked)) chosen.push_back(p);
   }
   return chosen;
 }
 
-Series series(std::string label, const Points& points, const Value& x, const Value& y, int color,
-              Mark mark = Mark::line_and_points, Dash dash = Dash::solid) {
+Series series(std::string label, const RollingPoints& points, const RollingValue& x, const RollingValue& y,
+              int color, Mark mark = Mark::line_and_points, Dash dash = Dash::solid) {
   Series s{std::move(label), {}, {}, mark, dash, color};
   for (const RollingPoint& p : points) {
     s.x.push_back(x(p));
@@ -29,14 +29,14 @@ Series series(std::string label, const Points& points, const Value& x, const Val
   return s;
 }
 
-double friction(const RollingPoint& p) { return p.asked.rolling_friction; }
-double measured(const RollingPoint& p) { return p.damping; }
+double rolling_friction(const RollingPoint& p) { return p.asked.rolling_friction; }
+double measured_damping(const RollingPoint& p) { return p.damping; }
 double as_bond(const RollingPoint& p) { return p.as_bond; }
 
 Axis friction_axis() { return {"{/Symbol x}_r"}; }
 Axis damping_axis(bool logarithmic) { return {"{/Symbol x}_f", logarithmic}; }
 
-Figure aspect_ratio_figure(const Points& points) {
+Figure aspect_ratio_figure(const RollingPoints& points) {
   Figure figure{
       "Fig 10: damping of the fiber against rolling friction, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic "
       "EI} = 3",
@@ -45,19 +45,20 @@ Figure aspect_ratio_figure(const Points& points) {
       {}};
   int color = 0;
   for (const int aspect_ratio : {10, 20, 30}) {
-    const Points group = where(points, [&](const RollingCase& c) {
+    const RollingPoints group = where(points, [&](const RollingCase& c) {
       return c.aspect_ratio == aspect_ratio && c.load == figure_load;
     });
-    figure.series.push_back(series(fmt::format("r_f = {}", aspect_ratio), group, friction, measured, color));
+    figure.series.push_back(
+        series(fmt::format("r_f = {}", aspect_ratio), group, rolling_friction, measured_damping, color));
     figure.series.push_back(
         series(fmt::format("r_f = {}, if {{/Symbol x}}_r acted as {{/Symbol x}}_b", aspect_ratio), group,
-               friction, as_bond, color, Mark::line, Dash::dashed));
+               rolling_friction, as_bond, color, Mark::line, Dash::dashed));
     ++color;
   }
   return figure;
 }
 
-Figure step_figure(const Points& points) {
+Figure step_figure(const RollingPoints& points) {
   Figure figure{"Fig 10: law and time step, r_f = 30, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
                 friction_axis(),
                 damping_axis(false),
@@ -70,13 +71,14 @@ Figure step_figure(const Points& points) {
       });
     };
     if (step == 0.1) {
-      figure.series.push_back(series("set-valued, 0.1 {/:Italic t_b}", by(dem::Rolling::set_valued), friction,
-                                     measured, color++, Mark::line));
+      figure.series.push_back(series("set-valued, 0.1 {/:Italic t_b}", by(dem::Rolling::set_valued),
+                                     rolling_friction, measured_damping, color++, Mark::line));
       figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", by(dem::Rolling::set_valued),
-                                     friction, as_bond, color++, Mark::line, Dash::dashed));
+                                     rolling_friction, as_bond, color++, Mark::line, Dash::dashed));
     }
     figure.series.push_back(series(fmt::format("explicit sign, {} {{/:Italic t_b}}", step),
-                                   by(dem::Rolling::explicit_sign), friction, measured, color++));
+                                   by(dem::Rolling::explicit_sign), rolling_friction, measured_damping,
+                                   color++));
   }
   figure.series.push_back(series("set-valued, 0.01 {/:Italic t_b}",
                                  where(points,
@@ -84,43 +86,43 @@ Figure step_figure(const Points& points) {
                                          return c.aspect_ratio == 30 && c.load == figure_load &&
                                                 c.law == dem::Rolling::set_valued && c.step_ratio == 0.01;
                                        }),
-                                 friction, measured, color, Mark::points));
+                                 rolling_friction, measured_damping, color, Mark::points));
   return figure;
 }
 
-Figure load_figure(const Points& points) {
+Figure load_figure(const RollingPoints& points) {
   Figure figure{"Rolling friction at several loads, r_f = 30, {/Symbol x}_b = 1",
                 friction_axis(),
                 damping_axis(false),
                 {}};
   int color = 0;
   for (const double load : {3.0, 1.0, 0.3}) {
-    const Points group =
+    const RollingPoints group =
         where(points, [&](const RollingCase& c) { return c.aspect_ratio == 30 && c.load == load; });
     figure.series.push_back(series(fmt::format("{{/:Italic P L}}^2/{{/:Italic EI}} = {}", load), group,
-                                   friction, measured, color++));
+                                   rolling_friction, measured_damping, color++));
     if (load == 0.3) {
-      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", group, friction, as_bond,
-                                     color, Mark::line, Dash::dashed));
+      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", group, rolling_friction,
+                                     as_bond, color, Mark::line, Dash::dashed));
     }
   }
   return figure;
 }
 
-Figure amplitude_figure(const Points& points) {
+Figure amplitude_figure(const RollingPoints& points) {
   Figure figure{"Damping against amplitude, {/Symbol x}_b = 1: chain (points), linear mode (lines)",
                 {"deflection {/:Italic a}/{/:Italic L} of the first mode let go from", true},
                 damping_axis(true),
                 {}};
-  const Value x = [](const RollingPoint& p) { return *p.asked.amplitude; };
+  const RollingValue x = [](const RollingPoint& p) { return *p.asked.amplitude; };
   int color = 0;
   for (const int aspect_ratio : {10, 30}) {
     for (const double xi_r : {0.0, 1.0, 4.0}) {
-      const Points group = where(points, [&](const RollingCase& c) {
+      const RollingPoints group = where(points, [&](const RollingCase& c) {
         return c.aspect_ratio == aspect_ratio && c.rolling_friction == xi_r;
       });
       figure.series.push_back(series(fmt::format("r_f = {}, {{/Symbol x}}_r = {}", aspect_ratio, xi_r), group,
-                                     x, measured, color, Mark::points));
+                                     x, measured_damping, color, Mark::points));
       figure.series.push_back(series(
           "", group, x, [](const RollingPoint& p) { return p.weak; }, color, Mark::line));
       ++color;
@@ -129,7 +131,7 @@ Figure amplitude_figure(const Points& points) {
   return figure;
 }
 
-Figure decay_figure(const Points& points) {
+Figure decay_figure(const RollingPoints& points) {
   Figure figure{"Decay of the peaks, r_f = 30, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
                 {"peak"},
                 {"height over that of the release", true},

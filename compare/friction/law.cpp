@@ -7,7 +7,7 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Over a period, the integral of |s cos^2 t - p cos 2t| |sin t| dt.
 double work_of(double s, double p) {

@@ -7,6 +7,7 @@
 
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turn_detection.hpp"
+#include "compare/study/nan.hpp"
 #include "dem/scene/build_fiber.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
@@ -16,8 +17,6 @@ namespace fiberchain::compare {
 namespace {
 
 using dem::FlowScene;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <int Dim>
 FlowHistory run_in(const FlowScene& scene) {

@@ -9,6 +9,7 @@
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "dem/scene/build_fiber.hpp"
 #include "dem/vibration/choose.hpp"
 #include "reference/chain_modes.hpp"
@@ -17,8 +18,6 @@ namespace fiberchain::compare {
 namespace {
 
 using dem::ReleaseScene;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 reference::ChainMode first_mode(const ReleaseScene& scene) {
   const reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(scene.fiber));

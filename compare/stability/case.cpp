@@ -10,6 +10,7 @@
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/parallel.hpp"
 
 namespace fiberchain::compare {
@@ -45,7 +46,6 @@ void measure(StabilityPoint& point) {
 }
 
 StabilityPoint point_of(const StabilityCase& asked) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
   const bool planar = asked.dimension == 2;
   StabilityPoint point{asked, endless_limit(asked), modal_limit(asked), nan, nan, nan, nan, "", "", 0, ""};

@@ -10,7 +10,7 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<StabilityPoint>;
+using StabilityPoints = std::vector<StabilityPoint>;
 using reference::ChainEnds;
 
 std::string kind_name(const StabilityCase& c) {
@@ -22,20 +22,20 @@ std::string kind_title(const StabilityCase& c) {
                      c.scheme == dem::Integrator::leapfrog ? "lagged dashpots" : "solved dashpots");
 }
 
-std::set<double> values(const Points& points, double StabilityCase::*of) {
+std::set<double> values(const StabilityPoints& points, double StabilityCase::*of) {
   std::set<double> all;
   for (const StabilityPoint& p : points) all.insert(p.asked.*of);
   return all;
 }
 
-Points with_aspect_ratio(const Points& points, int aspect_ratio) {
-  Points some;
+StabilityPoints with_aspect_ratio(const StabilityPoints& points, int aspect_ratio) {
+  StabilityPoints some;
   std::ranges::copy_if(points, std::back_inserter(some),
                        [&](const StabilityPoint& p) { return p.asked.aspect_ratio == aspect_ratio; });
   return some;
 }
 
-Figure heat_map(const Points& points) {
+Figure heat_map(const StabilityPoints& points) {
   const std::set<double> nu = values(points, &StabilityCase::poisson_ratio);
   const std::set<double> xi = values(points, &StabilityCase::bond_damping);
   HeatMap map{
@@ -62,7 +62,7 @@ Series level(double height, double from, double to, const std::string& label) {
 }
 
 /// Theory as lines, measurement as points, a color per Poisson's ratio.
-Figure damping_curves(const Points& points) {
+Figure damping_curves(const StabilityPoints& points) {
   const StabilityCase& any = points[0].asked;
   Figure figure{.title = fmt::format("Largest stable step, {}, r_f = {}", kind_title(any), any.aspect_ratio),
                 .x = {"{/Symbol x}_b (lines: theory, points: runs)", true},
@@ -103,7 +103,7 @@ Figure damping_curves(const Points& points) {
 }
 
 /// The limit over that of the endless chain, a color per damping.
-Figure aspect_ratio_curves(const Points& points) {
+Figure aspect_ratio_curves(const StabilityPoints& points) {
   const StabilityCase& any = points[0].asked;
   Figure figure{.title = fmt::format("Limit of finite chains, {}, {{/Symbol n}} = {}", kind_title(any),
                                      any.poisson_ratio),
@@ -139,11 +139,11 @@ Figure aspect_ratio_curves(const Points& points) {
 }
 
 void add_figures(std::vector<std::pair<std::string, Figure>>& figures, const std::string& kind,
-                 const Points& points) {
+                 const StabilityPoints& points) {
   std::set<int> aspect_ratios;
   for (const StabilityPoint& p : points) aspect_ratios.insert(p.asked.aspect_ratio);
   for (const int aspect_ratio : aspect_ratios) {
-    const Points at = with_aspect_ratio(points, aspect_ratio);
+    const StabilityPoints at = with_aspect_ratio(points, aspect_ratio);
     const std::set<double> nu = values(at, &StabilityCase::poisson_ratio),
                            xi = values(at, &StabilityCase::bond_damping);
     const std::string name = fmt::format("{}-{}", kind, aspect_ratio);
@@ -151,7 +151,7 @@ void add_figures(std::vector<std::pair<std::string, Figure>>& figures, const std
     const bool curves = *xi.rbegin() > 0 && xi.size() > 2 && (nu.size() > 1 || aspect_ratios.size() == 1);
     if (curves && nu.contains(0.3)) figures.emplace_back("stability-damping-" + name, damping_curves(at));
   }
-  Points usual;
+  StabilityPoints usual;
   std::ranges::copy_if(points, std::back_inserter(usual), [&](const StabilityPoint& p) {
     return p.asked.poisson_ratio == 0.3 && std::set{0.0, 0.1, 1.0, 10.0}.contains(p.asked.bond_damping);
   });
@@ -162,7 +162,7 @@ void add_figures(std::vector<std::pair<std::string, Figure>>& figures, const std
 }  // namespace
 
 std::vector<std::pair<std::string, Figure>> stability_figures(const std::vector<StabilityPoint>& points) {
-  std::map<std::string, Points> kinds;
+  std::map<std::string, StabilityPoints> kinds;
   for (const StabilityPoint& p : points) {
     std::string kind = kind_name(p.asked);
     if (p.asked.ends == ChainEnds::free_free) kind += "-free";

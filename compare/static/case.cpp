@@ -5,6 +5,7 @@
 
 #include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
@@ -16,8 +17,6 @@ namespace fiberchain::compare {
 namespace {
 
 using reference::TipState;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TipState over(const TipState& a, const TipState& b) { return {a.y / b.y, a.x / b.x, a.angle / b.angle}; }
 

@@ -11,7 +11,7 @@
 namespace fiberchain::compare {
 namespace {
 
-using Points = std::vector<StaticPoint>;
+using StaticPoints = std::vector<StaticPoint>;
 
 /// The kind of point that the figures show: as the first one, so that a sweep over methods draws one of them.
 bool same_kind(const StaticCase& a, const StaticCase& b) {
@@ -19,9 +19,9 @@ bool same_kind(const StaticCase& a, const StaticCase& b) {
          a.poisson_ratio == b.poisson_ratio;
 }
 
-/// Points of the first kind by aspect ratio.
-std::map<int, Points> by_aspect_ratio(const Points& points) {
-  std::map<int, Points> groups;
+/// StaticPoints of the first kind by aspect ratio.
+std::map<int, StaticPoints> by_aspect_ratio(const StaticPoints& points) {
+  std::map<int, StaticPoints> groups;
   for (const StaticPoint& p : points) {
     if (same_kind(p.asked, points[0].asked)) groups[p.asked.aspect_ratio].push_back(p);
   }
@@ -29,7 +29,7 @@ std::map<int, Points> by_aspect_ratio(const Points& points) {
 }
 
 /// 10 as in the paper's Fig 3 if it is there, else the first.
-const Points& shown_aspect_ratio(const std::map<int, Points>& groups) {
+const StaticPoints& shown_aspect_ratio(const std::map<int, StaticPoints>& groups) {
   const auto ten = groups.find(10);
   return ten != groups.end() ? ten->second : groups.begin()->second;
 }
@@ -40,8 +40,8 @@ std::string kind_of(const StaticCase& c) {
       c.method == StaticMethod::solve ? "solved" : fmt::format("marched ({} form)", dem::name(c.form)));
 }
 
-Series series(std::string label, const Points& points, const std::function<double(const StaticPoint&)>& value,
-              Mark mark = Mark::line_and_points) {
+Series series(std::string label, const StaticPoints& points,
+              const std::function<double(const StaticPoint&)>& value, Mark mark = Mark::line_and_points) {
   Series s{std::move(label), {}, {}, mark};
   for (const StaticPoint& p : points) {
     s.x.push_back(p.asked.load);
@@ -51,7 +51,7 @@ Series series(std::string label, const Points& points, const std::function<doubl
 }
 
 /// y / L against load, by a formula, over the range of the points.
-Series theory(std::string label, const Points& points, const std::function<double(double)>& value,
+Series theory(std::string label, const StaticPoints& points, const std::function<double(double)>& value,
               Dash dash) {
   Series s{std::move(label), {}, {}, Mark::line, dash};
   const double last = points.back().asked.load;
@@ -63,7 +63,7 @@ Series theory(std::string label, const Points& points, const std::function<doubl
   return s;
 }
 
-Figure deflection_figure(const Points& points) {
+Figure deflection_figure(const StaticPoints& points) {
   const StaticCase& c = points[0].asked;
   return {fmt::format("Fig 3: deflection of the free end, r_f = {}, {}", c.aspect_ratio, kind_of(c)),
           {"{/:Italic P L}^2/{/:Italic EI}"},
@@ -77,7 +77,7 @@ Figure deflection_figure(const Points& points) {
                "sphere chain", points, [](const StaticPoint& p) { return p.tip.y; }, Mark::points)}};
 }
 
-Figure departure_figure(const std::map<int, Points>& groups) {
+Figure departure_figure(const std::map<int, StaticPoints>& groups) {
   const StaticCase& c = groups.begin()->second[0].asked;
   Figure figure{"Fig 4: departure of the deflection from the Elastica, " + kind_of(c),
                 {"{/:Italic P L}^2/{/:Italic EI}"},
@@ -92,7 +92,7 @@ Figure departure_figure(const std::map<int, Points>& groups) {
   return figure;
 }
 
-Figure budget_figure(const Points& points) {
+Figure budget_figure(const StaticPoints& points) {
   const StaticCase& c = points[0].asked;
   const auto percent = [](auto part) { return [part](const StaticPoint& p) { return 100 * part(p); }; };
   Figure figure{fmt::format("What the departure consists of, r_f = {}, {}", c.aspect_ratio, kind_of(c)),
@@ -143,9 +143,10 @@ Figure order_figure(const dem::Table& orders) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, Figure>> static_figures(const Points& points, const dem::Table& orders) {
-  const std::map<int, Points> groups = by_aspect_ratio(points);
-  const Points& shown = shown_aspect_ratio(groups);
+std::vector<std::pair<std::string, Figure>> static_figures(const StaticPoints& points,
+                                                           const dem::Table& orders) {
+  const std::map<int, StaticPoints> groups = by_aspect_ratio(points);
+  const StaticPoints& shown = shown_aspect_ratio(groups);
   return {{"fig-3", deflection_figure(shown)},
           {"fig-4", departure_figure(groups)},
           {"static-budget", budget_figure(shown)},

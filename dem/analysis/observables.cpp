@@ -15,7 +15,7 @@ namespace fiberchain::dem {
 namespace {
 
 using V = Vec<double, 3>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Contact pairs between different fibers, each pair of fibers once.
 std::int64_t distinct(std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {

@@ -46,10 +46,9 @@ void add_stored_energy(const Chain<3>& chain, const ChainState<3>& state, const 
   double own = 0;
   for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
     const auto history = get_strided<BondLawHistory<Law, double, 3>>(histories + i * bond_stride, stride);
-    (Law::from_poses ? own : sum) +=
-        with_configuration(chain, state, i, [&](const BondConfiguration<double, 3>& now) {
-          return Law::stored_energy(law, history, now);
-        });
+    (Law::from_poses ? own : sum) += with_configuration(
+        chain, state, i,
+        [&](const BondConfiguration<double, 3>& now) { return Law::stored_energy(law, history, now); });
   }
   sum += own;
 }

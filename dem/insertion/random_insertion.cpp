@@ -18,7 +18,7 @@ namespace fiberchain::dem {
 namespace {
 
 using V = Vec<double, 3>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double sphere_volume(double radius) { return 4.0 / 3 * pi * radius * radius * radius; }
 

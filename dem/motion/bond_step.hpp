@@ -40,8 +40,9 @@ decltype(auto) end_pose(const Pose<Real, P.dimension>& sphere, const Natural& na
 }
 
 template <Physics P, class Real>
-BondVector<Real, P.dimension> bond_line(const ChainBlock<P, Real>& chain, const MovingSphere<Real, P.dimension>& a,
-                                   const MovingSphere<Real, P.dimension>& b) {
+BondVector<Real, P.dimension> bond_line(const ChainBlock<P, Real>& chain,
+                                        const MovingSphere<Real, P.dimension>& a,
+                                        const MovingSphere<Real, P.dimension>& b) {
   if constexpr (needs_motion<P>) {
     return bond_vector<Real, P.dimension>(b.pose.position - a.pose.position, chain.parameters.inverse_length);
   } else {
@@ -59,9 +60,9 @@ RelativeMotion<Real, P.dimension> relative_motion(const MovingSphere<Real, P.dim
   }
 }
 
-/// Calls use(now) with bond `bond` between spheres a and b as its law sees it. Line and motion where it or the
-/// dashpots need them. All are made, none assigned: GCC 12 assigns packs 16 bytes at a time, and reading them
-/// whole waits for that.
+/// Calls use(now) with bond `bond` between spheres a and b as its law sees it. Line and motion where it or
+/// the dashpots need them. All are made, none assigned: GCC 12 assigns packs 16 bytes at a time, and reading
+/// them whole waits for that.
 template <Physics P, class Real, class Use>
 auto with_configuration(const ChainBlock<P, Real>& chain, int bond, const MovingSphere<Real, P.dimension>& a,
                         const MovingSphere<Real, P.dimension>& b, const Use& use) {

@@ -66,7 +66,7 @@ void store_start(const StrictMapping& start, const StartKeys& keys, FlowKeys& fl
   flow.start = {keys.direction, keys.bend, keys.s_bend, bend_direction_of(start, keys, flow.dimension)};
 }
 
-KeyTable<FlowOptions> motion_keys() {
+KeyTable<FlowOptions> flow_motion_keys() {
   KeyTable<FlowOptions> table;
   const auto leapfrog = [](const FlowOptions& options) { return options.method == FlowMethod::leapfrog; };
   table.choice("method", &FlowOptions::method,
@@ -85,7 +85,7 @@ KeyTable<FlowOptions> motion_keys() {
   return table;
 }
 
-void store_fluid(const StrictMapping& mapping, const FluidKeys& keys, FlowKeys& flow) {
+void store_flow_fluid(const StrictMapping& mapping, const FluidKeys& keys, FlowKeys& flow) {
   const FluidInFlow in = fluid_of(mapping, keys, flow.dimension);
   flow.fluid = in.fluid;
   flow.rate = in.rate;
@@ -99,9 +99,9 @@ KeyTable<FlowKeys> flow_keys() {
   const auto motion = [](FlowKeys& flow) -> FlowOptions& { return flow.motion; };
   table.known("scene", "flow", "a free fiber carried, turned and bent by a creeping flow");
   declare_single_fiber(table, {.form = table.defaults().motion.form}, store_bond);
-  table.mapping("fluid", fluid_keys(all, false), &store_fluid, "the fluid and its flow").required();
+  table.mapping("fluid", fluid_keys(all, false), &store_flow_fluid, "the fluid and its flow").required();
   table.mapping("start", start_keys(), &store_start, "the fiber at the start").required();
-  table.mapping_into("motion", motion, motion_keys(), "integration in time");
+  table.mapping_into("motion", motion, flow_motion_keys(), "integration in time");
   table.quantity("duration", "s", &FlowKeys::length_in_time, kPositive, "length of the run");
   table.number("strain", &FlowKeys::length_in_strain, kPositive,
                "the same as a strain: time times the size of the rate, or the gradient's Frobenius norm");

@@ -89,7 +89,7 @@ void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, P
   scene.kinds.push_back(std::move(kind));
 }
 
-KeyTable<PackingScene> motion_keys() {
+KeyTable<PackingScene> packing_motion_keys() {
   KeyTable<PackingScene> table;
   table.quantity("step", "s", &PackingScene::step, kPositive, "time step")
       .otherwise("0.9 of the largest stable step");
@@ -126,7 +126,7 @@ KeyTable<PackingScene> packing_keys() {
   table.list("fibers", fiber_kind_keys(), &store_fiber_kind, "kinds of fibers").required();
   declare_domain(table);
   declare_filling(table);
-  table.mapping_into("motion", std::identity{}, motion_keys(), "integration in time");
+  table.mapping_into("motion", std::identity{}, packing_motion_keys(), "integration in time");
   table.quantity("duration", "s", &PackingScene::duration, kPositive, "length of the run");
   table.integer("steps", &PackingScene::steps, {.low = 1, .high = 2e9}, "the same in time steps");
   table.one_of({"duration", "steps"});

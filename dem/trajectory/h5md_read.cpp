@@ -14,7 +14,7 @@ using hdf5::Handle;
 
 /// Runs an action on the open file, and names the file in what goes wrong.
 template <class Action>
-auto with_file(const std::filesystem::path& path, const Action& action) {
+auto reading_file(const std::filesystem::path& path, const Action& action) {
   const hdf5::Quiet quiet;
   JournaledFile journaled(path, JournaledFile::Mode::read);
   try {
@@ -109,7 +109,7 @@ TrajectoryFrame present_part(TrajectoryFrame frame) {
 }
 
 TrajectoryReader::TrajectoryReader(std::filesystem::path path) : path_(std::move(path)) {
-  with_file(path_, [&](hid_t file) {
+  reading_file(path_, [&](hid_t file) {
     steps_ = whole<std::int64_t>(file, "particles/fibers/position/step", H5T_NATIVE_INT64, 1);
     times_ = whole<double>(file, "particles/fibers/position/time", H5T_NATIVE_DOUBLE, 1);
     if (steps_.size() != times_.size()) throw hdf5::Failure("as many steps as times are wanted");
@@ -120,7 +120,7 @@ TrajectoryReader::TrajectoryReader(std::filesystem::path path) : path_(std::move
 
 TrajectoryFrame TrajectoryReader::read(std::int64_t n) const {
   if (n < 0 || n >= frames()) throw ReadError(path_, fmt::format("has no frame {}: it has {}", n, frames()));
-  return with_file(path_, [&](hid_t file) {
+  return reading_file(path_, [&](hid_t file) {
     TrajectoryFrame frame{};
     frame.time = times_[static_cast<std::size_t>(n)];
     frame.step = steps_[static_cast<std::size_t>(n)];
@@ -141,7 +141,7 @@ TrajectoryFrame TrajectoryReader::read(std::int64_t n) const {
 }
 
 Scalars TrajectoryReader::scalars(std::int64_t n) const {
-  return with_file(path_, [&](hid_t file) {
+  return reading_file(path_, [&](hid_t file) {
     Scalars all;
     for (const std::string& name : scalar_names(file))
       all.emplace_back(name, entry(file, "observables/" + name, n, {}).front());

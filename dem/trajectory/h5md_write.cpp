@@ -23,7 +23,7 @@ const hdf5::Stored kInteger{H5T_NATIVE_INT64, H5T_STD_I64LE};
 
 /// Runs what uses HDF5, and names the file in what goes wrong.
 template <class Action>
-auto with_file(const std::filesystem::path& path, const Action& action) {
+auto writing_file(const std::filesystem::path& path, const Action& action) {
   const hdf5::Quiet quiet;
   try {
     return action();
@@ -225,7 +225,7 @@ TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, Trajectory
   const auto kept = std::ranges::upper_bound(before.steps(), last_step) - before.steps().begin();
   if (kept == 0) return writer;
   JournaledFile journaled(writer.path_, JournaledFile::Mode::change);
-  with_file(writer.path_, [&] {
+  writing_file(writer.path_, [&] {
     const Handle file = open_in(journaled, Access::change);
     set_frames(file, static_cast<hsize_t>(kept));
     write_run(file, writer.header_);
@@ -245,7 +245,7 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scala
     throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, last_step_));
   const bool first = times_.empty();
   JournaledFile journaled(path_, first ? JournaledFile::Mode::create : JournaledFile::Mode::change);
-  with_file(path_, [&] {
+  writing_file(path_, [&] {
     const Handle file = open_in(journaled, first ? Access::create : Access::change);
     first ? write_layout(file, header_, frame, scalars) : check_same(file, frame, scalars);
     set_frames(file, times_.size() + 1);

@@ -1,5 +1,4 @@
 // The bench: choice of the cheapest, failures that keep their rows, operations counted, references that hold.
-#define BOOST_TEST_MODULE bench
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -18,6 +17,8 @@
 #include "dem/equilibrium/newton.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/leapfrog.hpp"
+
+BOOST_AUTO_TEST_SUITE(bench_test)
 
 namespace compare = fiberchain::compare;
 namespace dem = fiberchain::dem;
@@ -246,3 +247,5 @@ BOOST_AUTO_TEST_CASE(the_flow_problem_ranks_methods_by_the_orbit_constant) {
   BOOST_TEST(problem.rows[3].work.steps >
              3 * problem.rows[2].work.steps);  // steps grow as 1/sqrt(Stokes number)
 }
+
+BOOST_AUTO_TEST_SUITE_END()

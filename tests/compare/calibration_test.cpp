@@ -1,6 +1,5 @@
 // Calibration: there and back on the linear chain, the run that verifies it, what it expects of a run, what
 // it refuses.
-#define BOOST_TEST_MODULE calibration
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <cmath>
@@ -18,6 +17,8 @@
 #include "reference/damped_elastica.hpp"
 #include "reference/elastica.hpp"
 #include "tests/compare/messages.hpp"
+
+BOOST_AUTO_TEST_SUITE(calibration_test)
 
 using namespace fiberchain;
 using namespace fiberchain::compare;
@@ -270,3 +271,5 @@ BOOST_AUTO_TEST_CASE(table_holds_what_was_found) {
   BOOST_TEST(std::abs(table.number(0, "fiber_damping") / 0.01 - 1) < 2e-4);
   BOOST_TEST(calibration_notes(answer).find("Run: ") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Laws of the damping: planted parameters come back, the chain's own data tell the laws apart, the paper's Eq
 // 20 is local.
-#define BOOST_TEST_MODULE damping_fit
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,6 +15,8 @@
 #include "dem/model/errors.hpp"
 #include "reference/chain_modes.hpp"
 #include "tests/compare/messages.hpp"
+
+BOOST_AUTO_TEST_SUITE(damping_fit_test)
 
 using namespace fiberchain;
 using namespace fiberchain::compare;
@@ -279,3 +280,5 @@ BOOST_AUTO_TEST_CASE(study_measures_fits_and_tells) {
   BOOST_TEST(fit_notes(study).find("not noise") != std::string::npos);
   BOOST_TEST(fit_figures(study).size() == 3u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

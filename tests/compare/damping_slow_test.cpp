@@ -1,11 +1,15 @@
 // What damping_test.cpp holds, carried to longer chains.
-#define BOOST_TEST_MODULE damping_slow
 #include <boost/test/unit_test.hpp>
 
 #include "tests/compare/elastica_error.hpp"
 
+BOOST_AUTO_TEST_SUITE(damping_slow_test)
+
+using namespace fiberchain;
+
 BOOST_AUTO_TEST_CASE(second_order_holds_from_20_to_40_bonds) {
-  const double order = std::log2(elastica_error(20, 4.0) / elastica_error(40, 16.0));
+  const double order =
+      std::log2(fiberchain::test::elastica_error(20, 4.0) / fiberchain::test::elastica_error(40, 16.0));
   BOOST_TEST(order > 1.85);
   BOOST_TEST(order < 2.15);
 }
@@ -21,3 +25,5 @@ BOOST_AUTO_TEST_CASE(marched_damping_of_60_bonds_is_that_of_the_linear_chain) {
     BOOST_TEST(std::abs(p.damping / p.damping_modes - 1) < 2e-4);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Damping of the fiber: the marched chain against its linear modes, the paper's statements, the damped
 // Elastica.
-#define BOOST_TEST_MODULE damping
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
@@ -12,6 +11,8 @@
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "tests/compare/elastica_error.hpp"
+
+BOOST_AUTO_TEST_SUITE(damping_test)
 
 using namespace fiberchain;
 using compare::DampingCase;
@@ -138,7 +139,8 @@ double spectral_peak(const compare::TipHistory& h, double near) {
 
 BOOST_AUTO_TEST_CASE(large_motion_approaches_the_damped_elastica_at_second_order) {
   // one and the same beam: its retardation time is that of xi_b = 1 at r_f = 10, and xi_b grows as r_f^2
-  const double ten = elastica_error(10, 1.0), twenty = elastica_error(20, 4.0);
+  const double ten = fiberchain::test::elastica_error(10, 1.0),
+               twenty = fiberchain::test::elastica_error(20, 4.0);
   BOOST_TEST_MESSAGE("max |dr|/L at r_f = 10, 20: " << ten << " " << twenty);
   BOOST_TEST(std::log2(ten / twenty) > 1.85);
   BOOST_TEST(std::log2(ten / twenty) < 2.15);
@@ -147,7 +149,8 @@ BOOST_AUTO_TEST_CASE(large_motion_approaches_the_damped_elastica_at_second_order
 BOOST_AUTO_TEST_CASE(at_a_fixed_bond_damping_the_beam_itself_changes_and_the_order_is_lower) {
   // xi_b = 1 throughout: xi_f falls as 1/r_f^2, so the longer chain keeps more of its amplitude and of its
   // mode 2
-  const double order = std::log2(elastica_error(10, 1.0) / elastica_error(20, 1.0));
+  const double order =
+      std::log2(fiberchain::test::elastica_error(10, 1.0) / fiberchain::test::elastica_error(20, 1.0));
   BOOST_TEST(order > 1.59);
   BOOST_TEST(order < 1.69);
 }
@@ -175,8 +178,8 @@ BOOST_AUTO_TEST_CASE(three_bending_frequencies_by_spectral_analysis) {
 BOOST_AUTO_TEST_CASE(an_undamped_release_keeps_its_energy_over_a_thousand_periods) {
   dem::Fiber fiber = compare::damped_fiber({.aspect_ratio = 10});
   fiber.bond_damping = 0;
-  const auto mode =
-      reference::first_bending_mode(compare::linear_chain_of({.aspect_ratio = 10, .bond_damping = 1e-9}));
+  const auto mode = reference::first_bending_mode(
+      compare::linear_chain_of(compare::DampingCase{.aspect_ratio = 10, .bond_damping = 1e-9}));
   dem::ReleaseOptions options;
   options.form = dem::BondForm::total;
   options.samples_per_period = 8;
@@ -244,3 +247,5 @@ BOOST_AUTO_TEST_CASE(peaks_of_a_known_motion) {
              1e-9);
   BOOST_TEST(std::abs(compare::damping_ratio(compare::log_decrement(0.3)) - 0.3) < 1e-14);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,9 +8,7 @@
 #include "compare/measure/ring_down_release.hpp"
 #include "reference/damped_elastica.hpp"
 
-namespace {
-
-using namespace fiberchain;
+namespace fiberchain::test {
 
 /// Largest distance of the chain's free end from the damped Elastica's over five periods, over L.
 inline double elastica_error(int aspect_ratio, double bond_damping) {
@@ -34,4 +32,4 @@ inline double elastica_error(int aspect_ratio, double bond_damping) {
   return worst;
 }
 
-}  // namespace
+}  // namespace fiberchain::test

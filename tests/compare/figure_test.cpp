@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE figure
 #include "compare/figures/figure.hpp"
 
 #include <stdlib.h>
@@ -11,6 +10,8 @@
 #include "compare/figures/figure_metadata.hpp"
 #include "compare/figures/gnuplot.hpp"
 #include "compare/study/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(figure_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::compare;
@@ -131,3 +132,5 @@ BOOST_AUTO_TEST_CASE(without_gnuplot_the_error_says_what_to_install) {
     return std::string(error.what()).find("gnuplot-nox") != std::string::npos;
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

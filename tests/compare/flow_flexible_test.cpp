@@ -1,5 +1,4 @@
 // Flexible chains in flows: buckling from both sides of the threshold, regimes in shear.
-#define BOOST_TEST_MODULE flow_flexible
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -7,6 +6,8 @@
 #include "compare/flow/regimes.hpp"
 #include "compare/study/errors.hpp"
 #include "reference/compressed_chain.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_flexible_test)
 
 namespace compare = fiberchain::compare;
 namespace reference = fiberchain::reference;
@@ -53,3 +54,5 @@ BOOST_AUTO_TEST_CASE(every_regime_is_told_from_the_others) {
   BOOST_TEST(points[2].axis_half_turns == 1);
   BOOST_TEST(points[3].axis_half_turns == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Where a fiber in a flow starts, and what is measured of its history.
-#define BOOST_TEST_MODULE flow_measures
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -8,6 +7,8 @@
 #include "compare/flow/turn_detection.hpp"
 #include "compare/scenes/flow_report.hpp"
 #include "reference/jeffery.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_measures_test)
 
 namespace compare = fiberchain::compare;
 namespace dem = fiberchain::dem;
@@ -148,3 +149,5 @@ BOOST_AUTO_TEST_CASE(a_scene_without_a_turn_has_no_period_and_orbits_have_their_
   const double r = compare::scene_aspect_ratio(scene);
   BOOST_TEST(std::abs(2 * pi * (r + 1 / r) - 28.7686) < 1e-3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Chains in shear against Jeffery's orbits: period, direction, finite stiffness, inertia.
-#define BOOST_TEST_MODULE flow_orbit
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -9,6 +8,8 @@
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 #include "reference/rigid_chain_mobility.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_orbit_test)
 
 namespace compare = fiberchain::compare;
 namespace dem = fiberchain::dem;
@@ -77,3 +78,5 @@ BOOST_AUTO_TEST_CASE(a_case_out_of_range_is_refused) {
   BOOST_CHECK_THROW(compare::orbit_points({{.spheres = 1}}), std::exception);
   BOOST_CHECK_THROW(compare::orbit_points({{.elasto_viscous = 0}}), dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

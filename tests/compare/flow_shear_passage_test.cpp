@@ -1,11 +1,12 @@
 // A bend of a fiber that passes 45 degrees in simple shear, against the chain's own linearization in
 // extension at half the rate.
-#define BOOST_TEST_MODULE flow_shear_passage
 #include <boost/test/unit_test.hpp>
 
 #include "compare/flow/shear_passage.hpp"
 #include "compare/study/errors.hpp"
 #include "reference/compressed_chain.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_shear_passage_test)
 
 namespace compare = fiberchain::compare;
 namespace reference = fiberchain::reference;
@@ -28,3 +29,5 @@ BOOST_AUTO_TEST_CASE(threshold_in_shear_is_twice_that_in_extension) {
 BOOST_AUTO_TEST_CASE(no_threshold_between_is_an_error) {
   BOOST_CHECK_THROW(compare::passage_threshold(10, 300, 400, 1), compare::InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Rolling friction of the bonds in a ring-down: against the linear mode's own friction, the paper's plateau,
 // and itself.
-#define BOOST_TEST_MODULE friction
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -12,6 +11,8 @@
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(friction_test)
 
 using namespace fiberchain;
 using compare::RollingCase;
@@ -163,3 +164,5 @@ BOOST_AUTO_TEST_CASE(cases_out_of_range_are_refused_and_failures_keep_their_row)
   BOOST_TEST(overdamped[0].status != "measured");
   BOOST_TEST(compare::rolling_table(overdamped).rows().size() == 1u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

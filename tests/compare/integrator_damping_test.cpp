@@ -1,6 +1,5 @@
 // Damping and frequency of the first mode by each integrator, against the linear chain's eigenvalue: not only
 // the order of the error but the error itself, from the scheme's own expansion in w dt.
-#define BOOST_TEST_MODULE integrator_damping
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -8,6 +7,8 @@
 #include "compare/measure/peaks.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "dem/vibration/release.hpp"
+
+BOOST_AUTO_TEST_SUITE(integrator_damping_test)
 
 namespace compare = fiberchain::compare;
 namespace dem = fiberchain::dem;
@@ -74,3 +75,5 @@ BOOST_AUTO_TEST_CASE(implicit_midpoint_is_second_order_in_damping) {
     BOOST_TEST(std::abs(e.frequency / (-q / 12) - 1) < 0.03);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE matrix
 #include "compare/study/validation_report.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "compare/study/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(matrix_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::compare;
@@ -65,3 +66,5 @@ BOOST_AUTO_TEST_CASE(rows_become_a_table_with_unique_ids) {
   BOOST_TEST(table.text(0, "reference_kind") == "published");
   BOOST_CHECK_THROW(to_table({first, first}), dem::TableError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

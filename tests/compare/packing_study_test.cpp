@@ -1,5 +1,4 @@
 // Packings: stages and parts of made-up histories, spreads, verdicts, and a small packing that really runs.
-#define BOOST_TEST_MODULE packing_study
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include "compare/study/errors.hpp"
 #include "compare/study/published.hpp"
 #include "dem/scene/scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_study_test)
 
 namespace compare = fiberchain::compare;
 namespace dem = fiberchain::dem;
@@ -246,3 +247,5 @@ BOOST_AUTO_TEST_CASE(a_small_packing_goes_as_the_paper_says_and_keeps_its_energy
   for (const auto& x : frame.position) sum += x[2];
   BOOST_TEST(std::abs(sum / (60 * 21) - run.history.back().mean_height) < 1e-6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

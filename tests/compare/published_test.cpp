@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE published
 #include "compare/study/published.hpp"
 
 #include <stdlib.h>
@@ -9,6 +8,8 @@
 #include <fstream>
 
 #include "compare/study/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(published_test)
 
 using namespace fiberchain::compare;
 namespace fs = std::filesystem;
@@ -97,3 +98,5 @@ BOOST_AUTO_TEST_CASE(the_data_directory_is_the_one_asked_for) {
   ::unsetenv("FIBERCHAIN_DATA");
   BOOST_TEST(fs::equivalent(find_data_directory(std::nullopt), std::string(FIBERCHAIN_SOURCE_DIR) + "/data"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE ranges
 #include "compare/study/ranges.hpp"
 
 #include <boost/test/data/test_case.hpp>
@@ -6,6 +5,8 @@
 #include <cmath>
 
 #include "compare/study/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(ranges_test)
 
 using namespace fiberchain::compare;
 
@@ -111,3 +112,5 @@ BOOST_AUTO_TEST_CASE(words_are_of_those_allowed) {
                           return std::string(error.what()) == "--method: 'guess' is not among solve, march";
                         });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

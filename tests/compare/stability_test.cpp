@@ -1,6 +1,5 @@
 // The largest stable step: runs of the chain against the finite chain's modes, the numbers of the model, the
 // paper's rules.
-#define BOOST_TEST_MODULE stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -10,6 +9,8 @@
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
+
+BOOST_AUTO_TEST_SUITE(stability_test)
 
 using namespace fiberchain;
 using compare::StabilityCase;
@@ -176,3 +177,5 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(point({.bond_damping = -1}), dem::InvalidInput);
   BOOST_CHECK_THROW(point({.aspect_ratio = 0}), dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The static tables: what the paper says of Figs 3 and 4, the budget, and the orders of both bonds.
-#define BOOST_TEST_MODULE static_tables
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -8,6 +7,8 @@
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(static_test)
 
 using namespace fiberchain;
 using compare::StaticCase;
@@ -166,3 +167,5 @@ BOOST_AUTO_TEST_CASE(refuses_cases_out_of_range) {
   sweep.form = {dem::BondForm::incremental};
   BOOST_CHECK_THROW(compare::cases(sweep), compare::InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE stop_signals
 #include "compare/app/stop_signals.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(stop_signals_test)
 
 using fiberchain::app::StopSignals;
 
@@ -40,3 +41,5 @@ BOOST_AUTO_TEST_CASE(what_was_ignored_stays_ignored) {
   std::raise(SIGTERM);
   BOOST_TEST(stop.received() == SIGTERM);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

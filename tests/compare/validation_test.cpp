@@ -1,5 +1,4 @@
 // Claims against measures: every claim of data/published has one measure, and its rule sets the verdict.
-#define BOOST_TEST_MODULE validation
 #include "compare/study/validation.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <cmath>
 
 #include "compare/study/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(validation_test)
 
 using namespace fiberchain::compare;
 
@@ -114,3 +115,5 @@ BOOST_AUTO_TEST_CASE(a_tolerance_is_in_its_scale) {
 BOOST_AUTO_TEST_CASE(an_evidence_text_with_more_fields_than_measured_is_refused) {
   BOOST_CHECK_THROW(row_of(claim("a"), {1.0}), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // Fibers added to a run.
-#define BOOST_TEST_MODULE assembly_insert
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(assembly_insert_test)
 
 using namespace scenes;
 
@@ -148,3 +149,5 @@ BOOST_AUTO_TEST_CASE(spheres_beyond_a_wall_and_unstable_steps_are_refused) {
   BOOST_CHECK_THROW(dem::Assembly({group}, {}, {.step = 1.5 * dem::stable_time_step(group.chain.fiber)}),
                     dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

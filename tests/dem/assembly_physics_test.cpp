@@ -1,7 +1,8 @@
 // Fibers of an assembly that touch nothing move as each alone in dem's march, whatever they consist of.
-#define BOOST_TEST_MODULE assembly_physics
 #include "dem/model/errors.hpp"
 #include "tests/dem/assembly_alone.hpp"
+
+BOOST_AUTO_TEST_SUITE(assembly_physics_test)
 
 using namespace scenes;
 
@@ -148,3 +149,5 @@ BOOST_AUTO_TEST_CASE(booking_and_orientations_change_no_bit) {
     BOOST_TEST((position_radius(c, options) == plain), c.name << ", without orientations, not booked");
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
 // The saved state of an assembly by its fields.
-#define BOOST_TEST_MODULE assembly_restore
 #include <boost/test/unit_test.hpp>
 
 #include "dem/model/errors.hpp"
 #include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(assembly_restore_test)
 
 using namespace scenes;
 
@@ -80,3 +81,5 @@ BOOST_AUTO_TEST_CASE(contacts_of_other_spheres_are_refused) {
   BOOST_TEST(refusal(swapped) ==
              about("contact_keys") + "names pairs that are not neighbors, or in another order");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

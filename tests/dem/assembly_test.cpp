@@ -1,6 +1,5 @@
 // Fibers that touch each other and walls: nothing is missed, momenta are kept, and neither threads nor a
 // pause matter.
-#define BOOST_TEST_MODULE assembly
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(assembly_test)
 
 namespace dem = fiberchain::dem;
 
@@ -302,3 +303,5 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   dem::Assembly wild({torn}, open_space(), {});
   BOOST_CHECK_THROW(wild.march(2000), dem::Diverged);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // The bond law against its own energy, by automatic differentiation: forces and moments are the first
 // derivatives of U, the Jacobian the derivative of the forces and moments.
-#define BOOST_TEST_MODULE bond_law
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 
 #include "dem/bond/tangent.hpp"
 #include "tests/dem/dual.hpp"
+
+BOOST_AUTO_TEST_SUITE(bond_law_test)
 
 namespace dem = fiberchain::dem;
 
@@ -135,3 +136,5 @@ BOOST_DATA_TEST_CASE(loads_are_derivatives_of_the_energy_and_the_jacobian_of_the
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

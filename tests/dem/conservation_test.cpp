@@ -1,12 +1,13 @@
 // Free chains in wild motion: what bonds and dashpots do to a chain as a whole is nothing, in every sphere's
 // account.
-#define BOOST_TEST_MODULE conservation
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "tests/dem/free_motion.hpp"
 #include "tests/dem/marching_chains.hpp"
+
+BOOST_AUTO_TEST_SUITE(conservation_test)
 
 namespace dem = fiberchain::dem;
 
@@ -115,3 +116,5 @@ BOOST_AUTO_TEST_CASE(total_form_forces_of_a_rigidly_turned_fiber_do_not_change) 
     BOOST_TEST(dem::norm(back(now.moment_on_second) - still.moment_on_second) < 1e-13 * bond.stretch * l * l);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

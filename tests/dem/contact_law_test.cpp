@@ -1,7 +1,6 @@
 // The contact law in a leapfrog against references without a time step: Hertz's closed forms, restitution,
 // oblique impact integrated by CVODE, friction and rolling on planes; what it must keep in any frame and in
 // any lane.
-#define BOOST_TEST_MODULE contact_law
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,8 @@
 #include "reference/friction.hpp"
 #include "reference/two_spheres.hpp"
 #include "tests/dem/colliding_spheres.hpp"
+
+BOOST_AUTO_TEST_SUITE(contact_law_test)
 
 namespace ref = fiberchain::reference;
 using namespace colliding;
@@ -331,3 +332,5 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_a_double_does_to_the_bit) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // The largest stable step with contacts, by bisection, against the one that is chosen.
-#define BOOST_TEST_MODULE contact_step
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dem/contact/contact_rates.hpp"
 #include "dem/model/errors.hpp"
 #include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(contact_step_test)
 
 using namespace scenes;
 
@@ -149,3 +150,5 @@ BOOST_AUTO_TEST_CASE(a_dense_packing_is_quiet_at_the_chosen_step_and_not_at_twic
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,9 @@
 // Crossed fibers of unlike spheres that collide, through the whole engine: every force is Hertz's.
-#define BOOST_TEST_MODULE crossed_contact
 #include <boost/test/unit_test.hpp>
 
 #include "tests/dem/transverse_fibers.hpp"
+
+BOOST_AUTO_TEST_SUITE(crossed_contact_test)
 
 using namespace transverse;
 
@@ -63,3 +64,5 @@ BOOST_AUTO_TEST_CASE(spheres_of_different_radius_and_material_press_by_hertz) {
   BOOST_TEST(norm(momentum(0) - start[0] - impulse) < 1e-9 * norm(impulse));
   BOOST_TEST(norm(momentum(1) - start[1] + impulse) < 1e-9 * norm(impulse));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

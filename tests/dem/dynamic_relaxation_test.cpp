@@ -1,5 +1,4 @@
 // Marching against solving, the incremental form against the total one.
-#define BOOST_TEST_MODULE march
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -7,6 +6,8 @@
 #include "dem/equilibrium/newton.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
+
+BOOST_AUTO_TEST_SUITE(dynamic_relaxation_test)
 
 namespace dem = fiberchain::dem;
 
@@ -191,3 +192,5 @@ BOOST_AUTO_TEST_CASE(a_load_beyond_the_bonds_diverges_and_says_where) {
                what.find("fiber") != std::string::npos;
       });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

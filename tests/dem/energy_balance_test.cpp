@@ -1,10 +1,11 @@
 // What each mechanism of an assembly takes, against what is gone.
-#define BOOST_TEST_MODULE energy_balance
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(energy_balance_test)
 
 using namespace scenes;
 
@@ -174,3 +175,5 @@ BOOST_AUTO_TEST_CASE(the_balance_of_a_packing_closes_to_a_thousandth) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // The declared terms of the energy balance.
-#define BOOST_TEST_MODULE energy_terms
 #include <boost/test/unit_test.hpp>
 #include <set>
 
 #include "dem/assembly/energy_balance.hpp"
 #include "dem/record/columns.hpp"
 #include "dem/run/samples.hpp"
+
+BOOST_AUTO_TEST_SUITE(energy_terms_test)
 
 using namespace fiberchain::dem;
 
@@ -56,3 +57,5 @@ BOOST_AUTO_TEST_CASE(columns_of_tables_are_those_of_the_dictionary) {
   for (std::size_t n = 0; n < cells.size(); ++n) BOOST_TEST(energy_columns(true)[n] == cells[n].first);
   BOOST_TEST(std::get<double>(cells.back().second) == total(balance));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Large deflections where the answer is known without a beam theory: rings, frames, loading paths.
-#define BOOST_TEST_MODULE equilibrium
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -7,6 +6,8 @@
 
 #include "dem/equilibrium/newton.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(equilibrium_test)
 
 namespace dem = fiberchain::dem;
 using std::numbers::pi;
@@ -169,3 +170,5 @@ BOOST_AUTO_TEST_CASE(gives_up_with_the_load_it_reached) {
         return std::string(error.what()).find("of the load") != std::string::npos;
       });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

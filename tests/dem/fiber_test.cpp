@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fiber
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -6,6 +5,8 @@
 
 #include "dem/model/errors.hpp"
 #include "dem/model/fiber.hpp"
+
+BOOST_AUTO_TEST_SUITE(fiber_test)
 
 namespace dem = fiberchain::dem;
 using std::numbers::pi;
@@ -110,3 +111,5 @@ BOOST_AUTO_TEST_CASE(refuses_what_makes_no_physical_sense) {
   for (const double nu : {-1.0, 0.51, nan})
     BOOST_CHECK_THROW(dem::isotropic_material(1e6, nu, 1e3), dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

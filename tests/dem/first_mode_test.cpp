@@ -1,6 +1,5 @@
 // The first bending mode that dem/ finds by inverse iteration against the eigenvalues of the linear chain
 // (reference/).
-#define BOOST_TEST_MODULE first_mode_test
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -8,6 +7,8 @@
 #include "dem/model/errors.hpp"
 #include "dem/vibration/first_mode.hpp"
 #include "reference/chain_modes.hpp"
+
+BOOST_AUTO_TEST_SUITE(first_mode_test)
 
 namespace dem = fiberchain::dem;
 namespace reference = fiberchain::reference;
@@ -57,3 +58,5 @@ BOOST_AUTO_TEST_CASE(its_damping_is_exact_to_second_order_in_the_dashpots) {
 BOOST_AUTO_TEST_CASE(an_overdamped_mode_has_no_period) {
   BOOST_CHECK_THROW(dem::first_mode(fiber(6, 1e4)), dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

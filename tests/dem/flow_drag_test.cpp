@@ -1,11 +1,12 @@
 // Drag on every sphere of a fiber marched with inertia, against closed forms.
-#define BOOST_TEST_MODULE flow_drag
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "tests/dem/flow_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_drag_test)
 
 namespace dem = fiberchain::dem;
 using flowing::end_state;
@@ -223,3 +224,5 @@ BOOST_AUTO_TEST_CASE(a_clamped_sphere_stays_and_the_rest_feels_the_stream) {
     for (const auto& v : state.velocity) BOOST_TEST(dem::norm(v) < 1e-6 * dem::bond_length(fiber) / t_b);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

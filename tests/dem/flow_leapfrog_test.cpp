@@ -1,6 +1,5 @@
 // Fibers followed by the leapfrog: one path in every instruction set and beside others, failures, what is
 // refused.
-#define BOOST_TEST_MODULE flow_leapfrog
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -8,6 +7,8 @@
 #include "dem/motion/kernels/chain_batch.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/flow_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_leapfrog_test)
 
 namespace dem = fiberchain::dem;
 using flowing::end_state;
@@ -194,3 +195,5 @@ BOOST_AUTO_TEST_CASE(lanes_without_fluid_refuse_one) {
   both.fluid = true;
   BOOST_CHECK_THROW(dem::chain_kernel(both, dem::InstructionSet::scalar), dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

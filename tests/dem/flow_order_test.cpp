@@ -1,11 +1,12 @@
 // Fibers marched in a fluid: order of the scheme, CVODE, momentum, and no fluid as the limit.
-#define BOOST_TEST_MODULE flow_order
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/flow_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_order_test)
 
 namespace dem = fiberchain::dem;
 using flowing::end_state;
@@ -231,3 +232,5 @@ BOOST_AUTO_TEST_CASE(as_the_viscosity_vanishes_the_march_becomes_that_without_fl
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

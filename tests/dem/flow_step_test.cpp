@@ -1,5 +1,4 @@
 // The stable step in a fluid, of the scheme and of chains that run.
-#define BOOST_TEST_MODULE flow_step
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -8,6 +7,8 @@
 #include "dem/motion/relaxation.hpp"
 #include "dem/motion/time_step.hpp"
 #include "tests/dem/flow_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_step_test)
 
 namespace dem = fiberchain::dem;
 using flowing::viscosity_of;
@@ -112,3 +113,5 @@ BOOST_AUTO_TEST_CASE(chains_that_run_grow_beyond_the_stable_step_and_not_below) 
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

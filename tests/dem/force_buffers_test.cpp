@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE stripe_loads
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 
 #include "dem/parallel/force_buffers.hpp"
 #include "dem/simd/storage_layout.hpp"
+
+BOOST_AUTO_TEST_SUITE(force_buffers_test)
 
 namespace dem = fiberchain::dem;
 
@@ -55,3 +56,5 @@ BOOST_AUTO_TEST_CASE(a_thread_gets_what_it_gave_back_last) {
   BOOST_TEST(loads.take(0, 1).rows == b);
   BOOST_TEST(loads.take(2, 1).rows == a);  // from the other, which has one left
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE index_stacks
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <vector>
 
 #include "dem/parallel/index_stacks.hpp"
+
+BOOST_AUTO_TEST_SUITE(index_stacks_test)
 
 namespace dem = fiberchain::dem;
 
@@ -50,3 +51,5 @@ BOOST_AUTO_TEST_CASE(no_index_is_lost_or_doubled_when_threads_exchange_them) {
   std::ranges::sort(left);
   BOOST_TEST(left == std::vector<int>({0, 1, 2, 3, 4, 5}), boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

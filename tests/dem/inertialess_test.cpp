@@ -1,6 +1,5 @@
 // Fibers in a flow without inertia: balance on every sphere, orbits of stiff fibers against Jeffery's, the
 // limit of vanishing inertia.
-#define BOOST_TEST_MODULE inertialess
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,8 @@
 #include "dem/flow/inertialess.hpp"
 #include "dem/flow/interacting_balance.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(inertialess_test)
 
 namespace dem = fiberchain::dem;
 
@@ -327,3 +328,5 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(dem::start_up(dem::simple_shear(1), 0), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::oscillation(dem::simple_shear(1), -1), dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Every integrator against the others in the limit, with its own order; what the implicit one conserves; what
 // happens when a run blows up.
-#define BOOST_TEST_MODULE integrators
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -10,6 +9,8 @@
 #include "dem/motion/implicit.hpp"
 #include "dem/vibration/choose.hpp"
 #include "dem/vibration/release.hpp"
+
+BOOST_AUTO_TEST_SUITE(integrators_test)
 
 namespace dem = fiberchain::dem;
 
@@ -253,3 +254,5 @@ BOOST_AUTO_TEST_CASE(refuses_what_an_integrator_does_not_know) {
   BOOST_CHECK_THROW(dem::ring_down<2>({release}, {.integrator = dem::Integrator::cvode, .tolerance = 0}),
                     dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

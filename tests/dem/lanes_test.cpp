@@ -1,11 +1,12 @@
 // The closed list of inner loops: every combination, every instruction set of this machine, every lane,
 // against the scalar loop.
-#define BOOST_TEST_MODULE lanes
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dem/model/errors.hpp"
 #include "tests/dem/marching_chains.hpp"
+
+BOOST_AUTO_TEST_SUITE(lanes_test)
 
 namespace dem = fiberchain::dem;
 
@@ -163,3 +164,5 @@ BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
                          dem::InstructionSet::sse2),
       dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // The polynomials of the inner loops against the exact functions, small matrices against Eigen, and the
 // dashpots as a matrix against their forces.
-#define BOOST_TEST_MODULE math
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include "dem/bond/dashpot_matrix.hpp"
 #include "dem/bond/kinematics.hpp"
 #include "dem/math/near_one.hpp"
+
+BOOST_AUTO_TEST_SUITE(math_test)
 
 namespace dem = fiberchain::dem;
 
@@ -124,3 +125,5 @@ BOOST_AUTO_TEST_CASE(the_dashpots_matrix_gives_their_forces) {
   matrix_gives_the_dashpots_forces<2>();
   matrix_gives_the_dashpots_forces<3>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

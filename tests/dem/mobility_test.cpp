@@ -1,6 +1,5 @@
 // Hydrodynamic interactions of two and more spheres: against averages over both spheres' surfaces taken by
 // quadrature, which share nothing with the closed forms but the field of a point force.
-#define BOOST_TEST_MODULE mobility
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include "dem/flow/mobility.hpp"
 #include "dem/flow/pair_mobility.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(mobility_test)
 
 namespace dem = fiberchain::dem;
 namespace pair = fiberchain::dem::pair;
@@ -188,3 +189,5 @@ BOOST_AUTO_TEST_CASE(overlap_with_stresslets_is_refused) {
   BOOST_CHECK_THROW(dem::mobility<2>(fluid(dem::Hydrodynamics::stresslets), R, poses), dem::Diverged);
   BOOST_CHECK_NO_THROW(dem::mobility<2>(fluid(dem::Hydrodynamics::interactions), R, poses));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

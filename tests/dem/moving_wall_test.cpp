@@ -1,10 +1,11 @@
 // Walls that come and go and move along, through the whole engine.
-#define BOOST_TEST_MODULE moving_wall
 #include <boost/test/unit_test.hpp>
 
 #include "dem/contact/restitution.hpp"
 #include "tests/dem/small_packing.hpp"
 #include "tests/dem/transverse_fibers.hpp"
+
+BOOST_AUTO_TEST_SUITE(moving_wall_test)
 
 using namespace transverse;
 
@@ -193,3 +194,5 @@ BOOST_AUTO_TEST_CASE(a_packing_turned_as_a_whole_does_the_same) {
     BOOST_TEST(off < 1e-9 * 2e-3, off);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

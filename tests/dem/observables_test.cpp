@@ -1,5 +1,4 @@
 // Observables of a packing against closed forms.
-#define BOOST_TEST_MODULE observables
 #include "dem/analysis/observables.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 
 #include "dem/insertion/placement.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(observables_test)
 
 namespace dem = fiberchain::dem;
 using V = dem::Vec<double, 3>;
@@ -181,3 +182,5 @@ BOOST_AUTO_TEST_CASE(kinetic_energy_is_of_both_kinds) {
   BOOST_TEST(std::abs(energy.translation / (7 * 0.5 * m * 0.09) - 1) < 1e-13);
   BOOST_TEST(std::abs(energy.rotation / (7 * 0.2 * m * R * R * 25) - 1) < 1e-13);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

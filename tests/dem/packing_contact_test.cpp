@@ -1,11 +1,12 @@
 // A whole small packing: no contact is missed, and neither threads, a pause, nor a wider vector change what
 // happens.
-#define BOOST_TEST_MODULE packing_contact
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <set>
 
 #include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_contact_test)
 
 using namespace scenes;
 
@@ -177,3 +178,5 @@ BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

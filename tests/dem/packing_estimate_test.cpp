@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE packing_estimate
 #include <malloc.h>
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 
 #include "dem/run/packing_estimate.hpp"
 #include "dem/scene/scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_estimate_test)
 
 namespace dem = fiberchain::dem;
 
@@ -62,3 +63,5 @@ BOOST_AUTO_TEST_CASE(the_cost_of_a_step_is_measured_on_the_scenes_own_fibers) {
   BOOST_TEST(cost.threads == 1);
   BOOST_TEST(cost.per_sphere > 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
 // Periodic sides, and contacts in a flow: small scenes, also for sanitizers.
-#define BOOST_TEST_MODULE periodic_contact
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(periodic_contact_test)
 
 using namespace scenes;
 
@@ -180,3 +181,5 @@ BOOST_AUTO_TEST_CASE(a_flow_presses_fibers_together_by_its_drag) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Random filling: nothing overlaps, everything is inside, directions are as asked, the same seed gives the
 // same.
-#define BOOST_TEST_MODULE fill
 #include "dem/insertion/random_insertion.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -11,6 +10,8 @@
 #include "dem/insertion/placement.hpp"
 #include "dem/insertion/random_numbers.hpp"
 #include "dem/model/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(random_insertion_test)
 
 namespace dem = fiberchain::dem;
 using V = dem::Vec<double, 3>;
@@ -260,3 +261,5 @@ BOOST_AUTO_TEST_CASE(the_shortest_rotation_turns_any_direction_into_any) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // Fibers at rest on walls and on themselves, through the whole engine: beam theory, troughs, settling in a
 // fluid, curls.
-#define BOOST_TEST_MODULE resting_fiber
 #include <boost/test/unit_test.hpp>
 
 #include "reference/supported_beam.hpp"
 #include "tests/dem/assembly_scenes.hpp"
 #include "tests/dem/transverse_fibers.hpp"
+
+BOOST_AUTO_TEST_SUITE(resting_fiber_test)
 
 using namespace transverse;
 
@@ -200,3 +201,5 @@ BOOST_AUTO_TEST_CASE(a_curled_fiber_touches_itself_where_its_turns_meet_and_nowh
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The kick of rolling friction: the inner loop's solution against brute force and Coulomb's law bond by bond.
-#define BOOST_TEST_MODULE rolling_kick
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,6 +6,8 @@
 #include <vector>
 
 #include "dem/motion/leapfrog.hpp"
+
+BOOST_AUTO_TEST_SUITE(rolling_kick_test)
 
 namespace dem = fiberchain::dem;
 using dem::Rolling;
@@ -185,3 +186,5 @@ BOOST_AUTO_TEST_CASE(every_bond_of_a_kick_slides_at_the_limit_or_sticks) {
   kicks_obey_the_law<2>();
   kicks_obey_the_law<3>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

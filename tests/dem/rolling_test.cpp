@@ -1,11 +1,12 @@
 // Rolling friction of the bonds in motion: closed form, conservation, sticking, convergence, plane and space.
-#define BOOST_TEST_MODULE rolling
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dem/equilibrium/newton.hpp"
 #include "dem/vibration/release.hpp"
 #include "tests/dem/marching_chains.hpp"
+
+BOOST_AUTO_TEST_SUITE(rolling_test)
 
 namespace dem = fiberchain::dem;
 using dem::Rolling;
@@ -278,3 +279,5 @@ BOOST_AUTO_TEST_CASE(the_set_valued_law_converges_with_the_step_and_the_explicit
   for (int k = 0; k < 3; ++k) BOOST_TEST(sign[k] > 50 * set_valued[k]);
   BOOST_TEST(set_valued[0] < 2e-4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

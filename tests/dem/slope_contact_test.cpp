@@ -1,10 +1,11 @@
 // Spheres and fibers on planes, through the whole engine: rolling, sliding, rolling friction, rest; against
 // closed forms.
-#define BOOST_TEST_MODULE slope_contact
 #include <boost/test/unit_test.hpp>
 
 #include "reference/friction.hpp"
 #include "tests/dem/transverse_fibers.hpp"
+
+BOOST_AUTO_TEST_SUITE(slope_contact_test)
 
 using namespace transverse;
 
@@ -162,3 +163,5 @@ BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_lis
   for (std::size_t i = 0; i < position_radius[0].size(); ++i)
     BOOST_TEST(norm(position_radius[1][i] - position_radius[0][i]) < 1e-11 * R);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // The chain's tangent at rest against beam theory: departure (3E/(16G) - 1/4) / r_f^2 of the paper's bond,
 // none of the corrected one. Every bond bends under P (L - s) at its middle and shears under P.
-#define BOOST_TEST_MODULE small_load
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
 
 #include "dem/equilibrium/newton.hpp"
+
+BOOST_AUTO_TEST_SUITE(small_load_test)
 
 namespace dem = fiberchain::dem;
 
@@ -74,3 +75,5 @@ BOOST_AUTO_TEST_CASE(axial_and_twisting_response_are_exact) {
     BOOST_TEST(std::abs(motion[i][3] - 0.2 * i / K.twist) < 1e-13 * 0.2 * 13 / K.twist);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

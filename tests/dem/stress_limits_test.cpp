@@ -1,11 +1,12 @@
 // The chain at the edge of stability, from violent kinks, under huge damping and in denormal numbers.
-#define BOOST_TEST_MODULE stress_limits
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 #include <utility>
 
 #include "tests/dem/marching_chains.hpp"
 #include "tests/dem/stress_chains.hpp"
+
+BOOST_AUTO_TEST_SUITE(stress_limits_test)
 
 namespace dem = fiberchain::dem;
 using dem::BondForm;
@@ -195,3 +196,5 @@ BOOST_AUTO_TEST_CASE(denormal_motion_stays_bounded) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

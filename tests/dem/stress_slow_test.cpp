@@ -1,10 +1,11 @@
 // The long stress tests: 1e8 steps, 1e4 turns.
-#define BOOST_TEST_MODULE stress_slow
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 
 #include "tests/dem/energy_drift.hpp"
 #include "tests/dem/tumbling.hpp"
+
+BOOST_AUTO_TEST_SUITE(stress_slow_test)
 
 namespace dem = fiberchain::dem;
 using dem::BondForm;
@@ -63,3 +64,5 @@ BOOST_AUTO_TEST_CASE(ten_thousand_turns_change_nothing) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,12 +1,13 @@
 // The chain driven to its limits: many steps, many turns, many bonds, soft and stiff. The long versions are
 // in stress_slow_test.cpp, the edge of stability and violent starts in stress_limits_test.cpp.
-#define BOOST_TEST_MODULE stress
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
 #include "tests/dem/energy_drift.hpp"
 #include "tests/dem/stress_chains.hpp"
 #include "tests/dem/tumbling.hpp"
+
+BOOST_AUTO_TEST_SUITE(stress_test)
 
 namespace dem = fiberchain::dem;
 using dem::BondForm;
@@ -134,3 +135,5 @@ BOOST_AUTO_TEST_CASE(modulus_from_kilopascal_to_terapascal_changes_nothing_but_t
   check_moduli<2>();
   check_moduli<3>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
 // Collisions of two spheres, and of a sphere and a wall, through the whole engine: against Hertz's closed
 // forms, and against CVODE where they are oblique.
-#define BOOST_TEST_MODULE two_body_contact
 #include <boost/test/unit_test.hpp>
 
 #include "dem/contact/restitution.hpp"
 #include "tests/dem/transverse_fibers.hpp"
+
+BOOST_AUTO_TEST_SUITE(two_body_contact_test)
 
 using namespace transverse;
 
@@ -239,3 +240,5 @@ BOOST_AUTO_TEST_CASE(every_form_and_instruction_set_collides_alike) {
     within(o.overlap / all[0].overlap, 1, 1e-11, "overlap");
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
 // Walls through the whole engine: the inside of a cylinder, plates that press.
-#define BOOST_TEST_MODULE wall_contact
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
 #include "tests/dem/transverse_fibers.hpp"
+
+BOOST_AUTO_TEST_SUITE(wall_contact_test)
 
 using namespace transverse;
 
@@ -143,3 +144,5 @@ BOOST_AUTO_TEST_CASE(a_moving_plate_presses_by_hertz_and_its_work_is_stored) {
     BOOST_TEST(e.contact_normal < 0.01 * stored);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE paired_work
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 
 #include "dem/parallel/partition.hpp"
 #include "dem/parallel/wavefront_schedule.hpp"
+
+BOOST_AUTO_TEST_SUITE(wavefront_schedule_test)
 
 namespace dem = fiberchain::dem;
 
@@ -101,3 +102,5 @@ BOOST_AUTO_TEST_CASE(even_stripes_differ_by_one_sphere) {
   BOOST_TEST(parts.count() == 7);
   for (int k = 0; k < 7; ++k) BOOST_TEST(std::abs(parts.end(k) - parts.begin(k) - 143) <= 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE bad_input
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "tests/program/process.hpp"
+
+BOOST_AUTO_TEST_SUITE(bad_input_test)
 
 using namespace fiberchain::test;
 
@@ -192,3 +193,5 @@ BOOST_AUTO_TEST_CASE(an_unstable_step_is_refused) {
   BOOST_TEST(outcome.status == 2);
   BOOST_TEST(is_one_error(outcome.error), outcome.error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

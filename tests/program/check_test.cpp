@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE check_program
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/process.hpp"
+
+BOOST_AUTO_TEST_SUITE(check_test)
 
 using namespace fiberchain::test;
 using nlohmann::json;
@@ -90,3 +91,5 @@ BOOST_AUTO_TEST_CASE(keys_are_those_of_the_page) {
   BOOST_TEST(content(kScenes + "README.md").find(keys.out) != std::string::npos);
   BOOST_TEST(keys.out.find("| `fibers[].diameter` | m | above 0 | required |") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE flow_program
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/process.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_test)
 
 using namespace fiberchain::test;
 using nlohmann::json;
@@ -105,3 +106,5 @@ BOOST_AUTO_TEST_CASE(the_table_of_periods_has_what_was_asked) {
   BOOST_TEST(std::abs(rows[1]["period"].get<double>() - 28.77) < 0.005);
   BOOST_TEST(rows[1]["hydrodynamics"] == "interactions");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

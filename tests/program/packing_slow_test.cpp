@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE packing_slow
 #include <boost/test/unit_test.hpp>
 #include <random>
 
 #include "tests/program/packings.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_slow_test)
 
 using namespace fiberchain::test;
 
@@ -23,3 +24,5 @@ BOOST_AUTO_TEST_CASE(the_small_packing_runs_to_its_end) {
   BOOST_TEST(outcome.status == 0, outcome.error);
   BOOST_TEST(outcome.out.find("finished") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

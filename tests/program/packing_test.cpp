@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE packing_program
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "dem/trajectory/checkpoint.hpp"
 #include "tests/program/packings.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_test)
 
 using namespace fiberchain::test;
 namespace io = fiberchain::dem;
@@ -277,3 +278,5 @@ BOOST_AUTO_TEST_CASE(wrong_scenes_leave_nothing_behind) {
   BOOST_TEST(outcome.status == 2);
   BOOST_TEST(holds(outcome.error, "--resume: is of use only with scene: packing"), outcome.error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE program
 #include <algorithm>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 #include <sstream>
 
 #include "tests/program/process.hpp"
+
+BOOST_AUTO_TEST_SUITE(program_test)
 
 using namespace fiberchain::test;
 using nlohmann::json;
@@ -91,14 +92,18 @@ json rows(const Command& command) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_SUITE_END()
+
 namespace boost::test_tools::tt_detail {
 template <>
-struct print_log_value<Command> {
-  void operator()(std::ostream& out, const Command& command) const {
+struct print_log_value<program_test::Command> {
+  void operator()(std::ostream& out, const program_test::Command& command) const {
     for (const std::string& word : command) out << word << ' ';
   }
 };
 }  // namespace boost::test_tools::tt_detail
+
+BOOST_AUTO_TEST_SUITE(program_test)
 
 BOOST_AUTO_TEST_CASE(version_names_the_commit) {
   const Outcome outcome = run({"--version"});
@@ -265,3 +270,5 @@ BOOST_AUTO_TEST_CASE(a_planted_fault_fails_the_validation) {
   }
   BOOST_TEST(failed == std::vector<std::string>{"elastica-y-1"}, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE release_program
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/process.hpp"
+
+BOOST_AUTO_TEST_SUITE(release_test)
 
 using namespace fiberchain::test;
 using nlohmann::json;
@@ -65,3 +66,5 @@ BOOST_AUTO_TEST_CASE(an_unstable_step_is_refused_with_the_limit) {
              outcome.error);
   BOOST_TEST(!std::filesystem::exists(scratch.path / "results/s.csv"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

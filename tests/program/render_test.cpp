@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE render
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
 #include "dem/trajectory/h5md.hpp"
 #include "tests/dem/trajectory/frames.hpp"
 #include "tests/program/process.hpp"
+
+BOOST_AUTO_TEST_SUITE(render_test)
 
 using fiberchain::test::bent_fibers;
 using fiberchain::test::is_one_error;
@@ -89,3 +90,5 @@ BOOST_FIXTURE_TEST_CASE(bad_input_is_one_clear_error, Trajectory) {
     BOOST_TEST(outcome.out == "");
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

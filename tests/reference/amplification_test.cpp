@@ -1,6 +1,5 @@
 // The spectral radius of one step of each explicit scheme, by three routes: waves of an endless chain, the
 // dense matrix of a finite one, and the pencil whose definiteness tells the same in linear time.
-#define BOOST_TEST_MODULE reference_amplification
 #include "reference/amplification.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 
 #include "reference/errors.hpp"
 #include "reference/stable_step.hpp"
+
+BOOST_AUTO_TEST_SUITE(amplification_test)
 
 namespace ref = fiberchain::reference;
 using ref::ChainEnds;
@@ -162,3 +163,5 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
       ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::rayleigh_step({7, -1, 1, 0.3, 1}), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

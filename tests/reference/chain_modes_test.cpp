@@ -1,6 +1,5 @@
 // Modes of the linear chain: closed forms for axial and twist, the beam's limit for bending, two independent
 // solvers, and the quadratic eigenproblem itself.
-#define BOOST_TEST_MODULE reference_chain_modes
 #include "reference/chain_modes.hpp"
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include <numbers>
 
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(chain_modes_test)
 
 namespace ref = fiberchain::reference;
 using ref::ChainEnds;
@@ -263,3 +264,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::rod_eigenvalue(odd_chain(5), ChainMotion::axial, ChainEnds::free_free, 6),
                     ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // The chain's own linearization in compression: numbers known, the bond's full energy by finite differences,
 // limits.
-#define BOOST_TEST_MODULE reference_compressed_chain
 #include "reference/compressed_chain.hpp"
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/errors.hpp"
 #include "reference/filament_buckling.hpp"
+
+BOOST_AUTO_TEST_SUITE(compressed_chain_test)
 
 namespace ref = fiberchain::reference;
 
@@ -199,3 +200,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::chain_growth_mode({9, 0.3}, 200, 8), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::compressed_state({9, 0.3, 1, -1}, 200), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The one door to SUNDIALS: exact solutions, counters, failures that come through as exceptions.
-#define BOOST_TEST_MODULE reference_cvode
 #include "reference/cvode.hpp"
 
 #include <array>
@@ -9,6 +8,8 @@
 #include <stdexcept>
 
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(cvode_test)
 
 namespace ref = fiberchain::reference;
 using ref::detail::Cvode;
@@ -103,3 +104,5 @@ BOOST_AUTO_TEST_CASE(failures_become_exceptions) {
         ref::InvalidArgument);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

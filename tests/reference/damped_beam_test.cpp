@@ -1,5 +1,4 @@
 // Damped Euler-Bernoulli beam: CVODE against the modal closed form, and both against what is known exactly.
-#define BOOST_TEST_MODULE reference_damped_beam
 #include "reference/damped_beam.hpp"
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include <numbers>
 
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(damped_beam_test)
 
 namespace ref = fiberchain::reference;
 using ref::BeamDamping;
@@ -151,3 +152,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::damped_beam_cvode({0.1, 0}, loaded, times, {61}), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::clamped_free_beta(0), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

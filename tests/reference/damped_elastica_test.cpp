@@ -1,6 +1,5 @@
 // The damped Elastica in time: its Jacobian, statics, linear limit, energy, amplitude-frequency relation,
 // mass layout and refinement.
-#define BOOST_TEST_MODULE reference_damped_elastica
 #include "reference/damped_elastica.hpp"
 
 #include <algorithm>
@@ -16,6 +15,8 @@
 #include "reference/elastica_motion.hpp"
 #include "reference/errors.hpp"
 #include "tests/reference/crossings.hpp"
+
+BOOST_AUTO_TEST_SUITE(damped_elastica_test)
 
 namespace ref = fiberchain::reference;
 using ref::BeamHistory;
@@ -297,3 +298,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::chain_layout(10, -1), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::chain_time_unit(-3), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

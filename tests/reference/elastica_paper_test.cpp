@@ -1,10 +1,11 @@
 // The paper's bisection with Simpson's rule (Eqs 13-15): right within the error it reports, of fourth order.
-#define BOOST_TEST_MODULE reference_elastica_paper
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "reference/elastica.hpp"
+
+BOOST_AUTO_TEST_SUITE(elastica_paper_test)
 
 namespace ref = fiberchain::reference;
 
@@ -64,3 +65,5 @@ BOOST_AUTO_TEST_CASE(no_load_no_deflection) {
   BOOST_TEST(rest.tip.x == 0);
   BOOST_TEST(rest.tip.angle == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,12 +1,13 @@
 // The Elastica's free end by shooting and in closed form: against each other, against 60-digit values,
 // against the table in circulation that is right and the one that is wrong.
-#define BOOST_TEST_MODULE reference_elastica
 #include "reference/elastica.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(elastica_test)
 
 namespace ref = fiberchain::reference;
 using ref::TipState;
@@ -145,3 +146,5 @@ BOOST_AUTO_TEST_CASE(a_call_takes_a_fraction_of_a_millisecond) {
   BOOST_TEST_MESSAGE("shooting: " << each * 1e6 << " us a call (sum " << sum << ")");
   BOOST_TEST(each < 0.05);  // wide: other work may share the machine
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Linear stability of a compressed filament: the numbers known, the equation itself, limits, and time.
-#define BOOST_TEST_MODULE reference_filament_buckling
 #include "reference/filament_buckling.hpp"
 
 #include <array>
@@ -9,6 +8,8 @@
 #include <numbers>
 
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(filament_buckling_test)
 
 namespace ref = fiberchain::reference;
 
@@ -182,3 +183,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::deflection_history(-1, steady, {1, 1, 1}, {1}), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::deflection_history(200, steady, {1, 1, 1}, {2, 1}), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Hertz's collision, the restitution of its dashpot, friction on rigid spheres: closed forms against
 // integration.
-#define BOOST_TEST_MODULE reference_hertz
 #include "reference/hertz.hpp"
 
 #include <array>
@@ -12,6 +11,8 @@
 #include "reference/cvode.hpp"
 #include "reference/errors.hpp"
 #include "reference/friction.hpp"
+
+BOOST_AUTO_TEST_SUITE(hertz_test)
 
 namespace ref = fiberchain::reference;
 
@@ -155,3 +156,5 @@ BOOST_AUTO_TEST_CASE(a_sphere_on_a_slope_rolls_up_to_seven_halves_of_friction) {
   // moment mu_r R N against m a R + J a / R
   close(ref::rolling_deceleration(0.03, g) * (1 + 0.4), 0.03 * g, 1e-14, "rolling friction");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

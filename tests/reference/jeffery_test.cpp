@@ -1,5 +1,4 @@
 // Jeffery's equation: closed form, matrix exponential and CVODE against each other, and the equation itself.
-#define BOOST_TEST_MODULE reference_jeffery
 #include "reference/jeffery.hpp"
 
 #include <algorithm>
@@ -10,6 +9,8 @@
 
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(jeffery_test)
 
 namespace ref = fiberchain::reference;
 using ref::Direction;
@@ -237,3 +238,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::free_draining_bretherton(0), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::free_draining_aspect_ratio(-3), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // The references stay independent of what is held against them: nothing in reference/ includes dem/ or
 // compare/.
-#define BOOST_TEST_MODULE reference_boundary
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(reference_boundary_test)
 
 namespace {
 
@@ -59,3 +60,5 @@ BOOST_AUTO_TEST_CASE(reference_includes_and_links_nothing_of_dem_or_compare) {
   }
   BOOST_TEST(files > 10);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

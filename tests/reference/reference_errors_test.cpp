@@ -1,5 +1,4 @@
 // Arguments without a solution are refused, each with a message naming argument, value and what is allowed.
-#define BOOST_TEST_MODULE reference_errors
 #include "reference/errors.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -15,6 +14,8 @@
 #include "reference/reissner.hpp"
 #include "reference/ring.hpp"
 #include "reference/small_deflection.hpp"
+
+BOOST_AUTO_TEST_SUITE(reference_errors_test)
 
 namespace ref = fiberchain::reference;
 
@@ -106,3 +107,5 @@ BOOST_AUTO_TEST_CASE(failing_searches_and_integrations_throw_instead_of_aborting
   BOOST_CHECK_EXCEPTION(integrator.advance(t, 2, state), ref::NoConvergence,
                         [](const auto& error) { return names(error, "blow-up"); });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Reissner's beam: published values, 60-digit values, its limits (Elastica, Timoshenko), its robustness.
-#define BOOST_TEST_MODULE reference_reissner
 #include "reference/reissner.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 
 #include "reference/elastica.hpp"
 #include "reference/small_deflection.hpp"
+
+BOOST_AUTO_TEST_SUITE(reissner_test)
 
 namespace ref = fiberchain::reference;
 using ref::TipState;
@@ -140,3 +141,5 @@ BOOST_AUTO_TEST_CASE(shape_ends_at_the_tip) {
     BOOST_TEST(std::abs(shape.y[0]) + std::abs(shape.theta[0]) == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Rigid chains with hydrodynamic interactions: the pair functions from Stokes singularities by differences,
 // the free-draining limit, periods known, two spheres known exactly.
-#define BOOST_TEST_MODULE reference_rigid_chain_mobility
 #include "reference/rigid_chain_mobility.hpp"
 
 #include <array>
@@ -12,6 +11,8 @@
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/errors.hpp"
 #include "reference/jeffery.hpp"
+
+BOOST_AUTO_TEST_SUITE(rigid_chain_mobility_test)
 
 namespace ref = fiberchain::reference;
 using ref::ChainCoupling;
@@ -233,3 +234,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_CHECK_THROW(ref::rigid_chain_period({5, ChainCoupling::none}, 0), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::rigid_chain_period({5, ChainCoupling::none}, not_a_number), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Closed forms: Eq 12 of the paper, Timoshenko's tip, the circle of the end moment.
-#define BOOST_TEST_MODULE reference_small_deflection
 #include "reference/small_deflection.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 #include <numbers>
 
 #include "reference/ring.hpp"
+
+BOOST_AUTO_TEST_SUITE(small_deflection_test)
 
 namespace ref = fiberchain::reference;
 
@@ -52,3 +53,5 @@ BOOST_AUTO_TEST_CASE(small_end_moments_keep_their_digits) {
   const double below = ref::end_moment_tip(0.1 * (1 - 1e-12)).x;
   BOOST_TEST(ref::end_moment_tip(0.1).x == below, boost::test_tools::tolerance(1e-11));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The largest stable step of the endless chain: the numbers found before, and the roots of the scheme itself.
-#define BOOST_TEST_MODULE reference_stable_step
 #include "reference/stable_step.hpp"
 
 #include <Eigen/Dense>
@@ -9,6 +8,8 @@
 #include <numbers>
 
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(stable_step_test)
 
 namespace ref = fiberchain::reference;
 
@@ -104,3 +105,5 @@ BOOST_AUTO_TEST_CASE(a_broken_chain_is_refused) {
   chain.dashpot.bend = -1;
   BOOST_CHECK_THROW(ref::largest_stable_step(chain), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // A beam on two supports under the weights of its spheres: handbook cases, overhang, shear.
-#define BOOST_TEST_MODULE reference_supported_beam
 #include "reference/supported_beam.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <limits>
 
 #include "reference/errors.hpp"
+
+BOOST_AUTO_TEST_SUITE(supported_beam_test)
 
 namespace ref = fiberchain::reference;
 
@@ -60,3 +61,5 @@ BOOST_AUTO_TEST_CASE(an_unsymmetric_beam_balances) {
   BOOST_CHECK_THROW(ref::beam_on_supports({8, 0.2, 0.3, 1.1, 40.0, 5, 5}), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::beam_on_supports({8, 0.2, 0.3, 1.1, 40.0, 2, 8}), ref::InvalidArgument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Solutions share no state: threads side by side get, bit for bit, what one thread gets alone.
-#define BOOST_TEST_MODULE reference_threads
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <thread>
@@ -9,6 +8,8 @@
 #include "reference/damped_elastica.hpp"
 #include "reference/elastica.hpp"
 #include "reference/reissner.hpp"
+
+BOOST_AUTO_TEST_SUITE(threads_test)
 
 namespace ref = fiberchain::reference;
 
@@ -42,3 +43,5 @@ BOOST_AUTO_TEST_CASE(threads_do_not_disturb_each_other) {
   for (int i = 0; i < 4; ++i) BOOST_TEST(alone[i] == together[i]);
   BOOST_TEST((alone[0] != alone[1]));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 // Oblique impact integrated by CVODE: closed forms where there are any, conservation, frames, the classical
 // map of Maw, Barber & Fawcett.
-#define BOOST_TEST_MODULE reference_two_spheres
 #include "reference/two_spheres.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 
 #include "reference/errors.hpp"
 #include "reference/friction.hpp"
+
+BOOST_AUTO_TEST_SUITE(two_spheres_test)
 
 namespace ref = fiberchain::reference;
 
@@ -128,3 +129,5 @@ BOOST_AUTO_TEST_CASE(without_friction_nothing_turns) {
   BOOST_TEST(std::abs(hit.first.velocity[1] + 0.8) < 1e-12);
   BOOST_TEST(std::abs(hit.first.spin - 12) < 1e-9);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -85,10 +85,12 @@ BOOST_AUTO_TEST_CASE(held_bend_relaxes_as_the_standard_linear_solid) {
   for (const double dt : {0.03 * tau, 0.7 * tau}) {
     dem::MaxwellBond::History<double, 3> history{};
     const dem::Vec<double, 3> along{l, 0, 0};
-    dem::BondConfiguration<double, 3> now{
-        {}, {}, dem::bond_vector(along, 1 / l), {{}, {}, {0, 0, angle / T}}};
+    const dem::Pose<double, 3> unused{};
+    const auto line = dem::bond_vector(along, 1 / l);
+    dem::RelativeMotion<double, 3> motion{{}, {}, {0, 0, angle / T}};
+    const dem::BondConfiguration<double, 3> now{unused, unused, line, motion};
     dem::MaxwellBond::advance(bond, history, now, T);
-    now.motion = {};
+    motion = {};
     for (int n = 0; n <= 5; ++n) {
       const double moment = dem::MaxwellBond::action<false>(bond, history, now).moment[2];
       BOOST_TEST(moment == bond.bend * angle * (1 + g * bent * std::exp(-n * dt / tau)),

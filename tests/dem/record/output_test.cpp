@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE output
 #include "dem/record/output.hpp"
 
 #include <sys/resource.h>
@@ -12,6 +11,8 @@
 
 #include "compare/study/errors.hpp"
 #include "tests/dem/trajectory/files.hpp"
+
+BOOST_AUTO_TEST_SUITE(output_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
@@ -89,3 +90,5 @@ BOOST_AUTO_TEST_CASE(a_directory_in_the_place_of_a_file_is_an_error) {
   BOOST_CHECK_THROW(dem::OutputDirectory(scratch.path).write({{"one.csv", "x"}}), dem::OutputError);
   BOOST_TEST(entries(scratch.path) == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

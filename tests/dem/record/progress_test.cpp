@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE progress
 #include "dem/record/progress.hpp"
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <sstream>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(progress_test)
 
 namespace dem = fiberchain::dem;
 using fiberchain::dem::Progress;
@@ -41,3 +42,5 @@ BOOST_AUTO_TEST_CASE(work_that_ends_early_ends_its_line) {
   BOOST_TEST(stars(stream.str()) < 30);
   BOOST_TEST(stream.str().ends_with("*\n"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

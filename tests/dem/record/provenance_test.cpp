@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE provenance
 #include "dem/record/provenance.hpp"
 
 #include <stdlib.h>
@@ -8,6 +7,8 @@
 #include <regex>
 
 #include "dem/files/sha256.hpp"
+
+BOOST_AUTO_TEST_SUITE(provenance_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
@@ -54,3 +55,5 @@ BOOST_AUTO_TEST_CASE(the_date_can_be_fixed_for_reproduction) {
   ::setenv("SOURCE_DATE_EPOCH", "1424649600", 1);
   BOOST_TEST(dem::collect_provenance({}).date == "2015-02-23T00:00:00Z");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE run_log
 #include "dem/record/run_log.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -10,6 +9,8 @@
 #include "dem/record/csv.hpp"
 #include "dem/record/run_status.hpp"
 #include "tests/dem/trajectory/files.hpp"
+
+BOOST_AUTO_TEST_SUITE(run_log_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
@@ -154,3 +155,5 @@ BOOST_AUTO_TEST_CASE(a_pace_counts_the_steps_of_this_session) {
   BOOST_TEST(left > 0);
   BOOST_TEST(left * rate >= 1000 * (1 - 1e-12));  // the clock went on between the two
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE table
 #include "dem/record/table.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 #include "compare/study/markdown.hpp"
 #include "dem/record/columns.hpp"
 #include "dem/record/csv.hpp"
+
+BOOST_AUTO_TEST_SUITE(table_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
@@ -169,3 +170,5 @@ BOOST_AUTO_TEST_CASE(markdown_is_aligned_and_escaped) {
   BOOST_TEST(document.starts_with("# Title\n\n| status"));
   BOOST_TEST(document.find("\n- commit: `abc`\n") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Fibers' starts from CSV text: what is read, and what is refused and where.
-#define BOOST_TEST_MODULE fiber_csv
 #include "dem/scene/fiber_csv.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <sstream>
 
 #include "dem/scene/scene_error.hpp"
+
+BOOST_AUTO_TEST_SUITE(fiber_csv_test)
 
 namespace dem = fiberchain::dem;
 
@@ -77,3 +78,5 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_with_line_and_column) {
   refused(header + "1,2,3,0,1,0,\x1b[31m7,8,9\n", "fibers.csv:2: ", "'vx'");
   BOOST_CHECK_THROW(dem::read_fiber_starts(std::string("/nonexistent/fibers.csv")), dem::SceneError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

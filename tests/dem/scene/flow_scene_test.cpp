@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE flow_scene
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "dem/scene/scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(flow_scene_test)
 
 namespace dem = fiberchain::dem;
 
@@ -206,3 +207,5 @@ BOOST_AUTO_TEST_CASE(the_ready_scenes_are_read) {
     BOOST_CHECK_NO_THROW(dem::parse_scene(dem::read_scene_text(path)));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE key_reference
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "dem/scene/key_reference.hpp"
 #include "dem/scene/scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(key_reference_test)
 
 namespace dem = fiberchain::dem;
 
@@ -53,3 +54,5 @@ BOOST_AUTO_TEST_CASE(the_page_of_the_data_directory_is_that_of_the_declarations)
   BOOST_REQUIRE((from != page.npos && to != page.npos));
   BOOST_TEST(page.substr(from + begin.size(), to - from - begin.size()) == dem::key_reference());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE key_table
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "dem/scene/key_table.hpp"
 #include "dem/scene/scene_error.hpp"
+
+BOOST_AUTO_TEST_SUITE(key_table_test)
 
 namespace dem = fiberchain::dem;
 
@@ -111,3 +112,5 @@ BOOST_AUTO_TEST_CASE(a_declaration_documents_its_key) {
   BOOST_TEST(keys[3].otherwise == "with `number`; without both it is one");
   BOOST_TEST((keys[5].list && keys[5].keys.size() == 1 && keys[5].keys[0].otherwise == "0.5"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE packing_scene
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <fstream>
@@ -8,6 +7,8 @@
 #include "dem/scene/build_packing.hpp"
 #include "dem/scene/scene.hpp"
 #include "tests/dem/trajectory/files.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_scene_test)
 
 namespace dem = fiberchain::dem;
 
@@ -337,3 +338,5 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
     BOOST_CHECK_NO_THROW(dem::packing_start(scene, 1));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

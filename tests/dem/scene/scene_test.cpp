@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE scene
 #include "dem/scene/scene.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(scene_test)
 
 namespace dem = fiberchain::dem;
 
@@ -233,3 +234,5 @@ BOOST_AUTO_TEST_CASE(the_ready_scenes_are_read) {
     BOOST_CHECK_NO_THROW(dem::parse_scene(dem::read_scene_text(path)));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE strict_mapping
 #include <boost/test/unit_test.hpp>
 
 #include "dem/scene/scene_error.hpp"
 #include "dem/scene/strict_mapping.hpp"
+
+BOOST_AUTO_TEST_SUITE(strict_mapping_test)
 
 namespace dem = fiberchain::dem;
 
@@ -66,3 +67,5 @@ BOOST_AUTO_TEST_CASE(errors_name_file_line_and_path) {
   BOOST_TEST(error_of([] { kMapping.direction("list"); }) ==
              "test.yaml:5: list: must be three finite numbers such as [0, 1, 0]");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

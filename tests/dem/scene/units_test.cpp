@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE units
 #include "dem/scene/units.hpp"
 
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(units_test)
 
 namespace {
 
@@ -68,3 +69,5 @@ BOOST_DATA_TEST_CASE(what_is_no_quantity_is_refused_with_the_reason, boost::unit
     return std::string(error.what()).find(bad.says) != std::string::npos;
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

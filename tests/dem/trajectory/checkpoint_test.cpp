@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE checkpoint
 #include "dem/trajectory/checkpoint.hpp"
 
 #include <bit>
@@ -9,6 +8,8 @@
 #include "dem/files/sha256.hpp"
 #include "dem/trajectory/hdf5.hpp"
 #include "tests/dem/trajectory/files.hpp"
+
+BOOST_AUTO_TEST_SUITE(checkpoint_test)
 
 using namespace fiberchain::dem;
 using namespace fiberchain::test;
@@ -211,3 +212,5 @@ BOOST_AUTO_TEST_CASE(another_program_or_thread_count_is_told) {
   BOOST_TEST(resumed_differently(checkpoint, "other", 2) ==
              "the checkpoint was written by another program (fiberchain 0.1.0 abc GNU 12 -O3, not other)");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

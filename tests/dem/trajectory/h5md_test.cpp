@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE h5md
 #include "dem/trajectory/h5md.hpp"
 
 #include <sys/wait.h>
@@ -11,6 +10,8 @@
 #include "dem/model/errors.hpp"
 #include "tests/dem/trajectory/files.hpp"
 #include "tests/dem/trajectory/frames.hpp"
+
+BOOST_AUTO_TEST_SUITE(h5md_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::dem;
@@ -255,3 +256,5 @@ BOOST_AUTO_TEST_CASE(spheres_that_come_later_are_not_read_before) {
   frame.absent = 9;
   BOOST_CHECK_THROW(fixed.append(frame), fiberchain::dem::InvalidInput);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Declared quantities of spheres and bonds reach every file.
-#define BOOST_TEST_MODULE output_fields
 #include "dem/trajectory/output_fields.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 #include "dem/trajectory/xdmf.hpp"
 #include "tests/dem/trajectory/files.hpp"
 #include "tests/dem/trajectory/frames.hpp"
+
+BOOST_AUTO_TEST_SUITE(output_fields_test)
 
 using namespace fiberchain::dem;
 using namespace fiberchain::test;
@@ -62,3 +63,5 @@ BOOST_AUTO_TEST_CASE(vtk_and_xdmf_name_every_field) {
                std::string::npos);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

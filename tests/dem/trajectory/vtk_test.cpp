@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE vtk
 #include "dem/trajectory/vtk.hpp"
 
 #include <boost/beast/core/detail/base64.hpp>
@@ -12,6 +11,8 @@
 #include "dem/model/errors.hpp"
 #include "tests/dem/trajectory/files.hpp"
 #include "tests/dem/trajectory/frames.hpp"
+
+BOOST_AUTO_TEST_SUITE(vtk_test)
 
 using namespace fiberchain::dem;
 using namespace fiberchain::test;
@@ -180,3 +181,5 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_series_whole) {
   BOOST_TEST(files_in(scratch.path / "run") == 2);
   BOOST_TEST(series.frames() == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
