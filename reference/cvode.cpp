@@ -27,8 +27,6 @@ SUNContext new_context() {
   return context;
 }
 
-}  // namespace
-
 template <auto free>
 struct Free {
   template <class T>
@@ -45,8 +43,6 @@ using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, Free<&N_VDestroy
 using Matrix = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, Free<&SUNMatDestroy>>;
 using Solver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Free<&SUNLinSolFree>>;
 using Integrator = std::unique_ptr<void, Free<&free_cvode>>;
-
-namespace {
 
 std::span<double> values(N_Vector vector) {
   return {N_VGetArrayPointer(vector), static_cast<std::size_t>(N_VGetLength(vector))};

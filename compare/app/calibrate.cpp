@@ -76,6 +76,25 @@ dem::Material material_of(const Arguments& arguments, const dem::Material& usual
                                  number(arguments, "--poisson-ratio", dem::poisson_ratio(usual)), density);
 }
 
+/// Whether size and material of a real fiber were given, all three of them; some of them are a mistake.
+bool is_dimensional(const Arguments& arguments) {
+  const std::vector<std::string> needed = {"--youngs-modulus", "--density", "--diameter"};
+  std::vector<std::string> missing;
+  for (const std::string& option : needed) {
+    if (!arguments.has(option)) missing.push_back(option);
+  }
+  const bool in_seconds =
+      arguments.has("--retardation-time") || arguments.text("--dashpots") == "retardation_time";
+  const bool wanted = missing.size() < needed.size() || arguments.has("--shear-modulus") || in_seconds;
+  if (wanted && !missing.empty()) {
+    throw InputError(
+        fmt::format("{} missing: an answer in seconds needs {}; without any of them, without "
+                    "--shear-modulus and retardation times, the answers are ratios",
+                    fmt::join(missing, ", "), fmt::join(needed, ", ")));
+  }
+  return missing.empty();
+}
+
 template <class Value>
 Value choice(const Arguments& arguments, const std::string& option, Value usual,
              const std::vector<std::pair<std::string, Value>>& choices) {
@@ -105,6 +124,7 @@ dem::Fiber fiber_of(const Arguments& arguments) {
 CalibrationCase case_of(const Arguments& arguments) {
   refuse_both(arguments, "--load", "--tip-deflection");
   CalibrationCase asked{fiber_of(arguments)};
+  asked.dimensional = is_dimensional(arguments);
   const bool by_load = arguments.has("--load");
   asked.amplitude = compare::to_amplitude(by_load ? AmplitudeMeasure::load : AmplitudeMeasure::tip_deflection,
                                           number(arguments, by_load ? "--load" : "--tip-deflection", 0));
@@ -180,34 +200,35 @@ Command calibrate_command() {
           "Give one target (--damping-ratio, --log-decrement, --quality-factor, --loss-factor) or, for the "
           "reverse, one\n"
           "setting (--bond-damping, --retardation-time). Quantities take units; bare numbers are SI.\n"
+          "Without size and material the answers are ratios; --youngs-modulus, --density and --diameter "
+          "together "
+          "give them in seconds.\n"
           "Examples:\n"
-          "  fiberchain calibrate --damping-ratio 0.02 --aspect-ratio 20 --youngs-modulus \"2.6 MPa\" "
-          "--verify\n"
+          "  fiberchain calibrate --damping-ratio 0.02 --aspect-ratio 20 --verify\n"
           "  fiberchain calibrate --bond-damping 1 --aspect-ratio 10 --poisson-ratio 0.17 --json",
-      .options = {{"--damping-ratio", "NUMBER", "target: xi_f"},
-                  {"--log-decrement", "NUMBER", "target: 2 pi xi_f/sqrt(1 - xi_f^2)"},
-                  {"--quality-factor", "NUMBER", "target: 1/(2 xi_f)"},
-                  {"--loss-factor", "NUMBER", "target: 2 xi_f"},
-                  {"--bond-damping", "NUMBER", "reverse: xi_b"},
-                  {"--retardation-time", "TIME", "reverse: retardation time of all bonds"},
-                  {"--dashpots", "WORD", "bond_damping, retardation_time, bending_only [bond_damping]"},
-                  {"--bond", "WORD", "bond law: paper, corrected [paper]"},
-                  {"--aspect-ratio", "NUMBER", "r_f = L/d, number of bonds, 1 to 1000", OptionKind::required},
-                  {"--youngs-modulus", "PRESSURE", "E [2.6 MPa]"},
-                  {"--poisson-ratio", "NUMBER", "Poisson's ratio [0.3]"},
-                  {"--shear-modulus", "PRESSURE", "G, in place of Poisson's ratio"},
-                  {"--density", "DENSITY", "of the spheres [1000 kg/m^3]"},
-                  {"--diameter", "LENGTH", "d [2 mm]"},
-                  {"--load", "NUMBER",
-                   "expected amplitude: load before the release, P L^2/(E I), up to 2.4 [0]"},
-                  {"--tip-deflection", "NUMBER", "expected amplitude: y/L of the free end, up to 0.55 [0]"},
-                  {"--at-amplitude", "", "the target was measured at that amplitude, not at a vanishing one",
-                   OptionKind::flag},
-                  {"--step-ratio", "NUMBER",
-                   "time step over t_b [0.25, at most 0.8 of the largest stable one]"},
-                  {"--verify", "", "run the chain and report its damping", OptionKind::flag},
-                  json_option(),
-                  {"--out", "DIR", "directory for the results [none]"}},
+      .options =
+          {{"--damping-ratio", "NUMBER", "target: xi_f"},
+           {"--log-decrement", "NUMBER", "target: 2 pi xi_f/sqrt(1 - xi_f^2)"},
+           {"--quality-factor", "NUMBER", "target: 1/(2 xi_f)"},
+           {"--loss-factor", "NUMBER", "target: 2 xi_f"},
+           {"--bond-damping", "NUMBER", "reverse: xi_b"},
+           {"--retardation-time", "TIME", "reverse: retardation time of all bonds"},
+           {"--dashpots", "WORD", "bond_damping, retardation_time, bending_only [bond_damping]"},
+           {"--bond", "WORD", "bond law: paper, corrected [paper]"},
+           {"--aspect-ratio", "NUMBER", "r_f = L/d, number of bonds, 1 to 1000", OptionKind::required},
+           {"--youngs-modulus", "PRESSURE", "E; with --density and --diameter, for answers in seconds"},
+           {"--poisson-ratio", "NUMBER", "Poisson's ratio [0.3]"},
+           {"--shear-modulus", "PRESSURE", "G, in place of Poisson's ratio"},
+           {"--density", "DENSITY", "of the spheres"},
+           {"--diameter", "LENGTH", "d"},
+           {"--load", "NUMBER", "expected amplitude: load before the release, P L^2/(E I), up to 2.4 [0]"},
+           {"--tip-deflection", "NUMBER", "expected amplitude: y/L of the free end, up to 0.55 [0]"},
+           {"--at-amplitude", "", "the target was measured at that amplitude, not at a vanishing one",
+            OptionKind::flag},
+           {"--step-ratio", "NUMBER", "time step over t_b [0.25, at most 0.8 of the largest stable one]"},
+           {"--verify", "", "run the chain and report its damping", OptionKind::flag},
+           json_option(),
+           {"--out", "DIR", "directory for the results [none]"}},
       .run = &run_calibrate};
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "compare/study/errors.hpp"
+#include "dem/files/nearest_word.hpp"
 #include "dem/record/build_info.hpp"
 
 namespace fiberchain::app {
@@ -79,6 +81,46 @@ std::string names_below(const CLI::App& app) {
   throw compare::InputError(fmt::format("give a command{}: {} (see --help)", of, names_below(asked)));
 }
 
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+[[noreturn]] void refuse_command(const CLI::App& program, const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  throw compare::InputError(fmt::format("unknown command '{}{}': {} (see --help)",
+                                        &app == &program ? "" : app.get_name() + " ", word,
+                                        dem::suggestion(word, names)));
+}
+
+/// Refuses a command or an option that nobody knows with the one that may have been meant, before CLI11 takes
+/// what follows it for something else.
+void check_words(const CLI::App& program, const std::vector<std::string>& arguments) {
+  const CLI::App* app = &program;
+  auto word = arguments.begin();
+  const auto has_commands = [&] {
+    return !app->get_subcommands([](const CLI::App*) { return true; }).empty();
+  };
+  for (; word != arguments.end() && has_commands() && !word->starts_with('-'); ++word) {
+    const auto known = app->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == *word; });
+    if (known.empty()) refuse_command(program, *app, *word);
+    app = known.front();
+  }
+  for (; word != arguments.end(); ++word) {
+    const std::string name = word->substr(0, word->find('='));
+    if (!name.starts_with("--") || name == "--") continue;
+    const std::vector<std::string> names = option_names(*app);
+    if (std::ranges::find(names, name) != names.end()) continue;
+    throw compare::InputError(fmt::format("unknown option '{}' of '{}': {} (see --help)", name,
+                                          app->get_name(), dem::suggestion(name, names)));
+  }
+}
+
 }  // namespace
 
 Request parse_command_line(const std::vector<std::string>& arguments) {
@@ -87,6 +129,7 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
                            fmt::format("fiberchain {} (commit {})", dem::kVersion, dem::kCommit));
   program.footer("Example:\n  fiberchain tables static --help");
   const auto commands = register_commands(program);
+  check_words(program, arguments);
   try {
     program.parse(
         std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them last to first

@@ -17,16 +17,15 @@ StopSignals::StopSignals() {
   action.sa_flags =
       static_cast<int>(SA_RESTART | SA_RESETHAND);  // writes go on; the second signal is the system's
   sigemptyset(&action.sa_mask);
-  ::sigaction(SIGINT, nullptr, &interrupt_);
-  ::sigaction(SIGTERM, nullptr, &terminate_);
-  // what the shell had us ignore, as in the background, stays ignored
-  if (interrupt_.sa_handler != SIG_IGN) ::sigaction(SIGINT, &action, nullptr);
-  if (terminate_.sa_handler != SIG_IGN) ::sigaction(SIGTERM, &action, nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ::sigaction(signals[i], nullptr, &before_[i]);
+    // what the shell had us ignore, as in the background or under nohup, stays ignored
+    if (before_[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);
+  }
 }
 
 StopSignals::~StopSignals() {
-  ::sigaction(SIGINT, &interrupt_, nullptr);
-  ::sigaction(SIGTERM, &terminate_, nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
 }
 
 int StopSignals::received() const { return last_signal; }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace fiberchain::app {
 
-/// While it lives, SIGINT and SIGTERM ask a run to stop instead of ending the program; a second one ends it
-/// at once. Only one at a time.
+/// While it lives, SIGINT, SIGTERM and SIGHUP ask a run to stop instead of ending the program; a second one
+/// ends it at once. Only one at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -17,8 +18,8 @@ class StopSignals {
   int received() const;
 
  private:
-  struct sigaction interrupt_ {};
-  struct sigaction terminate_ {};
+  static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> before_{};
 };
 
 }  // namespace fiberchain::app

@@ -54,6 +54,8 @@ struct CalibrationCase {
   double amplitude = 0;  ///< expected y / L
   std::optional<double> step_ratio =
       std::nullopt;  ///< dt / t_b of the run to be; as dem::ReleaseOptions if left out
+  /// Whether size and material are a real fiber's; without, the answers are ratios and the rest is left out.
+  bool dimensional = true;
 };
 
 /// Where the chain's first mode departs from the uniform beam's own law, in parts of the beam's value.

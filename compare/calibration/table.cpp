@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "compare/measure/peaks.hpp"
+#include "dem/record/columns.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -62,6 +63,18 @@ dem::NamedRow error_row(const CalibrationAnswer& answer) {
           {"beam_frequency", found.beam_frequency},
           {"frequency_discretization", found.frequency_departure.discretization},
           {"frequency_shear", found.frequency_departure.shear}};
+}
+
+/// Without the fiber's size and material nothing in meters, seconds or pascals is known.
+void leave_out_dimensional(dem::NamedRow& row) {
+  for (auto& [column, cell] : row) {
+    const std::string_view unit = dem::find_column(column).unit;
+    if (!unit.empty() && unit != "1") cell = dem::Missing{};
+  }
+}
+
+std::string beam_frequency_text(const CalibrationAnswer& answer) {
+  return answer.asked.dimensional ? fmt::format(" {:.6g} rad/s", answer.found.beam_frequency) : "";
 }
 
 std::string run_note(const CalibrationAnswer& answer) {
@@ -121,6 +134,7 @@ dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
       row.emplace_back("fiber_damping", answer.run->damping_ratio);
       row.emplace_back("verified_difference", answer.run->difference);
     }
+    if (!answer.asked.dimensional) leave_out_dimensional(row);
     table.append(row);
   }
   return table;
@@ -135,12 +149,12 @@ std::string calibration_notes(const CalibrationAnswer& answer) {
              "- Made up for by the setting: a uniform beam with this retardation time has xi_f = {:.6g}; the "
              "chain's is "
              "{:+.2e} of that by finite bonds and the end sphere and {:+.2e} by shear.\n"
-             "- Not made up for: the chain's natural frequency is off the uniform beam's {:.6g} rad/s by "
+             "- Not made up for: the chain's natural frequency is off the uniform beam's{} by "
              "{:+.2e} by finite "
              "bonds and the end sphere and {:+.2e} by shear.\n",
              answer.asked.amplitude, expected_error(f), f.amplitude_effect, f.time_step_effect,
              f.step / f.bond_time, f.beam_damping, f.damping_departure.discretization,
-             f.damping_departure.shear, f.beam_frequency, f.frequency_departure.discretization,
+             f.damping_departure.shear, beam_frequency_text(answer), f.frequency_departure.discretization,
              f.frequency_departure.shear) +
          (answer.run ? "- " + run_note(answer) : "");
 }

@@ -9,10 +9,10 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr int kSpheres[] = {21, 41, 101};
-constexpr int kDrawn = 101;
-constexpr double kNumbers[] = {100, 300, 600, 800, 1000, 1200, 1500, 2000, 2500, 3000, 5000,
-                               1e4, 2e4, 5e4, 1e5, 3e5,  1e6,  2e6,  3e6,  5e6,  1e7};
+constexpr int regime_spheres[] = {21, 41, 101};
+constexpr int drawn_spheres = 101;
+constexpr double regime_numbers[] = {100, 300, 600, 800, 1000, 1200, 1500, 2000, 2500, 3000, 5000,
+                                     1e4, 2e4, 5e4, 1e5, 3e5,  1e6,  2e6,  3e6,  5e6,  1e7};
 /// Largest number: tension over E A grows as number/(256 N^2), and the chain is none beyond.
 constexpr double kStretch = 4;
 constexpr int kFrames = 9;
@@ -41,7 +41,7 @@ Figure extent_figure(const std::vector<RegimePoint>& points) {
                 {"3{/Symbol p m} rate {/:Italic L}^4/{/:Italic EI}", true},
                 {"least end-to-end distance/{/:Italic L}"},
                 {}};
-  for (const int N : kSpheres) {
+  for (const int N : regime_spheres) {
     Series s{fmt::format("N = {}", N), {}, {}};
     for (const RegimePoint& p : points) {
       if (p.asked.spheres == N) s.x.push_back(p.asked.elasto_viscous), s.y.push_back(p.end_to_end_least);
@@ -53,11 +53,11 @@ Figure extent_figure(const std::vector<RegimePoint>& points) {
 
 /// A row of shapes in time for each regime, the stiffest above.
 Figure shapes_figure(const std::vector<RegimePoint>& points) {
-  Figure figure{
-      fmt::format("How a fiber of {} spheres turns over in shear; time runs from left to right", kDrawn),
-      {""},
-      {""},
-      {}};
+  Figure figure{fmt::format("How a fiber of {} spheres turns over in shear; time runs from left to right",
+                            drawn_spheres),
+                {""},
+                {""},
+                {}};
   figure.equal_axes = true;
   figure.legend_title = "3{/Symbol p m} rate {/:Italic L}^4/{/:Italic EI}";
   double y = 0;
@@ -67,7 +67,7 @@ Figure shapes_figure(const std::vector<RegimePoint>& points) {
     // one of the stiffer cases of the regime
     std::vector<const RegimePoint*> those;
     for (const RegimePoint& p : points) {
-      if (p.asked.spheres == kDrawn && p.regime == regime && !p.turning.empty()) those.push_back(&p);
+      if (p.asked.spheres == drawn_spheres && p.regime == regime && !p.turning.empty()) those.push_back(&p);
     }
     if (those.empty()) continue;
     const RegimePoint& p = *those[those.size() / 3];
@@ -101,8 +101,8 @@ Figure shapes_figure(const std::vector<RegimePoint>& points) {
 
 FlowStudy regime_study(const OrbitOptions& options) {
   std::vector<RegimeCase> cases;
-  for (const int N : kSpheres) {
-    for (const double number : kNumbers) {
+  for (const int N : regime_spheres) {
+    for (const double number : regime_numbers) {
       if (number / (256.0 * N * N) < kStretch) cases.push_back({.spheres = N, .elasto_viscous = number});
     }
   }

@@ -59,6 +59,7 @@ CantileverRest rest_in(const CantileverScene& scene) {
   const dem::RestState<Dim> rest = dem::find_rest<Dim>(scene);
   return {.spheres = stations<Dim>(scene, rest.poses),
           .residual = rest.residual.moment,
+          .stability = rest.stability,
           .iterations = rest.iterations,
           .steps = rest.steps,
           .run_time = 0};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/figures/figure.hpp"
+#include "dem/equilibrium/stability.hpp"
 #include "dem/record/table.hpp"
 #include "dem/scene/scene.hpp"
 
@@ -23,6 +24,7 @@ struct Station {
 struct CantileverRest {
   std::vector<Station> spheres;            ///< from the clamp to the free end
   double residual;                         ///< largest moment out of balance over P L
+  dem::Stability stability;                ///< in the scene's dimension
   std::optional<std::int64_t> iterations;  ///< Newton iterations, if solved
   std::optional<std::int64_t> steps;       ///< time steps, if marched
   double run_time;                         ///< [s]

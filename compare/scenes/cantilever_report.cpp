@@ -49,6 +49,7 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
                        {"tip_z", tip.z},
                        {"tip_angle", tip.angle},
                        {"residual", rest.residual},
+                       {"stability", std::string(name(rest.stability))},
                        {"iterations", cell_of(rest.iterations)},
                        {"steps", cell_of(rest.steps)},
                        {"run_time", rest.run_time}};
@@ -75,6 +76,7 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
                     "departure_angle",
                     "departure_distance",
                     "residual",
+                    "stability",
                     "iterations",
                     "steps",
                     "run_time"});

@@ -38,6 +38,7 @@ StaticPoint compared(const StaticCase& asked, const dem::Fiber& fiber, const Cha
           std::hypot(off.y, off.x),
           std::hypot(unstretched.y, unstretched.x),
           chain.residual,
+          chain.stability,
           chain.iterations,
           chain.steps,
           chain.run_time,
@@ -46,7 +47,13 @@ StaticPoint compared(const StaticCase& asked, const dem::Fiber& fiber, const Cha
 
 StaticPoint failed(const StaticCase& asked, const std::string& why) {
   const TipState none{nan, nan, nan};
-  return {asked, none, none, none, none, {none, none, none, none, none, none}, nan, nan, nan, 0, 0, nan, why};
+  return {asked, none,
+          none,  none,
+          none,  {none, none, none, none, none, none},
+          nan,   nan,
+          nan,   dem::Stability::undecided,
+          0,     0,
+          nan,   why};
 }
 
 void check(const StaticCase& asked) {

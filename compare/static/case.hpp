@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem/equilibrium/dynamic_relaxation.hpp"
+#include "dem/equilibrium/stability.hpp"
 #include "dem/model/fiber.hpp"
 #include "reference/tip_state.hpp"
 
@@ -49,6 +50,7 @@ struct StaticPoint {
   double distance;              ///< |dr| / L from the Elastica
   double distance_unstretched;  ///< the same after the stretch part is taken off
   double residual;              ///< moment out of balance over P L
+  dem::Stability stability;     ///< of where it stopped
   long iterations;              ///< Newton iterations
   double steps;                 ///< time steps
   double run_time;              ///< of the chain [s]; a lane's share of its block when marching

@@ -48,6 +48,7 @@ const std::vector<std::string> static_columns{"aspect_ratio",
                                               "leftover_motion_angle",
                                               "status",
                                               "residual",
+                                              "stability",
                                               "iterations",
                                               "steps",
                                               "run_time"};
@@ -100,6 +101,7 @@ dem::NamedRow row_of(const StaticPoint& p) {
           {"leftover_motion_angle", b.leftover_motion.angle},
           {"status", p.status},
           {"residual", p.residual},
+          {"stability", std::string(name(p.stability))},
           {"iterations", std::int64_t{p.iterations}},
           {"steps", static_cast<std::int64_t>(p.steps)},
           {"run_time", p.run_time}};

@@ -40,6 +40,7 @@ ChainTip solve_tip(const dem::Fiber& fiber, double load) {
   ChainTip result;
   result.tip = result.solved = tip_state<Dim>(found.poses, dem::fiber_length(fiber));
   result.residual = found.residual.moment;
+  result.stability = found.stability;
   result.iterations = found.statistics.newton_iterations;
   result.run_time = seconds;
   return result;
@@ -91,6 +92,7 @@ std::vector<ChainTip> march_tips(const dem::Fiber& fiber, const std::vector<doub
     }
     tip.history = at_rest - tip.time_step - tip.solved;
     tip.residual = marched[i].residual.moment;
+    tip.stability = dem::stability_of(jobs[i].chain, marched[i].poses, jobs[i].loading[0]);
     tip.steps = marched[i].steps;
     tip.run_time = seconds / static_cast<double>(jobs.size());
     tips.push_back(tip);

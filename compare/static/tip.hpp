@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem/equilibrium/dynamic_relaxation.hpp"
+#include "dem/equilibrium/stability.hpp"
 #include "reference/tip_state.hpp"
 
 // The free end of a cantilevered chain under a dead load, by each of the two ways to its equilibrium.
@@ -27,9 +28,10 @@ struct ChainTip {
   reference::TipState time_step{0, 0, 0};                 ///< at the step taken - at vanishing step
   reference::TipState leftover{0, 0, 0};                  ///< where it stopped - at rest
   double residual = unknown;                              ///< Imbalance::moment
-  double steps = 0;                                       ///< of time
-  double run_time = unknown;                              ///< [s]; a lane's share of its block
-  long iterations = 0;                                    ///< of Newton
+  dem::Stability stability = dem::Stability::undecided;
+  double steps = 0;           ///< of time
+  double run_time = unknown;  ///< [s]; a lane's share of its block
+  long iterations = 0;        ///< of Newton
 };
 
 /// By Newton. dimension 2 or 3.

@@ -19,7 +19,7 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
   };
   copy(from.position_radius, rows.position_radius, position_radius_size);
   copy(from.motions, rows.motions, velocity_spin_size);
-  if (oriented && from.count > 0) copy(from.orientation, rows.orientation, orientation_size);
+  if (oriented && from.count > 0) copy(from.orientation, rows.orientation, quaternion_size);
   return rows;
 }
 

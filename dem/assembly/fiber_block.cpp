@@ -32,7 +32,7 @@ void put_rows(SphereStorage& rows, std::int64_t row, const ChainState<3>& state,
     slot[radius_offset] = radius;
     if (!rows.oriented()) continue;
     const Quaternion<double>& turn = state.poses[i].orientation;
-    double* q = rows.orientation.data() + row * orientation_size;
+    double* q = rows.orientation.data() + row * quaternion_size;
     q[0] = turn.w;
     for (int c = 0; c < 3; ++c) q[1 + c] = turn.v[c];
   }

@@ -22,7 +22,7 @@ struct SphereStorage {
       : count(spheres),
         position_radius((spheres + pads) * position_radius_size),
         motions((spheres + pads) * velocity_spin_size),
-        orientation(oriented ? (spheres + pads) * orientation_size : 0) {}
+        orientation(oriented ? (spheres + pads) * quaternion_size : 0) {}
 
   bool oriented() const { return orientation.size() > 0; }
   double* position_row(std::int64_t sphere) { return position_radius.data() + sphere * position_radius_size; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dem/equilibrium/stability.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
@@ -49,11 +50,23 @@ constexpr double largest_turn = 1.0;
 /// bounds how small a Newton step can get; steps that stop shrinking below this are there.
 constexpr double round_off_step = 1e-6;
 
+/// Whether a chain has come to turn against the way it set out to, the load's own: onto another branch of
+/// equilibria.
+template <int Dim>
+bool turned_back(const ChainVector<Dim>& first, const ChainVector<Dim>& sum) {
+  double product = 0;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    product += first[i].template tail<spin_size<Dim>>().dot(sum[i].template tail<spin_size<Dim>>());
+  }
+  return product < 0;
+}
+
 template <int Dim>
 std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, const Boundary<Dim>& boundary,
                                  double tolerance, const SolveOptions& options, SolveStatistics& statistics) {
   const double length = fiber_length(chain.fiber);
   double previous = largest_turn;
+  ChainVector<Dim> first, sum(poses.size(), SphereVector<Dim>::Zero());
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     const ChainVector<Dim> motion = remaining_motion(chain, poses, boundary);
     ++statistics.newton_iterations;
@@ -62,11 +75,47 @@ std::optional<Poses<Dim>> newton(const Chain<Dim>& chain, Poses<Dim> poses, cons
     if (!(step <= largest_turn) || (iteration > 2 && step > 2 * previous && !at_round_off))
       return std::nullopt;
     move(chain, boundary, poses, motion);
+    if (iteration == 0) first = motion;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += motion[i];
     // quadratic convergence: the step taken from below the tolerance ends at round-off
-    if (previous < tolerance || step == 0 || at_round_off) return poses;
+    if (previous < tolerance || step == 0 || at_round_off) {
+      if (turned_back<Dim>(first, sum)) return std::nullopt;
+      return poses;
+    }
     previous = step;
   }
   return std::nullopt;
+}
+
+/// Load steps below this part of the largest do not try to stay on a stable path by getting smaller: they
+/// leave the unstable one along its lowest mode.
+constexpr double least_part_of_step = 1.0 / 64;
+
+/// Off an unstable equilibrium along its lowest mode, `amount` [L, rad] of it, then down in energy to a
+/// stable one.
+template <int Dim>
+Poses<Dim> down_from(const Chain<Dim>& chain, Poses<Dim> poses, const Boundary<Dim>& boundary,
+                     const ChainVector<Dim>& mode, double amount, double tolerance,
+                     SolveStatistics& statistics) {
+  ChainVector<Dim> kick = mode;
+  for (auto& part : kick) part *= amount;
+  move(chain, boundary, poses, kick);
+  return descend(chain, std::move(poses), boundary, tolerance, statistics.newton_iterations);
+}
+
+/// Of the two stable equilibria on either side of an unstable one, that of less energy; the one the mode
+/// points to where they are equal.
+template <int Dim>
+Poses<Dim> buckled(const Chain<Dim>& chain, const Poses<Dim>& poses, const Boundary<Dim>& boundary,
+                   double tolerance, SolveStatistics& statistics) {
+  constexpr double amount = 0.02, tie = 1e-10;
+  const ChainVector<Dim> mode = lowest_mode(chain, poses, boundary).mode;
+  Poses<Dim> ahead = down_from(chain, poses, boundary, mode, amount, tolerance, statistics);
+  Poses<Dim> behind = down_from(chain, poses, boundary, mode, -amount, tolerance, statistics);
+  const double energy_ahead = potential_energy(chain, ahead, boundary),
+               energy_behind = potential_energy(chain, behind, boundary);
+  ++statistics.bucklings;
+  return energy_behind < energy_ahead - tie * std::abs(energy_ahead) ? behind : ahead;
 }
 
 }  // namespace
@@ -95,14 +144,22 @@ Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>&
                                       const SolveOptions& options) {
   check_boundary(chain, from);
   check_boundary(chain, boundary);
-  SolveStatistics statistics{0, 0, 0};
+  SolveStatistics statistics{};
   Poses<Dim> poses = start;
   const double largest_step = 1.0 / std::max(options.load_steps, 1);
   double factor = 0, step = largest_step;
   while (factor < 1) {
     const double next = step >= 1 - factor ? 1.0 : factor + step;
     const double tolerance = next == 1.0 ? options.tolerance : 1e-3;
-    const auto found = newton(chain, poses, between(from, boundary, next), tolerance, options, statistics);
+    const Boundary<Dim> loads = between(from, boundary, next);
+    auto found = newton(chain, poses, loads, tolerance, options, statistics);
+    if (found && !options.allow_unstable && stability_of(chain, *found, loads) == Stability::unstable) {
+      if (step > least_part_of_step * largest_step) {
+        found.reset();
+      } else {
+        found = buckled(chain, *found, loads, tolerance, statistics);
+      }
+    }
     if (found) {
       poses = *found;
       factor = next;
@@ -122,7 +179,8 @@ Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>&
   }
   const Imbalance residual =
       imbalance(poses, net_forces(chain, poses, boundary, 1.0), boundary, fiber_length(chain.fiber));
-  return {std::move(poses), residual, statistics};
+  const Stability stability = stability_of(chain, poses, boundary);
+  return {std::move(poses), residual, statistics, stability};
 }
 
 template <int Dim>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/chain/residual.hpp"
+#include "dem/equilibrium/stability.hpp"
 
 // Equilibrium without marching: Newton's method on the bond law, its Jacobian eliminated block by block
 // along the chain, the load raised in steps that halve when Newton fails.
@@ -13,12 +14,14 @@ struct SolveOptions {
   int max_load_steps = 20000;        ///< in all
   double smallest_load_step = 1e-9;  ///< of the whole load
   int load_steps = 1;                ///< least number of load steps; the path, not the result, depends on it
+  bool allow_unstable = false;  ///< follow the path of equilibria from zero load even where it is unstable
 };
 
 struct SolveStatistics {
   int newton_iterations;
   int load_steps;
   int halvings;
+  int bucklings;  ///< load steps that left an unstable equilibrium for a stable one of less energy
 };
 
 template <int Dim>
@@ -26,6 +29,7 @@ struct Equilibrium {
   Poses<Dim> poses;
   Imbalance residual;
   SolveStatistics statistics;
+  Stability stability;
 };
 
 /// Equilibrium of the chain under its loads, followed from `start` (by default the rest state) at zero load.

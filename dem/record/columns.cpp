@@ -329,6 +329,10 @@ constexpr Column kColumns[] = {
     {"status", text, "", "converged or finished (and why as it was), or why not"},
     {"residual", number, "1",
      "largest moment out of balance over any cross section, over P L, when the run stopped"},
+    {"stability", text, "",
+     "of the equilibrium under its dead loads: stable, neutral, unstable, or undecided where the loads have "
+     "no "
+     "potential (moments in space)"},
     {"iterations", integer, "1", "Newton iterations, all load steps together"},
     {"steps", integer, "1", "time steps of the march"},
     {"run_time", number, "s", "wall-clock time of the run"},

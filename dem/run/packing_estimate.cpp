@@ -18,7 +18,7 @@ constexpr double kDouble = sizeof(double), kIndex = sizeof(std::int32_t), kVecto
 /// Bytes of a sphere in the storage.
 double storage_of(const PackingScene& scene) {
   const bool oriented = scene.orientations || scene.form == BondForm::total;
-  return kDouble * (position_radius_size + velocity_spin_size + (oriented ? orientation_size : 0));
+  return kDouble * (position_radius_size + velocity_spin_size + (oriented ? quaternion_size : 0));
 }
 
 /// Bytes of a bond: its strains, and force, moment and power of the last step where energy is accounted.

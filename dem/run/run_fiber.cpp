@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dem/equilibrium/newton.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/scene/build_fiber.hpp"
 
 namespace fiberchain::dem {
@@ -23,7 +24,7 @@ Positions positions_of(const Poses<Dim>& poses) {
 template <int Dim>
 CantileverResult cantilever(const CantileverScene& scene) {
   const RestState<Dim> rest = find_rest<Dim>(scene);
-  return {positions_of<Dim>(rest.poses), rest.residual};
+  return {positions_of<Dim>(rest.poses), rest.residual, rest.stability};
 }
 
 template <int Dim>
@@ -61,12 +62,20 @@ template <int Dim>
 RestState<Dim> find_rest(const CantileverScene& scene) {
   const CantileverCase<Dim> cantilever = build_cantilever<Dim>(scene);
   if (scene.method == Method::solve) {
-    const Equilibrium<Dim> found = solve_equilibrium<Dim>(cantilever.chain, cantilever.boundary);
-    return {found.poses, found.residual, found.statistics.newton_iterations, std::nullopt};
+    const SolveOptions options{.allow_unstable = scene.allow_unstable};
+    const Equilibrium<Dim> found = solve_equilibrium<Dim>(cantilever.chain, cantilever.boundary, options);
+    return {found.poses, found.residual, found.stability, found.statistics.newton_iterations, std::nullopt};
   }
   const RelaxCase<Dim> only{cantilever.chain, {cantilever.boundary}};
   const RelaxResult<Dim> found = relax_to_equilibrium<Dim>({only}, scene.march).front();
-  return {found.poses, found.residual, std::nullopt, std::llround(found.steps)};
+  const Stability stability = stability_of(cantilever.chain, found.poses, cantilever.boundary);
+  if (stability == Stability::unstable && !scene.allow_unstable) {
+    throw NoConvergence(
+        "the march came to rest on an unstable equilibrium, which the least disturbance leaves: turn the "
+        "load a "
+        "little off the axis, use method: solve, or ask for it with allow_unstable: true");
+  }
+  return {found.poses, found.residual, stability, std::nullopt, std::llround(found.steps)};
 }
 
 CantileverResult run_scene(const CantileverScene& scene) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/equilibrium/stability.hpp"
 #include "dem/scene/scene.hpp"
 #include "dem/vibration/first_mode.hpp"
 
@@ -16,12 +17,14 @@ template <int Dim>
 struct RestState {
   Poses<Dim> poses;
   Imbalance residual;
+  Stability stability;                     ///< in the scene's dimension, of the total form
   std::optional<std::int64_t> iterations;  ///< Newton iterations, if solved
   std::optional<std::int64_t> steps;       ///< time steps, if marched
 };
 
 /// Solves or marches the scene to rest.
-/// @throws InvalidInput, NoConvergence, Diverged
+/// @throws InvalidInput, NoConvergence (also where a march rests on an unstable equilibrium that the scene
+/// does not allow), Diverged
 template <int Dim>
 RestState<Dim> find_rest(const CantileverScene& scene);
 
@@ -31,6 +34,7 @@ using Positions = std::vector<Vec<double, 3>>;
 struct CantileverResult {
   Positions positions;  ///< of the spheres, from the clamp to the free end [m]
   Imbalance residual;
+  Stability stability;  ///< in the scene's dimension, of the total form
 };
 
 /// The free end at one moment.

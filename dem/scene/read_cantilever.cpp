@@ -47,6 +47,8 @@ KeyTable<CantileverScene> cantilever_keys() {
   table.choice(
       "method", &CantileverScene::method, words_of({Method::solve, Method::march}),
       "Newton's method (`form: total` only), or dynamic relaxation under a load ramp as the paper does");
+  table.flag("allow_unstable", &CantileverScene::allow_unstable,
+             "answer with an unstable equilibrium, too: the one on the path from zero load");
   table.mapping("march", march_keys(), &store_march, "dynamic relaxation")
       .only_with("'method: march'",
                  [](const CantileverScene& scene) { return scene.method == Method::march; });

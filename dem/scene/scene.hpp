@@ -33,7 +33,8 @@ struct CantileverScene {
   double load;                                  ///< P L^2 / (E I) [-]
   std::array<double, 3> direction = {0, 1, 0};  ///< of the load, unit vector; the fiber lies along x
   Method method = Method::solve;
-  RelaxOptions march = {};  ///< with the form of the bond law; solving has the total form only
+  bool allow_unstable = false;  ///< an unstable equilibrium is an answer too
+  RelaxOptions march = {};      ///< with the form of the bond law; solving has the total form only
 };
 
 /// What pulls at the free end.

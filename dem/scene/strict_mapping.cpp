@@ -10,34 +10,13 @@
 #include <set>
 #include <utility>
 
+#include "dem/files/nearest_word.hpp"
 #include "dem/files/numbers.hpp"
 #include "dem/scene/scene_error.hpp"
 #include "dem/scene/yaml_document.hpp"
 
 namespace fiberchain::dem {
 namespace {
-
-/// Number of single letters to insert, delete or replace to make one word of the other (Levenshtein).
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] != b[j]);
-      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, replaced}));
-    }
-  }
-  return row.back();
-}
-
-std::string nearest(const std::string& key, const std::vector<std::string>& keys) {
-  const auto far = [&](const std::string& known) { return distance(key.substr(0, 60), known); };
-  const auto found = std::ranges::min_element(keys, {}, far);
-  if (found != keys.end() && far(*found) <= 1 + found->size() / 3)
-    return fmt::format("did you mean '{}'?", *found);
-  return fmt::format("allowed: {}", fmt::join(keys, ", "));
-}
 
 /// Three finite numbers; nothing if the node is anything else.
 std::optional<std::array<double, 3>> three_numbers(const YAML::Node& node) {
@@ -80,7 +59,7 @@ void StrictMapping::allow(const std::vector<std::string>& keys) const {
     if (!entry.first.IsScalar()) fail_at(mark, "a key must be a word");
     const std::string& key = entry.first.Scalar();
     if (!std::ranges::count(keys, key)) {
-      fail_at(mark, fmt::format("unknown key '{}{}'; {}", path_, printable(key), nearest(key, keys)));
+      fail_at(mark, fmt::format("unknown key '{}{}'; {}", path_, printable(key), suggestion(key, keys)));
     }
     if (!seen.insert(key).second) fail_at(mark, fmt::format("key '{}{}' comes twice", path_, key));
   }

@@ -18,7 +18,15 @@ Unit parse_unit(const ut_system* system, std::string_view text) {
   return {::ut_parse(system, std::string(text).c_str(), UT_UTF8), &::ut_free};
 }
 
-std::string_view trimmed(std::string_view text) {
+/// To UDUNITS an angle is a number: what a unit is made of tells them apart.
+bool is_angle(const ut_unit* unit) {
+  char text[256];
+  const int size = ::ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
+  return size > 0 && size < static_cast<int>(sizeof text) &&
+         std::string_view(text).find("rad") != std::string_view::npos;
+}
+
+std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view kSpace = " \t";
   const auto begin = text.find_first_not_of(kSpace);
   if (begin == text.npos) return {};
@@ -34,7 +42,7 @@ Units::Units() : system_(nullptr, &::ut_free_system) {
 }
 
 double Units::to_si(std::string_view text, std::string_view si) const {
-  const std::string_view whole = trimmed(text);
+  const std::string_view whole = without_blanks(text);
   const std::string_view number = whole.substr(0, whole.find_first_of(" \t"));
   const auto value = parse_number(number);
   if (!value) {
@@ -43,7 +51,7 @@ double Units::to_si(std::string_view text, std::string_view si) const {
                                             "space and a unit such as '1 {0}'",
                                             si));
   }
-  const std::string_view unit = trimmed(whole.substr(number.size()));
+  const std::string_view unit = without_blanks(whole.substr(number.size()));
   return unit.empty() ? *value : *value * factor(unit, si);
 }
 
@@ -54,7 +62,9 @@ double Units::factor(std::string_view unit, std::string_view si) const {
   const Converter converter(::ut_get_converter(from.get(), to.get()), &::cv_free);
   // UDUNITS converts reciprocals, logarithms and offset scales too: only a factor will do here.
   const double one = converter ? ::cv_convert_double(converter.get(), 1.0) : std::nan("");
-  const bool is_factor = std::isfinite(one) && ::cv_convert_double(converter.get(), 0.0) == 0.0 &&
+  const bool pure = si == "1" || si == "rad";  // 1/s and rad/s are the same to everybody
+  const bool is_factor = !(pure && is_angle(from.get()) != is_angle(to.get())) && std::isfinite(one) &&
+                         ::cv_convert_double(converter.get(), 0.0) == 0.0 &&
                          std::abs(::cv_convert_double(converter.get(), 2.0) - 2 * one) <= 1e-12 * one;
   if (!is_factor)
     throw UnitError(fmt::format("has a unit of another dimension; allowed: {} and its like", si));

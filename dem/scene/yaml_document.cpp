@@ -38,6 +38,21 @@ void check_single(const std::string& text, const std::string& name) {
   if (parser) throw SceneError(name + ": holds more than one document, or text after its end");
 }
 
+/// Whether this line (from 0) is indented with a tab, which yaml-cpp answers with "illegal map value".
+bool has_tab_indent(const std::string& text, int number) {
+  std::istringstream stream(text);
+  std::string line;
+  for (int n = 0; n <= number; ++n) std::getline(stream, line);
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != line.npos && line.find('\t') < first;
+}
+
+/// Editors on Windows begin UTF-8 with a mark of the byte order.
+std::string without_byte_order_mark(const std::string& text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -48,7 +63,8 @@ std::string printable(std::string_view text) {
   return text.size() > kLongest ? safe + "..." : safe;
 }
 
-YAML::Node read_document(const std::string& text, const std::string& name) {
+YAML::Node read_document(const std::string& bytes, const std::string& name) {
+  const std::string text = without_byte_order_mark(bytes);
   try {
     check_single(text, name);
     const YAML::Node document = YAML::Load(text);
@@ -57,6 +73,10 @@ YAML::Node read_document(const std::string& text, const std::string& name) {
   } catch (const YAML::DeepRecursion&) {
     throw SceneError(name + ": is nested too deeply");
   } catch (const YAML::Exception& error) {
+    if (has_tab_indent(text, error.mark.line)) {
+      throw SceneError(
+          fmt::format("{}:{}: is indented with a tab: YAML allows spaces only", name, error.mark.line + 1));
+    }
     throw SceneError(fmt::format("{}:{}: is no YAML: {}", name, error.mark.line + 1, printable(error.msg)));
   }
 }

@@ -17,7 +17,7 @@ void (*handler(int signal))(int) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_signal_is_remembered_while_it_lives) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_DFL);
     {
       const StopSignals stop;

@@ -39,6 +39,8 @@ struct Fault {
 std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.name; }
 
 const Fault kFaults[] = {
+    {"tab", with("load:", "load:\n\t"), ":4: is indented with a tab"},
+    {"angle as a number", with("poisson_ratio: 0.3", "poisson_ratio: 17 degrees"), "poisson_ratio"},
     {"wrong key", with("diameter", "diametre"),
      "s.yaml:2: unknown key 'fiber.diametre'; did you mean 'diameter'?"},
     {"wrong unit", with("2 mm", "2 MPa"),
@@ -62,8 +64,16 @@ std::ostream& operator<<(std::ostream& out, const Usage& usage) { return out << 
 const Usage kUsages[] = {
     {{}, "give a command: columns, run"},
     {{"tables"}, "give a command of 'tables': static, damping, friction"},
-    {{"nonsense"}, "not expected: nonsense"},
-    {{"columns", "--nonsense"}, "not expected: --nonsense"},
+    {{"nonsense"}, "unknown command 'nonsense': allowed: "},
+    {{"columns", "--nonsense"}, "unknown option '--nonsense' of 'columns'"},
+    {{"calbrate", "--aspect-ratio", "10"}, "unknown command 'calbrate': did you mean 'calibrate'?"},
+    {{"calibrate", "--aspect-ration", "10"},
+     "unknown option '--aspect-ration' of 'calibrate': did you mean '--aspect-ratio'?"},
+    {{"tables", "statc"}, "unknown command 'tables statc': did you mean 'static'?"},
+    {{"calibrate", "--damping-ratio", "0.02", "--aspect-ratio", "9", "--youngs-modulus", "2e6"},
+     "--density, --diameter missing"},
+    {{"calibrate", "--damping-ratio", "0.02", "--aspect-ratio", "9", "--dashpots", "retardation_time"},
+     "--youngs-modulus, --density, --diameter missing"},
     {{"run"}, "SCENE is required"},
     {{"run", "a.yaml", "b.yaml"}, "not expected: b.yaml"},
     {{"run", "missing.yaml"}, "missing.yaml: cannot read this scene: No such file or directory"},
@@ -95,7 +105,7 @@ const Usage kUsages[] = {
     {{"bench", "--case", "guess"}, "--case: 'guess' is not among static, damping, history, skips, kernels"},
     {{"bench", "--aspect-ratio", "1"}, "--aspect-ratio: '1' is out of range"},
     {{"bench", "--aspect-ratio", "9.5"}, "--aspect-ratio: '9.5' wants whole numbers"},
-    {{"bench", "--jobs", "2"}, "not expected: "},
+    {{"bench", "--jobs", "2"}, "unknown option '--jobs' of 'bench'"},
     {{"validate", "--data", "/nonexistent"}, "no directory 'published'"},
     {{"validate", "--part", "static,pages"}, "pages"},
 };
@@ -112,6 +122,12 @@ BOOST_AUTO_TEST_CASE(the_scene_the_faults_are_planted_in_is_good) {
   const Outcome outcome = run(good_run(scratch, scratch.path / "results"));
   BOOST_TEST(outcome.status == 0);
   BOOST_TEST(content(scratch.path / "results/s.csv").find("tip_y") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_byte_order_mark_is_no_fault) {
+  const Scratch scratch;
+  const auto scene = scratch.file("s.yaml", "\xEF\xBB\xBF" + kScene);
+  BOOST_TEST(run({"run", scene.string(), "--out", (scratch.path / "results").string()}).status == 0);
 }
 
 BOOST_DATA_TEST_CASE(a_bad_scene_is_one_error_and_overwrites_nothing, boost::unit_test::data::make(kFaults),

@@ -38,7 +38,7 @@ class BlockStorage {
         weight_{Real(block.weight[0]), Real(block.weight[1]), Real(block.weight[2])},
         radius_(places_.at[0][radius_offset]),
         oriented_(block.orientation != nullptr) {
-    if (oriented_) orientation_ = starts_of<orientation_size, Real>(block.orientation, block);
+    if (oriented_) orientation_ = starts_of<quaternion_size, Real>(block.orientation, block);
   }
 
   bool oriented() const { return oriented_; }
@@ -54,7 +54,7 @@ class BlockStorage {
     s.spin = {n[spin_offset], n[spin_offset + 1], n[spin_offset + 2]};
     s.pose.orientation = {Real(1.0), {Real(0.0), Real(0.0), Real(0.0)}};
     if (oriented_) {
-      load_rows<orientation_size>(orientation_, i * orientation_size, n);
+      load_rows<quaternion_size>(orientation_, i * quaternion_size, n);
       s.pose.orientation = {n[0], {n[1], n[2], n[3]}};
     }
     clear_forces(s);
@@ -81,7 +81,7 @@ class BlockStorage {
     if (oriented_) {
       const auto& q = s.pose.orientation;
       const Real orientation[] = {q.w, q.v[0], q.v[1], q.v[2]};
-      store_rows<orientation_size>(orientation, orientation_, i * orientation_size);
+      store_rows<quaternion_size>(orientation, orientation_, i * quaternion_size);
     }
   }
 

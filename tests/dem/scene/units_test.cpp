@@ -41,6 +41,9 @@ struct Bad {
 std::ostream& operator<<(std::ostream& out, const Bad& bad) { return out << bad.text; }
 
 const Bad kBad[] = {
+    {"30 degrees", "1", "another dimension"},
+    {"1 rad", "1", "another dimension"},
+    {"30 %", "rad", "another dimension"},
     {"2 kg", "m", "another dimension"},          // plainly wrong
     {"2 1/m", "m", "another dimension"},         // UDUNITS would convert a reciprocal
     {"20 degC", "K", "another dimension"},       // an offset is no factor
