@@ -9,7 +9,7 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr int spheres = 21;
+constexpr int flow_spheres = 21;
 constexpr double number = 300;  // bends by less than 1 % of L
 
 /// The change of C with the time it took, and the work.
@@ -35,7 +35,7 @@ void times(PrecisionRow& row, double factor) {
 
 PrecisionProblem flow_problem(const BenchOptions& options) {
   const double orbits = options.quick ? 3 : 100;
-  const InertiaCase still{.spheres = spheres, .elasto_viscous = number, .tolerance = 1e-12};
+  const InertiaCase still{.spheres = flow_spheres, .elasto_viscous = number, .tolerance = 1e-12};
   InertiaCase looser = still;
   looser.tolerance = 1e-11;
   const double exact = drift_of(still, orbits).change, exact_one = drift_of(still, 1).change;
@@ -51,11 +51,11 @@ PrecisionProblem flow_problem(const BenchOptions& options) {
       .rows = {}};
   for (const double tolerance :
        options.quick ? std::vector{1e-6, 1e-8} : std::vector{1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
-    const InertiaCase asked{.spheres = spheres, .elasto_viscous = number, .tolerance = tolerance};
+    const InertiaCase asked{.spheres = flow_spheres, .elasto_viscous = number, .tolerance = tolerance};
     problem.rows.push_back(measured_row(
         {.method = "inertialess",
          .setting = fmt::format("tolerance {:g}", tolerance),
-         .aspect_ratio = spheres - 1},
+         .aspect_ratio = flow_spheres - 1},
         row_budget(options), [&] { return drift_of(asked, orbits); },
         [&](const Drift& drift) {
           return Judged{std::abs(drift.change - exact), drift.work};
@@ -64,12 +64,14 @@ PrecisionProblem flow_problem(const BenchOptions& options) {
   // Inertia takes C on in every orbit alike: one is followed, its error and its time stand for all.
   for (const double stokes :
        options.quick ? std::vector{1e-2, 1e-3} : std::vector{1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}) {
-    const InertiaCase asked{
-        .spheres = spheres, .elasto_viscous = number, .stokes = stokes, .method = dem::FlowMethod::leapfrog};
+    const InertiaCase asked{.spheres = flow_spheres,
+                            .elasto_viscous = number,
+                            .stokes = stokes,
+                            .method = dem::FlowMethod::leapfrog};
     PrecisionRow row = measured_row(
         {.method = "leapfrog",
          .setting = fmt::format("Stokes {:g}, one orbit times {:g}", stokes, orbits),
-         .aspect_ratio = spheres - 1,
+         .aspect_ratio = flow_spheres - 1,
          .as_paper = true},
         row_budget(options), [&] { return drift_of(asked, 1); },
         [&](const Drift& drift) {

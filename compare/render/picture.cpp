@@ -34,7 +34,8 @@ Color color_at(double place) {
 
 int place_of(double value, const std::pair<double, double>& range) {
   const double place = (value - range.first) / (range.second - range.first);
-  return std::clamp(static_cast<int>(place * kColors), 0, kColors - 1);
+  if (!(place > 0)) return 0;
+  return place < 1 ? static_cast<int>(place * kColors) : kColors - 1;
 }
 
 /// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn.

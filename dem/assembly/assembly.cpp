@@ -229,6 +229,8 @@ void Assembly::visit(int group, const FiberVisit& fiber) const {
   });
 }
 
+double Assembly::deepest_overlap() const { return state_->contacts.deepest(); }
+double Assembly::longest_path() const { return state_->longest_path / state_->smallest_radius(); }
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 std::vector<ContactState> Assembly::contacts() const {
   return state_->contacts.states(state_->rows, state_->time());

@@ -34,6 +34,7 @@ struct AssemblyOptions {
   bool orientations =
       true;  ///< follow the orientations of spheres where the bonds do not need them (incremental form)
   bool placed_anywhere = false;  ///< fibers may start behind walls: their state comes from restore()
+  bool allow_passage = false;    ///< march on where bodies may have passed through each other or a wall
   InstructionSet instruction_set = best_instruction_set();
 };
 
@@ -59,7 +60,9 @@ class Assembly {
   /// Adds fibers now, as the last group. The step stays: throws InvalidInput if it is beyond what they allow.
   void insert(FiberGroup group);
 
-  /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up.
+  /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up, and where bodies
+  /// may have passed through each other or a wall: an overlap beyond the smaller radius, a path of a step
+  /// beyond half of the smallest.
   void march(std::int64_t steps);
 
   double step() const;         ///< dt [s]
@@ -89,7 +92,9 @@ class Assembly {
   void visit(int group, const FiberVisit& fiber) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
-  std::int64_t touching() const;  ///< contacts now
+  std::int64_t touching() const;   ///< contacts now
+  double deepest_overlap() const;  ///< over the smaller radius, largest since this was made
+  double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
   std::vector<ContactState> contacts() const;
   EnergyBalance energy() const;
   StepTimes times() const;  ///< since the start; zero unless asked for

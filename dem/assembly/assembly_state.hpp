@@ -74,6 +74,7 @@ struct Assembly::State {
   Contacts contacts;
   LaneArray gradient;                ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;    ///< one a thread
+  double longest_path = 0;           ///< of all since this was made [m]
   std::vector<double> paths;         ///< largest displacement in the last step, one a part [m]
   std::vector<StepTimes> own_times;  ///< one a thread, of the last step
   WavefrontSchedule wave{0};
@@ -119,6 +120,7 @@ struct Assembly::State {
   void touch();
   void march(std::int64_t count);
   EnergyBalance energy() const;
+  double smallest_radius() const;  ///< [m]
 
  private:
   bool march_some(int count);
@@ -129,6 +131,8 @@ struct Assembly::State {
   void move_part(int part, int thread);
   bool update_neighbor_list();
   std::int64_t rows_ahead(std::int64_t end) const;
+  /// Throws Diverged where bodies may have passed through each other.
+  void check_passage(std::int64_t from) const;
   double step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch);
   double fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const;
   std::int64_t broken() const;

@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/model/errors.hpp"
@@ -11,6 +13,10 @@ namespace {
 /// Steps between two searches for spheres that have blown up.
 constexpr int steps_between_checks = 256;
 
+/// Overlap over the smaller radius, path of a step over the smallest: beyond them a body may be on the other
+/// side of another before contacts have stopped it.
+constexpr double deepest_passable = 1, longest_passable = 0.5;
+
 }  // namespace
 
 void Assembly::State::rebuild_neighbor_list() {
@@ -21,12 +27,14 @@ void Assembly::State::rebuild_neighbor_list() {
 /// Bounds the displacements by the speeds and checks the Verlet criterion once they may violate it. Returns
 /// whether it was checked.
 bool Assembly::State::update_neighbor_list() {
+  const double longest = *std::ranges::max_element(paths);
+  longest_path = std::max(longest_path, longest);
   contacts.add_displacements(paths);
   if (contacts.walls_moved_far(time())) {
     rebuild_neighbor_list();
     return true;
   }
-  displacement_budget -= *std::ranges::max_element(paths);
+  displacement_budget -= longest;
   if (displacement_budget > 0) return false;
   displacement_budget = contacts.follow(rows, pool);
   return true;
@@ -136,6 +144,29 @@ bool Assembly::State::march_some(int count) {
   return true;
 }
 
+/// Contacts push apart what overlaps by its center's side: beyond it, they push through.
+void Assembly::State::check_passage(std::int64_t from) const {
+  const bool through = contacts.deepest() > deepest_passable;
+  if (!through && !(longest_path > longest_passable * smallest_radius())) return;
+  throw Diverged(fmt::format(
+      "bodies may have passed through each other or through a wall between steps {} and {} (dt = {:.6g} s, t "
+      "= {:.6g} "
+      "s): {}; likely cause: contacts too soft for these speeds, a wall that closes or comes upon spheres, "
+      "or a step too "
+      "long",
+      from, steps, step, time(),
+      through ? fmt::format("an overlap reached {:.3g} of the smaller radius, allowed {:g}",
+                            contacts.deepest(), deepest_passable)
+              : fmt::format("a sphere moved by {:.3g} of the smallest radius in a step, allowed {:g}",
+                            longest_path / smallest_radius(), longest_passable)));
+}
+
+double Assembly::State::smallest_radius() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const GroupKind& kind : kinds) smallest = std::min(smallest, sphere_radius(kind.chain.fiber));
+  return smallest;
+}
+
 void Assembly::State::march(std::int64_t count) {
   for (std::int64_t done = 0; done < count;) {
     const std::int64_t from = steps;
@@ -143,6 +174,7 @@ void Assembly::State::march(std::int64_t count) {
         march_some(static_cast<int>(std::min<std::int64_t>(steps_between_checks, count - done)));
     const std::int64_t sphere = broken();
     if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
+    if (!options.allow_passage) check_passage(from);
     done += steps - from;
   }
 }

@@ -188,7 +188,8 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
                    part.account,
                    {},
                    0,
-                   0};
+                   0,
+                   part.deepest};
   kernel_->pairs(contacts, task);
   for (std::size_t w = 0; w < part.walls.size(); ++w) {
     if (!is_active(domain_.walls[w], time)) continue;
@@ -203,6 +204,7 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
     part.halo_of_part[target].push_back(n);
   }
   part.contacts = task.contacts;
+  part.deepest = task.deepest;
   part.account = task.account, part.power = task.power;
   part.wall_work += task.wall_work, part.wall_power = task.wall_power;
 }
@@ -233,6 +235,8 @@ void Contacts::reduce_halo_forces(int k, LoadRange loads) {
     }
   }
 }
+
+double Contacts::deepest() const { return std::ranges::max_element(parts_, {}, &Part::deepest)->deepest; }
 
 std::int64_t Contacts::touching() const {
   std::int64_t sum = 0;

@@ -66,6 +66,7 @@ class Contacts {
   void work_out(const SphereStorage& rows, double time, ForceBuffers& loads, ThreadPool& pool);
 
   std::int64_t touching() const;
+  double deepest() const;  ///< largest overlap over the smaller radius since this was made
   /// Since the start up to this moment [J]: half of what the kick takes that is centered on it.
   ContactAccount<double> dissipated() const;
   double wall_work() const;  ///< likewise [J]
@@ -117,6 +118,7 @@ class Contacts {
     std::vector<HaloForce> halo;
     std::vector<std::vector<std::int32_t>> halo_of_part;  ///< position_radius in halo
     std::int64_t contacts = 0;
+    double deepest = 0;
     ContactAccount<double> account{}, power{};
     double wall_work = 0, wall_power = 0;
   };

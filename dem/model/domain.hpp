@@ -31,6 +31,10 @@ double gap_to(const Wall& wall, const Vec<double, 3>& place, double time);
 /// Unit vector from a place to the wall.
 Vec<double, 3> direction_to(const Wall& wall, const Vec<double, 3>& place, double time);
 
+/// Whether two walls are one given twice: there at the same time, moving alike, equally far from everywhere.
+/// Spheres would touch both and be pushed twice.
+bool are_same(const Wall& one, const Wall& other);
+
 struct Domain {
   std::vector<Wall> walls;
   double wall_youngs_modulus = 0;  ///< [Pa]; 0: rigid walls

@@ -153,6 +153,19 @@ double coordination(const Assembly& assembly) {
   return 2.0 * static_cast<double>(between) / static_cast<double>(assembly.spheres());
 }
 
+/// Contact laws hold for small overlaps, the chosen step for those up to a tenth of the radius.
+void say_how_deep(const Assembly& assembly, const PackingWatchers& watchers) {
+  constexpr double small = 0.1;
+  const double overlap = assembly.deepest_overlap();
+  watchers.say(fmt::format(
+      "largest overlap {:.2g} of the smaller radius, longest path of a step {:.2g} of the smallest{}",
+      overlap, assembly.longest_path(),
+      overlap > small ? fmt::format("; warning: beyond {:g} contacts are too soft for what presses "
+                                    "them: take a larger Young's modulus",
+                                    small)
+                      : ""));
+}
+
 void run_to_end(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers,
                 PackingEndState& end) {
   Session session(job, watchers, std::move(begin));
@@ -160,6 +173,7 @@ void run_to_end(const PackingJob& job, RunBegin begin, const PackingWatchers& wa
     session.run();
     end.last = measure(session.assembly(), job.scene);
     end.coordination = coordination(session.assembly());
+    say_how_deep(session.assembly(), watchers);
   } catch (const Diverged& error) {
     end.failure = error.what();
     end.last = session.last();

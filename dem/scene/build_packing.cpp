@@ -89,6 +89,16 @@ void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
   }
 }
 
+/// Bonds refuse a step beyond their limits themselves; contacts have theirs where they are pressed.
+void check_step(const PackingScene& scene, const StepChoice& choice) {
+  if (scene.allow_unstable || !scene.step || *scene.step <= choice.contacts) return;
+  throw InvalidInput(
+      fmt::format("motion.step = {:g} s is not allowed: contacts are stable up to {:.4g} s; "
+                  "motion.allow_unstable: true marches all "
+                  "the same",
+                  *scene.step, choice.contacts));
+}
+
 }  // namespace
 
 int useful_threads(const PackingScene& scene, int threads) {
@@ -98,6 +108,7 @@ int useful_threads(const PackingScene& scene, int threads) {
 
 PackingPlan plan_of(const PackingScene& scene) {
   PackingPlan plan{step_choice(scene), 0, scene.steps};
+  check_step(scene, plan.choice);
   plan.step = scene.step.value_or(plan.choice.step);
   if (plan.steps == 0) plan.steps = steps_in(scene.duration, plan.step);
   check_batches(scene, plan.step, plan.steps);

@@ -48,6 +48,7 @@ struct PackingScene {
   double duration = 0;              ///< [s]; 0 where steps are given
   std::int64_t steps = 0;           ///< 0 where the duration is given
   bool account_energy = false;      ///< sum what each mechanism takes
+  bool allow_unstable = false;      ///< march even beyond the stable step of the contacts
   bool orientations = false;        ///< follow orientations of spheres that nothing needs
   PackingOutput output = {};
 };

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -100,6 +101,10 @@ KeyTable<PackingScene> packing_motion_keys() {
                "rolling friction of the bonds solved within the step, or by the sign of the lagged spin");
   table.flag("orientations", &PackingScene::orientations,
              "follow orientations of spheres where nothing needs them");
+  table
+      .flag("allow_unstable", &PackingScene::allow_unstable,
+            "march even beyond the stable step of the contacts")
+      .only_with("step", [](const PackingScene& scene) { return scene.step.has_value(); });
   return table;
 }
 
@@ -134,6 +139,19 @@ KeyTable<PackingScene> packing_keys() {
   return table;
 }
 
+/// A plane on a box's own floor, a wall typed twice. Walls of the box count first, then planes, cylinders.
+void check_walls_differ(const StrictMapping& top, const std::vector<Wall>& walls) {
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!are_same(walls[i], walls[j])) continue;
+      top.fail("walls",
+               fmt::format("has the same {} twice (walls {} and {}, those of the box first): spheres "
+                           "would be pushed by both",
+                           walls[i].shape.type().name, j + 1, i + 1));
+    }
+  }
+}
+
 /// What is not built together.
 void check_together(const StrictMapping& top, const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
@@ -143,6 +161,7 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
     }
     if (scene.domain.fluid) top.fail("fluid", "is not built together with rolling friction of the bonds");
   }
+  check_walls_differ(top, scene.domain.walls);
   if (scene.duration > 0 && !((scene.batches.number - 1) * scene.batches.interval < scene.duration)) {
     top.fail("duration", "ends before the last batch of fibers comes");
   }

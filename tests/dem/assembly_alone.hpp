@@ -135,9 +135,13 @@ inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
   const dem::Domain s = around(c, fiber);
   double dt = 1;
   for (const auto& group : groups) dt = std::min(dt, 0.4 * dem::stable_time_step(group.chain.fiber));
-  dem::Assembly assembly(
-      groups, s,
-      {.step = dt, .form = c.form, .rolling = c.rolling, .threads = threads, .instruction_set = set});
+  dem::Assembly assembly(groups, s,
+                         {.step = dt,
+                          .form = c.form,
+                          .rolling = c.rolling,
+                          .threads = threads,
+                          .allow_passage = true,
+                          .instruction_set = set});
   assembly.march(kSteps);
   BOOST_TEST(assembly.touching() == 0);
   Off off;

@@ -26,8 +26,17 @@ dem::Fiber odd_fiber(dem::BondModel model) {
 template <class Real>
 dem::BondParameters<Real> parameters(const dem::Fiber& fiber) {
   const dem::BondParameters<double> b = dem::bond_parameters(fiber);
-  return {Real(b.stretch), Real(b.shear),        Real(b.twist),      Real(b.bend),       Real(b.rest_length),
-          Real(b.chord),   Real(b.dash_stretch), Real(b.dash_shear), Real(b.dash_twist), Real(b.dash_bend)};
+  return {Real(b.stretch),
+          Real(b.shear),
+          Real(b.twist),
+          Real(b.bend),
+          Real(b.rest_length),
+          Real(b.chord),
+          Real(b.dash_stretch),
+          Real(b.dash_shear),
+          Real(b.dash_twist),
+          Real(b.dash_bend),
+          {}};
 }
 
 template <int Dim>

@@ -39,7 +39,7 @@ struct Fault {
 std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.name; }
 
 const Fault kFaults[] = {
-    {"tab", with("load:", "load:\n\t"), ":4: is indented with a tab"},
+    {"tab", with("load: {reduced: 1}", "load:\n\treduced: 1"), ":4: is indented with a tab"},
     {"angle as a number", with("poisson_ratio: 0.3", "poisson_ratio: 17 degrees"), "poisson_ratio"},
     {"wrong key", with("diameter", "diametre"),
      "s.yaml:2: unknown key 'fiber.diametre'; did you mean 'diameter'?"},

@@ -90,6 +90,7 @@ struct ContactTask {
   ContactAccount<double> power;  ///< of this moment [W]
   double wall_work;              ///< by moving walls on spheres [J]
   double wall_power;             ///< of this moment [W]
+  double deepest;                ///< largest overlap over the (smaller) radius so far
 };
 
 /// Spheres in some order, with lanes_beyond behind them.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "dem/contact/kernels/account.hpp"
 #include "dem/contact/kernels/contact_kernel.hpp"
 #include "dem/contact/kernels/pack_numbers.hpp"
@@ -179,11 +181,12 @@ struct PairLoads {
   Vec<Real, 3> force, first_moment, second_moment;  ///< force on the first
 };
 
-/// The law for pairs of the spheres i and j, of which `count` count.
+/// The law for pairs of the spheres i and j, of which `count` count. `deepest` of their overlaps over the
+/// smaller radius, lane by lane.
 template <class Law, ContactPhysics P, class Real>
 PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts, const Slots<Real>& i,
-                           const Slots<Real>& j, int count, ContactTask& task) {
-  using std::max;
+                           const Slots<Real>& j, int count, ContactTask& task, Real& deepest) {
+  using std::max, std::min;
   constexpr int lanes = lane_count<Real>;
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
   const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
@@ -191,13 +194,15 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared),
              distance = squared * inverse_distance;
   typename Law::template Parameters<Real> p;
-  Real radii, share = Real(0.5);
+  Real radii, share = Real(0.5), smaller;
   if constexpr (P.uniform) {
     p = broadcast<Law::template Parameters, Real>(view.parameters);
     radii = Real(2.0 * view.radius);
+    smaller = Real(view.radius);
   } else {
     radii = a.radius + b.radius;
     share = a.radius / radii;
+    smaller = min(a.radius, b.radius);
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = view.kind[i.at[k]] * view.kinds + view.kind[j.at[k]];
     p = gather<Law::template Parameters, Real>(view.parameters, entry);
@@ -208,6 +213,7 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   pair.overlap = radii - distance;
   if constexpr (!Law::acts_beyond_touch)
     pair.overlap = max(pair.overlap, Real(1e-300));  // squares that differ may have one root
+  deepest = max(deepest, pair.overlap / smaller);
   pair.velocity = plus_cross(motion_j.velocity - motion_i.velocity, pair.normal,
                              arm_i * motion_i.spin + arm_j * motion_j.spin);
   pair.spin = motion_j.spin - motion_i.spin;
@@ -293,6 +299,7 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
   const int touching = find_touching<Law, P, Real>(view, task);
   task.contacts += touching;
   for (int n = 0; n < touching_ahead; n += lanes) fetch_touching<Real>(view, task, n, touching);
+  Real deepest(0.0);
   for (int n = 0; n < touching; n += lanes) {
     fetch_touching<Real>(view, task, n + touching_ahead, touching);
     const int count = touching - n < lanes ? touching - n : lanes;
@@ -301,8 +308,9 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
     const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
     const Slots<Real> i = slots_of<Real>(task.near.first, chosen),
                       j = slots_of<Real>(task.near.second, chosen);
-    add_loads(pair_loads<Law, P, Real>(view, contacts, i, j, count, task), i, j, count, task);
+    add_loads(pair_loads<Law, P, Real>(view, contacts, i, j, count, task, deepest), i, j, count, task);
   }
+  task.deepest = std::max(task.deepest, largest_lane(deepest));
 }
 
 }  // namespace fiberchain::dem

@@ -10,6 +10,8 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
   constexpr int lanes = lane_count<Real>;
   const Shape<Real> shape = broadcast<Shape, Real>(wall.shape);
   const Vec<Real, 3> wall_velocity{Real(wall.velocity[0]), Real(wall.velocity[1]), Real(wall.velocity[2])};
+  using std::max;
+  Real deepest(0.0);
   for (std::int32_t n = 0; n < wall.count; n += lanes) {
     std::int32_t entry[lanes];
     for (int k = 0; k < lanes; ++k) entry[k] = n + k;
@@ -38,6 +40,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     TouchingPair<Real> pair;
     pair.normal = seen.direction;
     pair.overlap = select(seen.distance < edge, radius - seen.distance, Real(1e-300));
+    deepest = max(deepest, pair.overlap / radius);
     pair.velocity = wall_velocity - v - cross(seen.distance * w, seen.direction);
     pair.spin = -w;
     pair.mean_spin = Real(0.5) * w;
@@ -74,6 +77,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       contact = end_contact(contact, task);
     }
   }
+  task.deepest = std::max(task.deepest, largest_lane(deepest));
 }
 
 }  // namespace fiberchain::dem

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <fstream>
@@ -24,7 +25,7 @@ periodic: {y: 5 cm}
 gravity: [0, 0, -9.81 m/s^2]
 fluid: {viscosity: 30 mPa s, flow: shear, rate: 2 1/s}
 contacts: {restitution: 0.6, friction: 0.25, rolling_friction: 0.01}
-motion: {step: 3 us, form: total, orientations: true}
+motion: {step: 2 us, form: total, orientations: true}
 duration: 0.3 s
 output: {samples: 17, frames: 6, checkpoints: 4, vtk: true, energy: true}
 )";
@@ -156,6 +157,13 @@ const Fault kFaults[] = {
      "allowed: false, true"},
     {with("motion:", "motion: {rolling: off}"), "test.yaml:11: motion.rolling: 'off' is not allowed"},
     {with("duration:", "duration: 0.3 s\nsteps: 3"), "must have exactly one of duration, steps"},
+    {walls("box: {x: 7 cm, z: 16 cm}, planes: [{point: [0, 1, 0], normal: [0, 0, 3]}]"),
+     "walls: has the same plane twice (walls 3 and 5"},
+    {walls("box: {x: 7 cm, z: 16 cm}, cylinders: [{point: [35 mm, 0, 0], axis: [0, 1, 0], radius: 9 cm}, "
+           "{point: "
+           "[35 mm, 1, 0], axis: [0, -2, 0], radius: 90 mm}]"),
+     "walls: has the same cylinder twice (walls 5 and 6"},
+    {with("motion:", "motion: {allow_unstable: true}"), "motion.allow_unstable"},
     {with("duration:", "steps: 0"), "test.yaml:12: steps: '0' is not allowed"},
     {with("output:", "output: {frames: 0}"), "test.yaml:13: output.frames: '0' is not allowed"},
     {with("output:", "output: {vtk: 3}"), "test.yaml:13: output.vtk: '3' is not allowed"},
@@ -204,7 +212,7 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_TEST((around.contacts.restitution == 0.6 && around.contacts.friction == 0.25));
   BOOST_TEST(around.contacts.rolling_friction == 0.01);
   BOOST_TEST((scene.form == dem::BondForm::total && scene.orientations && scene.account_energy));
-  BOOST_TEST(scene.step.value() == 3e-6);
+  BOOST_TEST(scene.step.value() == 2e-6);
   BOOST_TEST((scene.duration == 0.3 && scene.steps == 0));
   BOOST_TEST((scene.output.samples == 17 && scene.output.frames == 6 && scene.output.checkpoints == 4));
   BOOST_TEST(scene.output.vtk);
@@ -253,8 +261,8 @@ BOOST_AUTO_TEST_CASE(batches_make_up_the_scene) {
   BOOST_TEST((start.groups[0].fibers.size() == 3u && start.groups[1].fibers.size() == 1u));  // 11/3, 5/3
   BOOST_TEST((start.options.account_energy && start.options.orientations));
   BOOST_TEST(start.options.threads == 1);  // more than one would wait for each other longer than they work
-  BOOST_TEST(*start.options.step == 3e-6);
-  BOOST_TEST(start.steps == 100000);
+  BOOST_TEST(*start.options.step == 2e-6);
+  BOOST_TEST(start.steps == 150000);
   BOOST_TEST(dem::batch_step(scene, 2, 3e-6) == 26667);
   const dem::PlacedSpheres present = dem::spheres_of(start.groups);
   const auto second = dem::packing_batch(scene, 1, 0.04, present),
@@ -287,7 +295,7 @@ BOOST_AUTO_TEST_CASE(arcs_are_stress_free_and_of_their_radius) {
 }
 
 BOOST_AUTO_TEST_CASE(the_step_is_chosen_for_all_kinds) {
-  dem::PackingScene scene = parse(less("step: 3 us, "));
+  dem::PackingScene scene = parse(less("step: 2 us, "));
   const dem::PackingStart start = dem::packing_start(scene, 1);
   BOOST_TEST(*start.options.step == start.choice.step);
   BOOST_TEST(static_cast<double>(start.steps) * start.choice.step >= 0.3 * (1 - 1e-9));
@@ -337,6 +345,26 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
         std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(scenes / name)));
     BOOST_CHECK_NO_THROW(dem::packing_start(scene, 1));
   }
+}
+
+BOOST_AUTO_TEST_CASE(walls_that_come_after_each_other_are_two) {
+  const std::string planes =
+      "planes: [{point: [0, 0, 1 cm], normal: [0, 0, 1], until: 1 s}, {point: [0, 0, 1 cm], normal: [0, 0, "
+      "1], from: "
+      "1 s}, {point: [0, 0, 1.0001 cm], normal: [0, 0, 1]}, {point: [0, 0, 1 cm], normal: [0, 0, -1]}, "
+      "{point: [0, 0, "
+      "1 cm], normal: [0, 0, 1], until: 1 s, velocity: [0, 0, 1]}]";
+  BOOST_TEST(parse(walls("box: {x: 7 cm, z: 16 cm}, " + planes)).domain.walls.size() == 9u);
+}
+
+BOOST_AUTO_TEST_CASE(a_given_step_is_held_to_what_contacts_bear) {
+  const double stable = dem::plan_of(parse(less("step: 2 us, "))).choice.contacts;
+  const auto at = [&](double step, const std::string& more = "") {
+    return dem::plan_of(parse(less("step: 2 us", fmt::format("step: {}{}", step, more)))).step;
+  };
+  BOOST_TEST(at(0.999 * stable) == 0.999 * stable);
+  BOOST_CHECK_THROW(at(1.001 * stable), dem::InvalidInput);
+  BOOST_TEST(at(1.001 * stable, ", allow_unstable: true") == 1.001 * stable);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
