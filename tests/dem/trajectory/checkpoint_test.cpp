@@ -68,10 +68,10 @@ BOOST_AUTO_TEST_CASE(every_bit_comes_back) {
   write_checkpoint(path, written);
   Checkpoint read = read_checkpoint(path, written.scene_sha256);
   const auto bits = [](std::vector<double>& all) {
-    std::vector<std::uint64_t> bits;
-    for (const double x : all) bits.push_back(std::bit_cast<std::uint64_t>(x));
+    std::vector<std::uint64_t> patterns;
+    for (const double x : all) patterns.push_back(std::bit_cast<std::uint64_t>(x));
     all.clear();
-    return bits;
+    return patterns;
   };
   BOOST_TEST((bits(std::get<std::vector<double>>(read.state["load"].values)) == bits(reals)));
   BOOST_TEST((read == written));  // all else, integers and versions of fields included
