@@ -201,8 +201,7 @@ Command calibrate_command() {
           "reverse, one\n"
           "setting (--bond-damping, --retardation-time). Quantities take units; bare numbers are SI.\n"
           "Without size and material the answers are ratios; --youngs-modulus, --density and --diameter "
-          "together "
-          "give them in seconds.\n"
+          "together give them in seconds.\n"
           "Examples:\n"
           "  fiberchain calibrate --damping-ratio 0.02 --aspect-ratio 20 --verify\n"
           "  fiberchain calibrate --bond-damping 1 --aspect-ratio 10 --poisson-ratio 0.17 --json",

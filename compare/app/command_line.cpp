@@ -66,19 +66,20 @@ Arguments arguments_of(const Registered& entry) {
   return Arguments(std::move(typed));
 }
 
-/// The names of the commands below an app, as an error names them.
-std::string names_below(const CLI::App& app) {
+/// The names of the commands below an app.
+std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(sub->get_name());
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 [[noreturn]] void ask_for_command(const CLI::App& program) {
   const auto groups = program.get_subcommands();
   const CLI::App& asked = groups.empty() ? program : *groups.front();
   const std::string of = groups.empty() ? "" : fmt::format(" of '{}'", asked.get_name());
-  throw compare::InputError(fmt::format("give a command{}: {} (see --help)", of, names_below(asked)));
+  throw compare::InputError(
+      fmt::format("give a command{}: {} (see --help)", of, fmt::join(command_names(asked), ", ")));
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -89,26 +90,20 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-[[noreturn]] void refuse_command(const CLI::App& program, const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(sub->get_name());
-  throw compare::InputError(fmt::format("unknown command '{}{}': {} (see --help)",
-                                        &app == &program ? "" : app.get_name() + " ", word,
-                                        dem::suggestion(word, names)));
-}
-
 /// Refuses a command or an option that nobody knows with the one that may have been meant, before CLI11 takes
 /// what follows it for something else.
 void check_words(const CLI::App& program, const std::vector<std::string>& arguments) {
   const CLI::App* app = &program;
   auto word = arguments.begin();
-  const auto has_commands = [&] {
-    return !app->get_subcommands([](const CLI::App*) { return true; }).empty();
-  };
-  for (; word != arguments.end() && has_commands() && !word->starts_with('-'); ++word) {
+  for (; word != arguments.end() && !word->starts_with('-'); ++word) {
+    const std::vector<std::string> names = command_names(*app);
+    if (names.empty()) break;
     const auto known = app->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == *word; });
-    if (known.empty()) refuse_command(program, *app, *word);
+    if (known.empty()) {
+      throw compare::InputError(fmt::format("unknown command '{}{}': {} (see --help)",
+                                            app == &program ? "" : app->get_name() + " ", *word,
+                                            dem::suggestion(*word, names)));
+    }
     app = known.front();
   }
   for (; word != arguments.end(); ++word) {

@@ -11,6 +11,17 @@
 /// What commands that measure many cases share.
 namespace fiberchain::app {
 
+/// Points of all cases, by a function such as compare::damping_points, with a bar of progress.
+template <class Point, class Case, class Options>
+std::vector<Point> measured(std::vector<Point> (*points_of)(const std::vector<Case>&, const Options&),
+                            const std::vector<Case>& cases, int jobs, const Context& context) {
+  const auto progress = context.progress(cases.size());
+  Options options;
+  options.jobs = jobs;
+  options.advance = [&] { progress->advance(); };
+  return points_of(cases, options);
+}
+
 /// All parts in one list, to be measured together.
 template <class Case>
 std::vector<Case> joined(std::initializer_list<std::span<const Case>> parts) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "compare/app/commands.hpp"
+#include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/stability/table.hpp"
 
@@ -51,9 +52,7 @@ int run_stability(const Arguments& arguments, Context& context) {
   const auto directory = open_output(output);
   const auto cases =
       chose_stability_cases(arguments) ? compare::cases(sweep) : compare::stability_figure_cases();
-  const auto progress = context.progress(cases.size());
-  const auto points =
-      compare::stability_points(cases, {.jobs = output.jobs, .advance = [&] { progress->advance(); }});
+  const auto points = measured(compare::stability_points, cases, output.jobs, context);
   Results results{.name = "stability",
                   .heading = "Largest stable time step of a chain",
                   .table = compare::stability_table(points),

@@ -23,8 +23,7 @@ const std::vector<std::string> tables_damping_shown = {"aspect_ratio",
                                                        "fiber_damping_eq20",
                                                        "status"};
 
-using DampingPoints = std::vector<compare::DampingPoint>;
-using DampingCases = std::vector<compare::DampingCase>;
+using compare::DampingPoints;
 
 compare::DampingSweep tables_damping_sweep(const Arguments& arguments) {
   using dem::BondForm;
@@ -54,18 +53,14 @@ bool chose_tables_damping_cases(const Arguments& arguments) {
   return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
 }
 
-DampingPoints measure_damping(const DampingCases& cases, int jobs, const Context& context) {
-  const auto progress = context.progress(cases.size());
-  return compare::damping_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
-}
-
 /// All figures' cases measured together, then handed back figure by figure.
 compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
                                              const Context& context, DampingPoints& all) {
   const compare::DampingFigureCases wanted = compare::damping_figure_cases(peaks);
-  all = measure_damping(joined<DampingCases::value_type>(
-                            {wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}),
-                        jobs, context);
+  all = measured(
+      compare::damping_points,
+      joined<compare::DampingCase>({wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}),
+      jobs, context);
   Portions portions(all);
   compare::DampingFigurePoints figures;
   figures.bond_damping = portions.next(wanted.bond_damping.size());
@@ -84,7 +79,7 @@ int run_tables_damping(const Arguments& arguments, Context& context) {
                   .heading = "Damping of the fiber by dashpots in its bonds",
                   .table = compare::damping_table({})};
   if (chose_tables_damping_cases(arguments)) {
-    points = measure_damping(compare::cases(sweep), output.jobs, context);
+    points = measured(compare::damping_points, compare::cases(sweep), output.jobs, context);
   } else {
     const compare::DampingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
     const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);

@@ -24,8 +24,7 @@ const std::vector<std::string> tables_friction_shown = {"aspect_ratio",
                                                         "fiber_damping_as_bond",
                                                         "status"};
 
-using RollingPoints = std::vector<compare::RollingPoint>;
-using RollingCases = std::vector<compare::RollingCase>;
+using compare::RollingPoints;
 
 compare::RollingSweep tables_friction_sweep(const Arguments& arguments) {
   using dem::Rolling;
@@ -54,18 +53,13 @@ bool chose_tables_friction_cases(const Arguments& arguments) {
   return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
 }
 
-RollingPoints measure_rolling(const RollingCases& cases, int jobs, const Context& context) {
-  const auto progress = context.progress(cases.size());
-  return compare::rolling_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
-}
-
 /// All figures' cases measured together, then handed back figure by figure.
 compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
                                              const Context& context, RollingPoints& all) {
   const compare::RollingFigureCases wanted = compare::rolling_figure_cases(peaks);
-  all = measure_rolling(
-      joined<RollingCases::value_type>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}), jobs,
-      context);
+  all = measured(compare::rolling_points,
+                 joined<compare::RollingCase>({wanted.friction, wanted.step, wanted.amplitude, wanted.decay}),
+                 jobs, context);
   Portions portions(all);
   compare::RollingFigurePoints figures;
   figures.friction = portions.next(wanted.friction.size());
@@ -84,7 +78,7 @@ int run_tables_friction(const Arguments& arguments, Context& context) {
                   .heading = "Rolling friction of the bonds and the fiber's damping",
                   .table = compare::rolling_table({})};
   if (chose_tables_friction_cases(arguments)) {
-    points = measure_rolling(compare::cases(sweep), output.jobs, context);
+    points = measured(compare::rolling_points, compare::cases(sweep), output.jobs, context);
     results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(points)}};
   } else {
     const compare::RollingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/app/commands.hpp"
+#include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/static/table.hpp"
 
@@ -32,18 +33,12 @@ compare::StaticSweep tables_static_sweep(const Arguments& arguments) {
   return sweep;
 }
 
-std::vector<compare::StaticPoint> points_of(const compare::StaticSweep& sweep, int jobs,
-                                            const Context& context) {
-  const std::vector<compare::StaticCase> cases = compare::cases(sweep);
-  const auto progress = context.progress(cases.size());
-  return static_points(cases, {.jobs = jobs, .advance = [&] { progress->advance(); }});
-}
-
 int run_tables_static(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::StaticSweep sweep = tables_static_sweep(arguments);
   const auto directory = open_output(output);
-  const std::vector<compare::StaticPoint> points = points_of(sweep, output.jobs, context);
+  const std::vector<compare::StaticPoint> points =
+      measured(compare::static_points, compare::cases(sweep), output.jobs, context);
   Results results{.name = "static",
                   .heading = "Departure of the chain's free end from the Elastica",
                   .table = compare::static_table(points)};

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <exception>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/bench/timing.hpp"
+#include "compare/study/nan.hpp"
 #include "dem/motion/integrator.hpp"
 
 // Run time against error: what the bench measures, as values.
@@ -21,8 +21,8 @@ struct PrecisionRow {
   int lanes = 1;          ///< equal chains side by side; the time is that of one
   bool in_time = true;    ///< follows the motion in time; false: finds the answer without
   bool as_paper = false;  ///< the paper's own way
-  double error = std::numeric_limits<double>::quiet_NaN();
-  Timing time{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(), 0};
+  double error = nan;
+  Timing time{nan, nan, 0};
   dem::Work work{};
   std::string status{};  ///< "measured", else why not
 };

@@ -59,6 +59,8 @@ struct DampingPoint {
   std::string status;  ///< "measured", with what is missing; else why nothing was
 };
 
+using DampingPoints = std::vector<DampingPoint>;
+
 struct DampingOptions {
   int jobs = 1;
   bool elastica = true;  ///< run the damped Elastica too
@@ -69,8 +71,7 @@ struct DampingOptions {
 
 /// Every case in the order given; one that cannot be measured keeps its row with its status. Throws
 /// dem::InvalidInput or InputError for a case out of range.
-std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases,
-                                         const DampingOptions& options = {});
+DampingPoints damping_points(const std::vector<DampingCase>& cases, const DampingOptions& options = {});
 
 /// The chain of a case, and the same as the reference's linear chain.
 dem::Fiber damped_fiber(const DampingCase& asked);

@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "compare/damping/table.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/validation.hpp"
 #include "reference/damped_elastica.hpp"
 
 namespace fiberchain::compare {
 namespace {
-
-using DampingPoints = std::vector<DampingPoint>;
 
 DampingPoints measure(const std::vector<DampingCase>& cases, int jobs) {
   DampingOptions options;
@@ -31,7 +29,7 @@ Measured slope(const ValidationInput& in, int aspect_ratio, const std::string& i
   std::vector<DampingCase> cases;
   for (int i = 0; i < 16; ++i) cases.push_back({.aspect_ratio = aspect_ratio, .load = 0.02 + 0.2 * i});
   const DampingPoints points = measure(cases, in.jobs);
-  double load = std::numeric_limits<double>::quiet_NaN(), there = load;
+  double load = nan, there = load;
   for (std::size_t i = 1; i < points.size() && std::isnan(load); ++i) {
     const double above = points[i - 1].damping_paper, below = points[i].damping_paper;
     if (!(above >= wanted && below < wanted)) continue;

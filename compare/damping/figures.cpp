@@ -9,7 +9,6 @@
 namespace fiberchain::compare {
 namespace {
 
-using DampingPoints = std::vector<DampingPoint>;
 using DampingValue = std::function<double(const DampingPoint&)>;
 
 Series series(std::string label, const DampingPoints& points, const DampingValue& x, const DampingValue& y,

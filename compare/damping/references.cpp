@@ -1,11 +1,11 @@
 #include "compare/damping/references.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "reference/damped_beam.hpp"
 #include "reference/damped_elastica.hpp"
 #include "reference/errors.hpp"
@@ -69,7 +69,7 @@ double higher_modes(const DampingCase& asked, double beam) {
   try {
     return damping_from_peaks(positive_peaks(history), asked.peaks).ratio / beam - 1;
   } catch (const InputError&) {  // the higher modes make these peaks grow
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
   }
 }
 
@@ -101,7 +101,7 @@ DampingReferences damping_references(const DampingCase& asked, const reference::
                           beam * r * r / (half * half),
                           unsheared_damping(asked),
                           mode.damping,
-                          std::numeric_limits<double>::quiet_NaN(),
+                          nan,
                           higher_modes(asked, beam),
                           {}};
   if (with_elastica) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 #include "reference/chain_modes.hpp"
 #include "reference/damped_beam.hpp"
 
@@ -24,7 +24,7 @@ void check(int aspect_ratio, const ChainKind& kind) {
 double slope_or_nan(int aspect_ratio, const ChainKind& kind) {
   const auto chain = reference::linear_chain({aspect_ratio, 1, 1, kind.poisson_ratio, 1});
   const auto mode = reference::first_bending_mode(reference::with_bond_damping(chain, kind.bond_damping));
-  return mode.oscillates ? mode.damping / kind.bond_damping : std::numeric_limits<double>::quiet_NaN();
+  return mode.oscillates ? mode.damping / kind.bond_damping : nan;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "compare/flow/setup.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/parallel.hpp"
 #include "compare/study/tabulate.hpp"
 #include "dem/model/errors.hpp"
@@ -94,7 +95,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
     for (const double stokes : kStokes)
       cases.push_back({.stokes = stokes, .method = method, .tolerance = 1e-8});
   }
-  std::vector<double> distance(cases.size()), drift(cases.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> distance(cases.size()), drift(cases.size(), nan);
   parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
     distance[i] = inertia_distance(cases[i]);
     if (cases[i].method == leapfrog) drift[i] = orbit_drift(cases[i], 1);
@@ -111,7 +112,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const bool first = i % std::size(kStokes) == 0;
     const double order =
-        first ? std::numeric_limits<double>::quiet_NaN()
+        first ? nan
               : std::log(distance[i] / distance[i - 1]) / std::log(cases[i].stokes / cases[i - 1].stokes);
     study.table.append({{"aspect_ratio", std::int64_t{cases[i].spheres - 1}},
                         {"spheres", std::int64_t{cases[i].spheres}},

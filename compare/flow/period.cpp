@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "compare/flow/study.hpp"
 #include "compare/study/nan.hpp"

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "compare/flow/study.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/tabulate.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
@@ -25,8 +25,7 @@ std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<doub
   const double rigid = reference::jeffery_period(reference::free_draining_aspect_ratio(spheres), 1);
   std::vector<StiffnessPoint> points;
   for (const OrbitPoint& p : orbit_points(cases, options)) {
-    StiffnessPoint point{spheres, ratios[points.size()], p.period / rigid - 1,
-                         std::numeric_limits<double>::quiet_NaN()};
+    StiffnessPoint point{spheres, ratios[points.size()], p.period / rigid - 1, nan};
     if (!points.empty()) {
       const StiffnessPoint& before = points.back();
       point.order = std::log(point.correction / before.correction) /

@@ -1,7 +1,7 @@
 #include "compare/flow/turn_detection.hpp"
+#include "compare/study/nan.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace fiberchain::compare {
@@ -52,7 +52,7 @@ std::vector<double> half_turns(const std::vector<FlowMoment>& moments) {
 
 double orbit_period(const std::vector<FlowMoment>& moments) {
   const std::vector<double> times = half_turns(moments);
-  if (times.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (times.empty()) return nan;
   if (times.size() == 1) return 2 * (times[0] - moments.front().time);
   return 2 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }

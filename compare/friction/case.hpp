@@ -40,6 +40,8 @@ struct RollingPoint {
   std::string status;  ///< "measured", else why not, and every number is NaN
 };
 
+using RollingPoints = std::vector<RollingPoint>;
+
 struct RollingOptions {
   int jobs = 1;
   std::function<void()> advance = [] {};  ///< called after each case, from any thread
@@ -47,8 +49,7 @@ struct RollingOptions {
 
 /// Every case in the order given; one that cannot be measured keeps its row with its status. Throws
 /// dem::InvalidInput or InputError for a case out of range.
-std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases,
-                                         const RollingOptions& options = {});
+RollingPoints rolling_points(const std::vector<RollingCase>& cases, const RollingOptions& options = {});
 
 /// The chain of a case.
 dem::Fiber rolling_fiber(const RollingCase& asked);

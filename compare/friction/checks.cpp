@@ -9,8 +9,6 @@
 namespace fiberchain::compare {
 namespace {
 
-using RollingPoints = std::vector<RollingPoint>;
-
 constexpr double over_bond(const RollingPoint& p) { return p.damping / p.as_bond; }
 
 /// The paper's statements on Fig 10, all at xi_b = 1.

@@ -6,7 +6,6 @@
 namespace fiberchain::compare {
 namespace {
 
-using RollingPoints = std::vector<RollingPoint>;
 using RollingValue = std::function<double(const RollingPoint&)>;
 
 constexpr double figure_load = 3;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -78,12 +79,12 @@ Spread spread_of(std::span<const double> values) {
   }
   double squares = 0;
   for (const double v : values) squares += (v - s.mean) * (v - s.mean);
-  s.deviation = values.size() > 1 ? std::sqrt(squares / (n - 1)) : std::numeric_limits<double>::quiet_NaN();
+  s.deviation = values.size() > 1 ? std::sqrt(squares / (n - 1)) : nan;
   return s;
 }
 
 double half_width(const Spread& spread) {
-  if (spread.count < 2) return std::numeric_limits<double>::quiet_NaN();
+  if (spread.count < 2) return nan;
   const double n = static_cast<double>(spread.count);
   return gsl_cdf_tdist_Pinv(0.975, n - 1) * spread.deviation / std::sqrt(n);
 }

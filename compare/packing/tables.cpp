@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "compare/packing/study.hpp"
+#include "compare/study/nan.hpp"
 #include "compare/study/tabulate.hpp"
 #include "dem/run/samples.hpp"
 
 namespace fiberchain::compare {
 namespace {
-
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 dem::NamedRow asked_row(const PackingCase& c) {
   return {{"bond_damping", c.bond_damping},
@@ -126,7 +124,7 @@ dem::Table orientation_table(const std::vector<PackingRun>& runs) {
       table.append(joined(asked_row(run.asked), {{"polar_low", low},
                                                  {"polar_high", low + width},
                                                  {"over_isotropic_start", start[k]},
-                                                 {"over_isotropic", end.empty() ? kMissing : end[k]}}));
+                                                 {"over_isotropic", end.empty() ? nan : end[k]}}));
     }
   }
   return table;

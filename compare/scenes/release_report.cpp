@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "compare/measure/linear_chain_of.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
+#include "compare/study/nan.hpp"
 #include "dem/equilibrium/dynamic_relaxation.hpp"
 #include "dem/equilibrium/stability.hpp"
 #include "reference/tip_state.hpp"
@@ -18,20 +18,18 @@ inline reference::TipState operator*(double s, const reference::TipState& a) {
   return {s * a.y, s * a.x, s * a.angle};
 }
 
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// What the chain itself says, before it is compared. Lengths over L.
 struct ChainTip {
-  reference::TipState tip{unknown, unknown, unknown};
-  reference::TipState solved{unknown, unknown, unknown};  ///< equilibrium of the total form
-  reference::TipState history{0, 0, 0};                   ///< incremental form at vanishing step - total form
-  reference::TipState time_step{0, 0, 0};                 ///< at the step taken - at vanishing step
-  reference::TipState leftover{0, 0, 0};                  ///< where it stopped - at rest
-  double residual = unknown;                              ///< Imbalance::moment
+  reference::TipState tip{nan, nan, nan};
+  reference::TipState solved{nan, nan, nan};  ///< equilibrium of the total form
+  reference::TipState history{0, 0, 0};       ///< incremental form at vanishing step - total form
+  reference::TipState time_step{0, 0, 0};     ///< at the step taken - at vanishing step
+  reference::TipState leftover{0, 0, 0};      ///< where it stopped - at rest
+  double residual = nan;                      ///< Imbalance::moment
   dem::Stability stability = dem::Stability::undecided;
-  double steps = 0;           ///< of time
-  double run_time = unknown;  ///< [s]; a lane's share of its block
-  long iterations = 0;        ///< of Newton
+  double steps = 0;       ///< of time
+  double run_time = nan;  ///< [s]; a lane's share of its block
+  long iterations = 0;    ///< of Newton
 };
 
 /// By Newton. dimension 2 or 3.

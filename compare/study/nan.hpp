@@ -4,7 +4,7 @@
 
 namespace fiberchain::compare {
 
-/// In a table: not measured, with the reason in the row's status.
+/// What is not known or was not measured; in a table the row's status has the reason.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace fiberchain::compare

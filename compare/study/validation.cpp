@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "compare/study/errors.hpp"
+#include "compare/study/nan.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -39,7 +39,7 @@ double tolerance_of(const Claim& claim, double expected, double spread) {
 MatrixRow held_or_disputed(MatrixRow row, const Claim& claim) {
   row = judged(std::move(row));
   if (row.verdict == Verdict::holds) return row;
-  row.tolerance = std::numeric_limits<double>::quiet_NaN();
+  row.tolerance = nan;
   row.evidence += ". " + claim.dispute;
   return disputed(std::move(row));
 }

@@ -149,11 +149,9 @@ void Assembly::State::check_passage(std::int64_t from) const {
   const bool through = contacts.deepest() > deepest_passable;
   if (!through && !(longest_path > longest_passable * smallest_radius())) return;
   throw Diverged(fmt::format(
-      "bodies may have passed through each other or through a wall between steps {} and {} (dt = {:.6g} s, t "
-      "= {:.6g} "
-      "s): {}; likely cause: contacts too soft for these speeds, a wall that closes or comes upon spheres, "
-      "or a step too "
-      "long",
+      "bodies may have passed through each other or through a wall between steps {} and {} (dt = {:.6g} s, "
+      "t = {:.6g} s): {}; likely cause: contacts too soft for these speeds, a wall that closes or comes upon "
+      "spheres, or a step too long",
       from, steps, step, time(),
       through ? fmt::format("an overlap reached {:.3g} of the smaller radius, allowed {:g}",
                             contacts.deepest(), deepest_passable)

@@ -148,16 +148,19 @@ Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>&
   Poses<Dim> poses = start;
   const double largest_step = 1.0 / std::max(options.load_steps, 1);
   double factor = 0, step = largest_step;
+  Stability stability = Stability::undecided;
   while (factor < 1) {
     const double next = step >= 1 - factor ? 1.0 : factor + step;
     const double tolerance = next == 1.0 ? options.tolerance : 1e-3;
     const Boundary<Dim> loads = between(from, boundary, next);
     auto found = newton(chain, poses, loads, tolerance, options, statistics);
-    if (found && !options.allow_unstable && stability_of(chain, *found, loads) == Stability::unstable) {
+    if (found && (!options.allow_unstable || next == 1.0)) stability = stability_of(chain, *found, loads);
+    if (found && !options.allow_unstable && stability == Stability::unstable) {
       if (step > least_part_of_step * largest_step) {
         found.reset();
       } else {
         found = buckled(chain, *found, loads, tolerance, statistics);
+        stability = stability_of(chain, *found, loads);
       }
     }
     if (found) {
@@ -179,7 +182,6 @@ Equilibrium<Dim> continue_equilibrium(const Chain<Dim>& chain, const Poses<Dim>&
   }
   const Imbalance residual =
       imbalance(poses, net_forces(chain, poses, boundary, 1.0), boundary, fiber_length(chain.fiber));
-  const Stability stability = stability_of(chain, poses, boundary);
   return {std::move(poses), residual, statistics, stability};
 }
 

@@ -11,7 +11,7 @@ inline constexpr int velocity_spin_size = 6, spin_offset = 3;  ///< velocity and
 /// Force and moment from outside the fiber, 2 unused. Only a few parts of spheres have any at a time.
 inline constexpr int load_size = 8, moment_offset = 3;
 
-inline constexpr int quaternion_size = 4;  ///< quaternion
+inline constexpr int quaternion_size = 4;  ///< orientation
 
 /// Numbers of a cache line.
 inline constexpr int cache_line_size = 8;

@@ -8,8 +8,7 @@ BOOST_AUTO_TEST_SUITE(damping_slow_test)
 using namespace fiberchain;
 
 BOOST_AUTO_TEST_CASE(second_order_holds_from_20_to_40_bonds) {
-  const double order =
-      std::log2(fiberchain::test::elastica_error(20, 4.0) / fiberchain::test::elastica_error(40, 16.0));
+  const double order = std::log2(test::elastica_error(20, 4.0) / test::elastica_error(40, 16.0));
   BOOST_TEST(order > 1.85);
   BOOST_TEST(order < 2.15);
 }

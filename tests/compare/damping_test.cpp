@@ -139,8 +139,7 @@ double spectral_peak(const compare::TipHistory& h, double near) {
 
 BOOST_AUTO_TEST_CASE(large_motion_approaches_the_damped_elastica_at_second_order) {
   // one and the same beam: its retardation time is that of xi_b = 1 at r_f = 10, and xi_b grows as r_f^2
-  const double ten = fiberchain::test::elastica_error(10, 1.0),
-               twenty = fiberchain::test::elastica_error(20, 4.0);
+  const double ten = test::elastica_error(10, 1.0), twenty = test::elastica_error(20, 4.0);
   BOOST_TEST_MESSAGE("max |dr|/L at r_f = 10, 20: " << ten << " " << twenty);
   BOOST_TEST(std::log2(ten / twenty) > 1.85);
   BOOST_TEST(std::log2(ten / twenty) < 2.15);
@@ -149,8 +148,7 @@ BOOST_AUTO_TEST_CASE(large_motion_approaches_the_damped_elastica_at_second_order
 BOOST_AUTO_TEST_CASE(at_a_fixed_bond_damping_the_beam_itself_changes_and_the_order_is_lower) {
   // xi_b = 1 throughout: xi_f falls as 1/r_f^2, so the longer chain keeps more of its amplitude and of its
   // mode 2
-  const double order =
-      std::log2(fiberchain::test::elastica_error(10, 1.0) / fiberchain::test::elastica_error(20, 1.0));
+  const double order = std::log2(test::elastica_error(10, 1.0) / test::elastica_error(20, 1.0));
   BOOST_TEST(order > 1.59);
   BOOST_TEST(order < 1.69);
 }

@@ -160,8 +160,7 @@ const Fault kFaults[] = {
     {walls("box: {x: 7 cm, z: 16 cm}, planes: [{point: [0, 1, 0], normal: [0, 0, 3]}]"),
      "walls: has the same plane twice (walls 3 and 5"},
     {walls("box: {x: 7 cm, z: 16 cm}, cylinders: [{point: [35 mm, 0, 0], axis: [0, 1, 0], radius: 9 cm}, "
-           "{point: "
-           "[35 mm, 1, 0], axis: [0, -2, 0], radius: 90 mm}]"),
+           "{point: [35 mm, 1, 0], axis: [0, -2, 0], radius: 90 mm}]"),
      "walls: has the same cylinder twice (walls 5 and 6"},
     {with("motion:", "motion: {allow_unstable: true}"), "motion.allow_unstable"},
     {with("duration:", "steps: 0"), "test.yaml:12: steps: '0' is not allowed"},
@@ -349,11 +348,10 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
 
 BOOST_AUTO_TEST_CASE(walls_that_come_after_each_other_are_two) {
   const std::string planes =
-      "planes: [{point: [0, 0, 1 cm], normal: [0, 0, 1], until: 1 s}, {point: [0, 0, 1 cm], normal: [0, 0, "
-      "1], from: "
-      "1 s}, {point: [0, 0, 1.0001 cm], normal: [0, 0, 1]}, {point: [0, 0, 1 cm], normal: [0, 0, -1]}, "
-      "{point: [0, 0, "
-      "1 cm], normal: [0, 0, 1], until: 1 s, velocity: [0, 0, 1]}]";
+      "planes: [{point: [0, 0, 1 cm], normal: [0, 0, 1], until: 1 s}, "
+      "{point: [0, 0, 1 cm], normal: [0, 0, 1], from: 1 s}, {point: [0, 0, 1.0001 cm], normal: [0, 0, 1]}, "
+      "{point: [0, 0, 1 cm], normal: [0, 0, -1]}, "
+      "{point: [0, 0, 1 cm], normal: [0, 0, 1], until: 1 s, velocity: [0, 0, 1]}]";
   BOOST_TEST(parse(walls("box: {x: 7 cm, z: 16 cm}, " + planes)).domain.walls.size() == 9u);
 }
 
