@@ -126,10 +126,13 @@ bool bending_is_definite(const LinearChain& chain, ChainEnds ends, const Pencil&
   const Eigen::Matrix2d between = behind.transpose() * weight * ahead;
   const auto definite = [](const Eigen::Matrix2d& m) { return m(0, 0) > 0 && m.determinant() > 0; };
   const bool held = ends == ChainEnds::clamped_free;
-  Eigen::Matrix2d left = mass + first;  // what elimination leaves of a sphere
+  const auto mass_of = [&](int sphere) -> Eigen::Matrix2d {
+    return (sphere == 0 || sphere == chain.bonds ? chain.end_share : 1.0) * mass;
+  };
+  Eigen::Matrix2d left = mass_of(0) + first;  // what elimination leaves of a sphere
   if (!held && !definite(left)) return false;
   for (int sphere = 1; sphere <= chain.bonds; ++sphere) {
-    Eigen::Matrix2d own = mass + second;
+    Eigen::Matrix2d own = mass_of(sphere) + second;
     if (sphere < chain.bonds) own += first;
     if (sphere > 1 || !held) own -= between * left.inverse() * between.transpose();
     if (!definite(own)) return false;
@@ -143,9 +146,10 @@ bool is_definite(const LinearChain& chain, ExplicitScheme scheme, ChainEnds ends
                  double z) {
   const Pencil p = pencil(scheme, dt, z);
   const int n = chain.bonds;
-  // largest eigenvalue of the strains of a rod: 4 sin^2 of these
-  const double angle =
-      ends == ChainEnds::clamped_free ? (2 * n - 1) * pi / (4.0 * n + 2) : n * pi / (2.0 * n + 2);
+  // largest eigenvalue of the strains of a rod: 4 sin^2 of these; with half masses at the ends below 4
+  const double angle = chain.end_share != 1              ? pi / 2
+                       : ends == ChainEnds::clamped_free ? (2 * n - 1) * pi / (4.0 * n + 2)
+                                                         : n * pi / (2.0 * n + 2);
   const double rod = 4 * std::sin(angle) * std::sin(angle);
   const BondCoefficients &k = chain.stiffness, &c = chain.dashpot;
   const auto definite = [&](double m, double dashpot, double spring) {

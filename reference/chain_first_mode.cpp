@@ -34,8 +34,9 @@ Shape flexibility_times_mass(const LinearChain& chain, Complex lambda, const Sha
   Complex moment = 0;
   for (std::size_t j = n; j >= 1; --j) {
     const Complex beyond = force;
-    force += chain.mass * v.w[j];
-    moment += chain.inertia * v.theta[j] + arm * (force + beyond);
+    const double share = j == n ? chain.end_share : 1.0;
+    force += share * chain.mass * v.w[j];
+    moment += share * chain.inertia * v.theta[j] + arm * (force + beyond);
     u.shear[j - 1] = force / shear_spring;
     u.bend[j - 1] = moment / bend_spring;
   }
@@ -59,10 +60,15 @@ Complex sum_of_squares(const Values& values) {
   return sum;
 }
 
+/// The free end sphere counts by its share.
+Complex sum_of_masses(const LinearChain& chain, const Values& values) {
+  return sum_of_squares(values) - (1 - chain.end_share) * values.back() * values.back();
+}
+
 /// The three coefficients of u^T (M x^2 + C x + K) u, whose root is stationary at a mode.
 struct Quadratic {
   Quadratic(const LinearChain& chain, const Shape& u)
-      : m(chain.mass * sum_of_squares(u.w) + chain.inertia * sum_of_squares(u.theta)),
+      : m(chain.mass * sum_of_masses(chain, u.w) + chain.inertia * sum_of_masses(chain, u.theta)),
         c(chain.dashpot.shear * sum_of_squares(u.shear) + chain.dashpot.bend * sum_of_squares(u.bend)),
         k(chain.stiffness.shear * sum_of_squares(u.shear) + chain.stiffness.bend * sum_of_squares(u.bend)) {}
 

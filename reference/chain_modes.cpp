@@ -90,6 +90,7 @@ complex<double> rod_eigenvalue(const LinearChain& chain, ChainMotion motion, Cha
   require_between("number", number, 1, chain.bonds);
   if (motion == ChainMotion::bending) throw InvalidArgument("motion", 0, "axial or twist");
   const bool axial = motion == ChainMotion::axial;
+  if (chain.end_share != 1) throw InvalidArgument("end_share", chain.end_share, "1 in the closed form");
   const double angle = ends == ChainEnds::clamped_free
                            ? (2 * number - 1) * std::numbers::pi / (4.0 * chain.bonds + 2)
                            : number * std::numbers::pi / (2.0 * chain.bonds + 2);

@@ -20,6 +20,8 @@ ChainStrains rod(const LinearChain& chain, ChainMotion motion) {
   ChainStrains strains{Eigen::MatrixXd::Zero(n, n + 1), Eigen::VectorXd::Constant(n, one.spring),
                        Eigen::VectorXd::Constant(n, one.dashpot),
                        Eigen::VectorXd::Constant(n + 1, one.inertia), 1};
+  strains.inertia[0] *= chain.end_share;
+  strains.inertia[n] *= chain.end_share;
   for (int i = 0; i < n; ++i) {
     strains.b(i, i) = -1;
     strains.b(i, i + 1) = 1;
@@ -38,6 +40,8 @@ ChainStrains beam(const LinearChain& chain) {
     strains.dashpot.segment<2>(2 * i) << chain.dashpot.shear, chain.dashpot.bend;
   }
   for (int i = 0; i <= n; ++i) strains.inertia.segment<2>(2 * i) << chain.mass, chain.inertia;
+  strains.inertia.head<2>() *= chain.end_share;
+  strains.inertia.tail<2>() *= chain.end_share;
   return strains;
 }
 

@@ -31,6 +31,22 @@ LinearChain linear_chain(const ChainMaterial& material) {
   return {material.bonds, 2 * r, mass, 0.4 * mass * r * r, stiffness, {0, 0, 0, 0}};
 }
 
+LinearChain with_cylinder_mass(LinearChain chain) {
+  const double r = chain.spacing / 2;
+  chain.mass *= 1.5;
+  chain.inertia = chain.mass * r * r / 2;
+  chain.end_share = 0.5;
+  return chain;
+}
+
+LinearChain with_shear_modulus(LinearChain chain, double shear_modulus) {
+  require_positive("shear_modulus", shear_modulus);
+  const double r = chain.spacing / 2;
+  chain.stiffness.shear = std::numbers::pi * r * shear_modulus / 2;
+  chain.stiffness.twist = std::numbers::pi * r * r * r * shear_modulus / 4;
+  return chain;
+}
+
 LinearChain with_bond_damping(LinearChain chain, double bond_damping) {
   require_not_negative("bond_damping", bond_damping);
   const BondCoefficients& k = chain.stiffness;
@@ -63,6 +79,7 @@ void validate(const LinearChain& chain) {
   require_positive("spacing", chain.spacing);
   require_positive("mass", chain.mass);
   require_positive("inertia", chain.inertia);
+  require_between("end_share", chain.end_share, 1e-3, 1);
   for (const BondCoefficients* each : {&chain.stiffness, &chain.dashpot}) {
     const bool spring = each == &chain.stiffness;
     for (const double value : {each->stretch, each->shear, each->twist, each->bend}) {

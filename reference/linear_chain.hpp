@@ -21,6 +21,7 @@ struct LinearChain {
   double inertia;              ///< of a sphere [kg m^2]
   BondCoefficients stiffness;  ///< springs; the shear spring may be replaced (before damping is set)
   BondCoefficients dashpot;    ///< dashpots
+  double end_share = 1;        ///< mass and inertia of an end sphere over those of the others, 0 to 1
 };
 
 /// What a chain is made of, in SI units.
@@ -35,6 +36,13 @@ struct ChainMaterial {
 /// Undamped chain: m = 4/3 pi R^3 rho, J = 2/5 m R^2, K_n = pi R E/2, K_t = pi R G/2,
 /// K_twist = pi R^3 G/4, K_bend = pi R^3 E/8, G = E/(2(1 + nu)) (Eqs 3-6). Throws InvalidArgument.
 LinearChain linear_chain(const ChainMaterial& material);
+
+/// The same with the fiber's own mass: m = 2 pi R^3 rho and J = m R^2 / 2, an end sphere with half of both.
+LinearChain with_cylinder_mass(LinearChain chain);
+
+/// The same with another shear modulus, not bound to E: K_t = pi R G/2, K_twist = pi R^3 G/4. Throws
+/// InvalidArgument.
+LinearChain with_shear_modulus(LinearChain chain, double shear_modulus);
 
 /// The paper's dashpots, c = xi_b sqrt(2 m K) for forces and xi_b sqrt(2 J K) for torques (Eqs 7-10).
 LinearChain with_bond_damping(LinearChain chain, double bond_damping);

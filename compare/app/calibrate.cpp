@@ -114,6 +114,9 @@ dem::Fiber fiber_of(const Arguments& arguments) {
   fiber.diameter = quantity(arguments, "--diameter", "m", fiber.diameter);
   fiber.bond_model = choice<BondModel>(arguments, "--bond", BondModel::paper,
                                        {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
+  using dem::MassModel;
+  fiber.mass = choice<MassModel>(arguments, "--mass", fiber.mass,
+                                 {{"spheres", MassModel::spheres}, {"cylinder", MassModel::cylinder}});
   fiber.dashpots = choice<DashpotLaw>(arguments, "--dashpots", DashpotLaw::bond_damping,
                                       {{"bond_damping", DashpotLaw::bond_damping},
                                        {"retardation_time", DashpotLaw::retardation_time},
@@ -218,7 +221,8 @@ Command calibrate_command() {
            {"--youngs-modulus", "PRESSURE", "E; with --density and --diameter, for answers in seconds"},
            {"--poisson-ratio", "NUMBER", "Poisson's ratio [0.3]"},
            {"--shear-modulus", "PRESSURE", "G, in place of Poisson's ratio"},
-           {"--density", "DENSITY", "of the spheres"},
+           {"--density", "DENSITY", "of the material"},
+           {"--mass", "WORD", "what the chain weighs: spheres (two thirds of the fiber), cylinder [spheres]"},
            {"--diameter", "LENGTH", "d"},
            {"--load", "NUMBER", "expected amplitude: load before the release, P L^2/(E I), up to 2.4 [0]"},
            {"--tip-deflection", "NUMBER", "expected amplitude: y/L of the free end, up to 0.55 [0]"},

@@ -79,9 +79,16 @@ reference::LinearChain unsheared(reference::LinearChain chain) {
   return chain;
 }
 
-/// In the order in which the causes are let in: finite bonds, then shear.
-BeamDeparture departure(double beam, double without_shear, double chain) {
-  return {(without_shear - beam) / beam, (chain - without_shear) / beam};
+/// Frequency of a uniform beam of the chain's mass over that of the fiber.
+double lightness(const dem::Fiber& fiber) {
+  dem::Fiber own = fiber;
+  own.mass = dem::MassModel::cylinder;
+  return std::sqrt(dem::sphere_mass(own) / dem::sphere_mass(fiber));
+}
+
+/// In the order in which the causes are let in: the chain's mass, finite bonds, then shear.
+BeamDeparture departure(double beam, double lightness, double without_shear, double chain) {
+  return {lightness - 1, without_shear / beam - lightness, (chain - without_shear) / beam};
 }
 
 double undamped_frequency(reference::LinearChain chain) {
@@ -91,7 +98,8 @@ double undamped_frequency(reference::LinearChain chain) {
 
 double beam_frequency(const dem::Fiber& fiber) {
   const double mu = dem::sphere_mass(fiber) / dem::bond_length(fiber), L = dem::fiber_length(fiber);
-  return std::pow(reference::clamped_free_beta(1) / L, 2) * std::sqrt(dem::bending_stiffness(fiber) / mu);
+  return std::pow(reference::clamped_free_beta(1) / L, 2) * std::sqrt(dem::bending_stiffness(fiber) / mu) /
+         lightness(fiber);
 }
 
 void check(const CalibrationCase& asked) {
@@ -131,10 +139,11 @@ Calibration described(const CalibrationCase& asked, const dem::Fiber& fiber) {
   found.step = step_of(asked, found.bond_time, found.stable_step);
   found.beam_frequency = beam_frequency(fiber);
   found.beam_damping = found.retardation_time * found.beam_frequency / 2;
+  const double light = lightness(fiber);
   found.damping_departure =
-      departure(found.beam_damping, first_damping(unsheared(chain)), found.damping_ratio);
+      departure(found.beam_damping, light, first_damping(unsheared(chain)), found.damping_ratio);
   found.frequency_departure =
-      departure(found.beam_frequency, undamped_frequency(unsheared(chain)), undamped_frequency(chain));
+      departure(found.beam_frequency, light, undamped_frequency(unsheared(chain)), undamped_frequency(chain));
   found.amplitude_effect = amplitude_effect(asked.amplitude);
   found.time_step_effect = time_step_effect(found.damping_ratio, found.natural_frequency, found.step);
   return found;

@@ -58,24 +58,25 @@ struct CalibrationCase {
   bool dimensional = true;
 };
 
-/// Where the chain's first mode departs from the uniform beam's own law, in parts of the beam's value.
+/// Where the chain's first mode departs from the fiber's own, a uniform beam's, in parts of the beam's value.
 struct BeamDeparture {
+  double mass;            ///< mass of the spheres in place of the fiber's
   double discretization;  ///< finite bonds, half a sphere more at the free end, spin of the spheres
   double shear;           ///< shear springs and dashpots
 };
 
 struct Calibration {
-  dem::Fiber fiber;           ///< with its dashpots set
-  double damping_ratio;       ///< xi_f of the chain's first mode
-  double setting;             ///< xi_b, or tau over t_b with DashpotLaw::retardation_time
-  double retardation_time;    ///< tau = c / K of the bonds in bending [s]
-  reference::ChainMode mode;  ///< first bending mode of the linear chain
-  double natural_frequency;   ///< |lambda| [rad/s]
-  double stable_step;         ///< largest stable dt [s]
-  double bond_time;           ///< t_b [s]
-  double step;                ///< dt that the run is expected to take [s]
-  double beam_damping;        ///< the uniform beam's xi_f with this tau, tau omega / 2
-  double beam_frequency;      ///< the uniform beam's, beta_1^2 sqrt(E I / (mu L^4)), mu = m / 2R [rad/s]
+  dem::Fiber fiber;                   ///< with its dashpots set
+  double damping_ratio;               ///< xi_f of the chain's first mode
+  double setting;                     ///< xi_b, or tau over t_b with DashpotLaw::retardation_time
+  double retardation_time;            ///< tau = c / K of the bonds in bending [s]
+  reference::ChainMode mode;          ///< first bending mode of the linear chain
+  double natural_frequency;           ///< |lambda| [rad/s]
+  double stable_step;                 ///< largest stable dt [s]
+  double bond_time;                   ///< t_b [s]
+  double step;                        ///< dt that the run is expected to take [s]
+  double beam_damping;                ///< the fiber's xi_f with this tau, tau omega / 2
+  double beam_frequency;              ///< the fiber's, beta_1^2 sqrt(E I / (rho A L^4)) [rad/s]
   BeamDeparture damping_departure;    ///< of xi_f; the setting makes up for it
   BeamDeparture frequency_departure;  ///< of the frequency; an error of the chain that no damping mends
   double amplitude_effect;            ///< expected of a run, in parts of xi_f

@@ -22,11 +22,12 @@ dem::Cell optional(const std::optional<double>& value) {
 dem::NamedRow material_row(const CalibrationAnswer& answer) {
   const dem::Fiber& fiber = answer.found.fiber;
   return {{"aspect_ratio", std::int64_t{fiber.aspect_ratio}},
-          {"poisson_ratio", dem::poisson_ratio(fiber.material)},
+          {"poisson_ratio", dem::known(dem::poisson_ratio(fiber.material))},
           {"youngs_modulus", fiber.material.youngs_modulus},
           {"shear_modulus", fiber.material.shear_modulus},
           {"density", fiber.material.density},
           {"diameter", fiber.diameter},
+          {"mass", std::string(dem::name(fiber.mass))},
           {"bond", std::string(dem::name(fiber.bond_model))},
           {"dashpots", std::string(dem::name(fiber.dashpots))},
           {"target_damping", optional(answer.target)}};
@@ -58,9 +59,11 @@ dem::NamedRow error_row(const CalibrationAnswer& answer) {
           {"expected_error", expected_error(found)},
           {"fiber_damping_expected", found.damping_ratio * (1 + expected_error(found))},
           {"fiber_damping_beam", found.beam_damping},
+          {"damping_mass", found.damping_departure.mass},
           {"damping_discretization", found.damping_departure.discretization},
           {"damping_shear", found.damping_departure.shear},
           {"beam_frequency", found.beam_frequency},
+          {"frequency_mass", found.frequency_departure.mass},
           {"frequency_discretization", found.frequency_departure.discretization},
           {"frequency_shear", found.frequency_departure.shear}};
 }
@@ -75,6 +78,11 @@ void leave_out_dimensional(dem::NamedRow& row) {
 
 std::string beam_frequency_text(const CalibrationAnswer& answer) {
   return answer.asked.dimensional ? fmt::format(" {:.6g} rad/s", answer.found.beam_frequency) : "";
+}
+
+std::string mass_text(const dem::Fiber& fiber) {
+  return fiber.mass == dem::MassModel::cylinder ? "the fiber's own"
+                                                : "two thirds of the fiber's; --mass cylinder gives it all";
 }
 
 std::string run_note(const CalibrationAnswer& answer) {
@@ -95,6 +103,7 @@ dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
                     "shear_modulus",
                     "density",
                     "diameter",
+                    "mass",
                     "bond",
                     "dashpots",
                     "target_damping",
@@ -118,9 +127,11 @@ dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
                     "expected_error",
                     "fiber_damping_expected",
                     "fiber_damping_beam",
+                    "damping_mass",
                     "damping_discretization",
                     "damping_shear",
                     "beam_frequency",
+                    "frequency_mass",
                     "frequency_discretization",
                     "frequency_shear",
                     "fiber_damping",
@@ -146,15 +157,18 @@ std::string calibration_notes(const CalibrationAnswer& answer) {
              "- Expected of a run that swings to y/L = {:.3g}: xi_f changed by {:+.2e} of itself, {:+.2e} by "
              "the amplitude (a "
              "real fiber does that too) and {:+.2e} by a time step of {:.4g} t_b.\n"
-             "- Made up for by the setting: a uniform beam with this retardation time has xi_f = {:.6g}; the "
-             "chain's is "
-             "{:+.2e} of that by finite bonds and the end sphere and {:+.2e} by shear.\n"
-             "- Not made up for: the chain's natural frequency is off the uniform beam's{} by "
-             "{:+.2e} by finite "
-             "bonds and the end sphere and {:+.2e} by shear.\n",
+             "- Made up for by the setting: the fiber, a uniform beam, has xi_f = {:.6g} with this "
+             "retardation "
+             "time; the chain's is {:+.2e} of that by the mass of its spheres, {:+.2e} by finite bonds and "
+             "the "
+             "end sphere and {:+.2e} by shear.\n"
+             "- Not made up for: the chain's natural frequency is off the fiber's{} by {:+.2e} by the mass "
+             "of "
+             "its spheres ({}), {:+.2e} by finite bonds and the end sphere and {:+.2e} by shear.\n",
              answer.asked.amplitude, expected_error(f), f.amplitude_effect, f.time_step_effect,
-             f.step / f.bond_time, f.beam_damping, f.damping_departure.discretization,
-             f.damping_departure.shear, beam_frequency_text(answer), f.frequency_departure.discretization,
+             f.step / f.bond_time, f.beam_damping, f.damping_departure.mass,
+             f.damping_departure.discretization, f.damping_departure.shear, beam_frequency_text(answer),
+             f.frequency_departure.mass, mass_text(f.fiber), f.frequency_departure.discretization,
              f.frequency_departure.shear) +
          (answer.run ? "- " + run_note(answer) : "");
 }

@@ -1,6 +1,7 @@
 #include "compare/measure/linear_chain_of.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fiberchain::compare {
 
@@ -8,8 +9,12 @@ reference::LinearChain linear_chain_of(const dem::Fiber& fiber) {
   dem::check(fiber);
   // nu recovered from E and G carries their rounding
   const double nu = std::min(dem::poisson_ratio(fiber.material), 0.5);
-  reference::LinearChain chain = reference::linear_chain(
-      {fiber.aspect_ratio, fiber.diameter / 2, fiber.material.youngs_modulus, nu, fiber.material.density});
+  const bool isotropic = !std::isnan(nu);
+  reference::LinearChain chain =
+      reference::linear_chain({fiber.aspect_ratio, fiber.diameter / 2, fiber.material.youngs_modulus,
+                               isotropic ? nu : 0, fiber.material.density});
+  if (!isotropic) chain = reference::with_shear_modulus(chain, fiber.material.shear_modulus);
+  if (fiber.mass == dem::MassModel::cylinder) chain = reference::with_cylinder_mass(chain);
   if (fiber.bond_model == dem::BondModel::corrected) chain.stiffness.shear = 0.75 * chain.stiffness.stretch;
   switch (fiber.dashpots) {
     case dem::DashpotLaw::retardation_time:

@@ -12,7 +12,8 @@ using dem::CantileverScene;
 
 /// Whether the Elastica under a load across it is this scene's reference.
 bool has_elastica(const CantileverScene& scene) {
-  return std::abs(scene.direction[0]) < 1e-15 && scene.load > 0 && scene.load <= reference::max_elastica_load;
+  return scene.gravity == std::array<double, 3>{} && std::abs(scene.direction[0]) < 1e-15 && scene.load > 0 &&
+         scene.load <= reference::max_elastica_load;
 }
 
 dem::NamedRow elastica_cells(double load, const Station& tip) {
@@ -37,7 +38,7 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
   const Station& tip = rest.spheres.back();
   const bool marched = scene.method == dem::Method::march;
   dem::NamedRow row = {{"aspect_ratio", scene.fiber.aspect_ratio},
-                       {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+                       {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
                        {"load", scene.load},
                        {"bond", std::string(name(scene.fiber.bond_model))},
                        {"form", std::string(name(scene.march.form))},

@@ -92,7 +92,7 @@ dem::Table flow_table(const FlowScene& scene, const FlowHistory& history) {
   table.append(
       {{"aspect_ratio", scene.fiber.aspect_ratio},
        {"spheres", scene.fiber.aspect_ratio + 1},
-       {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+       {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
        {"bond", std::string(name(scene.fiber.bond_model))},
        {"form", std::string(name(scene.motion.form))},
        {"dimension", std::string(name(scene.dimension))},

@@ -103,19 +103,36 @@ ReleasePlan plan_release(const ReleaseScene& scene) {
 }
 
 dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
-  dem::Table table({"aspect_ratio", "poisson_ratio", "load", "bond", "form", "dimension", "bond_damping",
-                    "rolling_friction", "integrator", "time_step", "step_ratio", "steps", "bond_evaluations",
-                    "linear_solves", "fiber_damping", "fiber_damping_modes", "frequency", "run_time",
+  dem::Table table({"aspect_ratio",
+                    "poisson_ratio",
+                    "load",
+                    "bond",
+                    "form",
+                    "dimension",
+                    "mass",
+                    "bond_damping",
+                    "rolling_friction",
+                    "integrator",
+                    "time_step",
+                    "step_ratio",
+                    "steps",
+                    "bond_evaluations",
+                    "linear_solves",
+                    "fiber_damping",
+                    "fiber_damping_modes",
+                    "frequency",
+                    "run_time",
                     "status"});
   const bool marched =
       run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
   const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
   table.append({{"aspect_ratio", scene.fiber.aspect_ratio},
-                {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+                {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
                 {"load", scene.pull.load},
                 {"bond", std::string(name(scene.fiber.bond_model))},
                 {"form", std::string(name(form))},
                 {"dimension", std::string(name(scene.dimension))},
+                {"mass", std::string(name(scene.fiber.mass))},
                 {"bond_damping", scene.fiber.bond_damping},
                 {"rolling_friction", scene.fiber.rolling_friction},
                 {"integrator", std::string(name(run.integrator))},

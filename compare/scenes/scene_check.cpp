@@ -124,6 +124,12 @@ dem::Table check(const dem::FlowScene& scene, int) {
   return fiber_table("flow", scene, steps, !coupled ? 0 : stresslets ? 11 : 6);
 }
 
+std::string step_origin(const dem::StepChoice& choice) {
+  if (choice.set_by == "speed" || choice.set_by == "restitution")
+    return fmt::format("chosen by {} at {:.3g} m/s", choice.set_by, choice.speed);
+  return fmt::format("{} of what is stable: {}", dem::chosen_part, choice.set_by);
+}
+
 dem::Table check(const dem::PackingScene& scene, int threads) {
   const dem::PackingPlan plan = dem::plan_of(scene);
   const dem::StepCost cost = dem::measure_step_cost(scene, plan.step, threads);
@@ -135,9 +141,7 @@ dem::Table check(const dem::PackingScene& scene, int threads) {
                 {"spheres", spheres},
                 {"bonds", spheres - fibers},
                 {"time_step", plan.step},
-                {"step_from",
-                 scene.step ? std::string("scene")
-                            : fmt::format("{} of what is stable: {}", dem::chosen_part, plan.choice.set_by)},
+                {"step_from", scene.step ? std::string("scene") : step_origin(plan.choice)},
                 {"steps", plan.steps},
                 {"step_cost", cost.per_sphere},
                 {"step_cost_from", fmt::format("measured on {} spheres in a dense stack, threads: {}",

@@ -197,8 +197,11 @@ KineticEnergy kinetic_energy(const Fiber& fiber, FiberStates fibers) {
   const double m = sphere_mass(fiber), J = sphere_inertia(fiber);
   KineticEnergy energy;
   for (const ChainState<3>& state : fibers) {
-    for (const V& v : state.velocity) energy.translation += 0.5 * m * dot(v, v);
-    for (const V& w : state.spin) energy.rotation += 0.5 * J * dot(w, w);
+    for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+      const double share = mass_share(fiber, static_cast<int>(i));
+      energy.translation += 0.5 * share * m * dot(state.velocity[i], state.velocity[i]);
+      energy.rotation += 0.5 * share * J * dot(state.spin[i], state.spin[i]);
+    }
   }
   return energy;
 }

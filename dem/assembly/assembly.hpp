@@ -22,6 +22,9 @@ namespace fiberchain::dem {
 
 struct PackingLaw;
 
+/// How far the coefficient of restitution may be off by the step that is chosen.
+inline constexpr double usual_restitution_error = 0.01;
+
 struct AssemblyOptions {
   std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
   BondForm form = BondForm::incremental;
@@ -36,6 +39,8 @@ struct AssemblyOptions {
   bool placed_anywhere = false;  ///< fibers may start behind walls: their state comes from restore()
   bool allow_passage = false;    ///< march on where bodies may have passed through each other or a wall
   InstructionSet instruction_set = best_instruction_set();
+  double speed = 0;  ///< that bodies may come to [m/s], for the choice of a step beside those there are
+  double restitution_error = usual_restitution_error;  ///< that a chosen step may make
 };
 
 /// Wall-clock time of the parts of all steps [s].
@@ -113,13 +118,25 @@ class Assembly {
 /// Part of the largest stable step that is chosen.
 inline constexpr double chosen_part = 0.9;
 
+/// Part of the smallest radius that the fastest sphere may go in a step that is chosen.
+inline constexpr double chosen_path = 0.1;
+
 /// The step [s] an assembly takes when none is asked for, and what sets it.
 struct StepChoice {
   double step;
-  std::string_view set_by;               ///< "bonds", "bond damping" or "contacts"
-  double bonds, damped_bonds, contacts;  ///< largest steps each allows [s]
+  std::string_view set_by;               ///< "bonds", "bond damping", "contacts", "restitution" or "speed"
+  double bonds, damped_bonds, contacts;  ///< largest steps that each is stable with [s]
+  double restitution;  ///< that keeps the coefficient of restitution at `speed` [s]; infinite without speed
+  double path;         ///< with which `speed` goes chosen_path [s]; infinite without speed
+  double speed;        ///< of bodies towards each other, now or later [m/s]
+  double restitution_error = 0;  ///< of the coefficient of restitution at `speed` with the step that is taken
 };
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
                               const AssemblyOptions& options = {});
+
+/// How far the coefficient of restitution is off at this step where two spheres, or a sphere and a wall, meet
+/// head on at `speed` [m/s]: the largest of all pairs of bodies (restitution_error.hpp).
+double restitution_error(const std::vector<FiberGroup>& groups, const Domain& domain, double speed,
+                         double step);
 
 }  // namespace fiberchain::dem

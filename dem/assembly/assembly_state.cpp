@@ -118,7 +118,7 @@ MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, con
                                                     int lane, int i) const {
   const GroupKind& kind = kinds[block.group()];
   MovingSphere<double, 3> s = block.sphere(kind, snapshot, lane, i);
-  move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
+  move_half_step(s, i, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
   return s;
 }
 
@@ -153,22 +153,26 @@ std::int64_t Assembly::State::broken() const {
   return -1;
 }
 
-void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
-  const bool walls_come =
-      std::ranges::any_of(domain.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
+std::string Assembly::State::place_of(std::int64_t sphere) const {
   int fiber = 0;
   for (const FiberBlock& block : blocks) {
     for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
       const std::int64_t own = sphere - block.first(lane);
-      if (own >= kinds[block.group()].spheres()) continue;
-      throw Diverged(fmt::format(
-          "the run blew up: fiber {}, sphere {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); "
-          "likely cause: a step too long for the bonds or for how hard contacts press{}",
-          fiber, own, from, steps, step, time(),
-          walls_come ? ", or a wall that came upon spheres or moves into them" : ""));
+      if (own < kinds[block.group()].spheres()) return fmt::format("fiber {}, sphere {}", fiber, own);
     }
   }
-  throw Diverged("the run blew up");
+  return "a fiber";
+}
+
+void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
+  const bool walls_come =
+      std::ranges::any_of(domain.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
+  throw Diverged(
+      fmt::format("the run blew up: {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); likely cause: "
+                  "a step too long "
+                  "for the bonds or for how hard contacts press{}",
+                  place_of(sphere), from, steps, step, time(),
+                  walls_come ? ", or a wall that came upon spheres or moves into them" : ""));
 }
 
 EnergyBalance Assembly::State::energy() const {
@@ -182,8 +186,10 @@ EnergyBalance Assembly::State::energy() const {
       MovingSphere<double, 3> before{};
       for (int i = 0; i < kind.spheres(); ++i) {
         const MovingSphere<double, 3> s = sphere_now(block, now, lane, i);
-        sum.kinetic += 0.5 * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
-        sum.gravity -= dot(kind.weight, s.pose.position);
+        const double share = kind.share(i);
+        sum.kinetic +=
+            0.5 * share * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
+        sum.gravity -= share * dot(kind.weight, s.pose.position);
         state.poses.push_back(s.pose), state.velocity.push_back(s.velocity), state.spin.push_back(s.spin);
         // half of the work of the kick that is centered on this moment
         if (options.account_energy && block.moved() && i > 0)

@@ -120,6 +120,9 @@ struct Assembly::State {
   void touch();
   void march(std::int64_t count);
   EnergyBalance energy() const;
+  std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"
+  std::int64_t fastest_sphere() const;
+  double fastest_wall() const;
   double smallest_radius() const;  ///< [m]
 
  private:

@@ -28,7 +28,7 @@ void Assembly::State::rebuild_neighbor_list() {
 /// whether it was checked.
 bool Assembly::State::update_neighbor_list() {
   const double longest = *std::ranges::max_element(paths);
-  longest_path = std::max(longest_path, longest);
+  longest_path = std::max(longest_path, longest + step * fastest_wall());
   contacts.add_displacements(paths);
   if (contacts.walls_moved_far(time())) {
     rebuild_neighbor_list();
@@ -48,11 +48,12 @@ double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot
   for (int lane = 0; lane < block.lanes(); ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       const MovingSphere<double, 3> s = block.sphere(kind, before, lane, i);
+      const double m = kind.share(i) * kind.mass, J = kind.share(i) * kind.inertia;
       const Vec<double, 3> v = rows.velocity(block.first(lane) + i), w = rows.spin(block.first(lane) + i);
       for (int c = 0; c < 3; ++c) {
         const double mean = 0.5 * (s.velocity[c] + v[c]), mean_spin = 0.5 * (s.spin[c] + w[c]);
-        dissipated += mean * (step * s.force[c] - kind.mass * (v[c] - s.velocity[c])) +
-                      mean_spin * (step * s.moment[c] - kind.inertia * (w[c] - s.spin[c]));
+        dissipated += mean * (step * s.force[c] - m * (v[c] - s.velocity[c])) +
+                      mean_spin * (step * s.moment[c] - J * (w[c] - s.spin[c]));
       }
     }
   }
@@ -149,14 +150,33 @@ void Assembly::State::check_passage(std::int64_t from) const {
   const bool through = contacts.deepest() > deepest_passable;
   if (!through && !(longest_path > longest_passable * smallest_radius())) return;
   throw Diverged(fmt::format(
-      "bodies may have passed through each other or through a wall between steps {} and {} (dt = {:.6g} s, "
-      "t = {:.6g} s): {}; likely cause: contacts too soft for these speeds, a wall that closes or comes upon "
+      "bodies may have passed through each other or through a wall, {} the fastest, between steps {} and {} "
+      "(dt = {:.6g} s, t = {:.6g} s): {}; likely cause: contacts too soft for these speeds, a wall that "
+      "closes or comes upon "
       "spheres, or a step too long",
-      from, steps, step, time(),
+      place_of(fastest_sphere()), from, steps, step, time(),
       through ? fmt::format("an overlap reached {:.3g} of the smaller radius, allowed {:g}",
                             contacts.deepest(), deepest_passable)
               : fmt::format("a sphere moved by {:.3g} of the smallest radius in a step, allowed {:g}",
                             longest_path / smallest_radius(), longest_passable)));
+}
+
+std::int64_t Assembly::State::fastest_sphere() const {
+  std::int64_t fastest = 0;
+  double most = -1;
+  for (std::int64_t i = 0; i < rows.count; ++i) {
+    const double speed = norm(rows.velocity(i));
+    if (speed > most) fastest = i, most = speed;
+  }
+  return fastest;
+}
+
+/// Of the walls that are there [m/s].
+double Assembly::State::fastest_wall() const {
+  double fastest = 0;
+  for (const Wall& wall : domain.walls)
+    if (is_active(wall, time())) fastest = std::max(fastest, norm(wall.velocity));
+  return fastest;
 }
 
 double Assembly::State::smallest_radius() const {

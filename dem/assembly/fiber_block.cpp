@@ -110,6 +110,7 @@ PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRa
           .workspace = workspace_.data(),
           .scratch = scratch.data(),
           .weight = {kind.weight[0], kind.weight[1], kind.weight[2]},
+          .end_share = end_mass_share(kind.chain.fiber),
           .gradient = gradient,
           .next_history = nullptr,
           .rows_ahead = 0,
@@ -161,7 +162,7 @@ void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loa
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       Sphere s = sphere(kind, now, lane, i);
-      move_half_step(s, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
+      move_half_step(s, i, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
       double* own = rows.velocity_row(first_[lane] + i);
       for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];
     }

@@ -24,10 +24,11 @@ struct GroupKind {
   LaneArray lane_parameters,
       lane_natural;       ///< parameters and natural ends of the chain, the same in every lane
   StokesDrag drag;        ///< zero without fluid
-  Vec<double, 3> weight;  ///< of a sphere [N]
-  double mass, inertia;   ///< of a sphere [kg], [kg m^2]
+  Vec<double, 3> weight;  ///< of a sphere that is not an end [N]
+  double mass, inertia;   ///< of a sphere that is not an end [kg], [kg m^2]
 
   int spheres() const { return chain.fiber.aspect_ratio + 1; }
+  double share(int sphere) const { return mass_share(chain.fiber, sphere); }
   /// Numbers of a block's history.
   std::size_t history_size() const {
     return chain.fiber.aspect_ratio * kernel->history * static_cast<std::size_t>(kernel->width);

@@ -4,6 +4,7 @@
 
 #include "dem/assembly/packing_law.hpp"
 #include "dem/contact/contact_rates.hpp"
+#include "dem/contact/restitution_error.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -32,19 +33,86 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
                             const Domain& domain) {
   constexpr double pressed = 0.1;  // overlap over the radius that contacts are expected to stay below
   constexpr int neighbors = 6;     // of a sphere, so pressed
-  const ContactBody body = sphere_body(group.chain.fiber);
+  const Fiber& fiber = group.chain.fiber;
+  const ContactBody body = sphere_body(fiber);
   ContactRates worst{};
-  const auto meet = [&](const ContactBody& other) {
+  // the law knows spheres between the ends; what it gives acts on end spheres, too
+  const auto meet = [&](const ContactBody& other, double lightest) {
     const double overlap = pressed * std::min(body.radius, other.radius);
     const ContactRates rates = contact_rates(body, other, domain.contacts, overlap, neighbors);
-    worst = {std::max(worst.stiffness, rates.stiffness), std::max(worst.dashpots, rates.dashpots)};
+    worst = {std::max(worst.stiffness, rates.stiffness / lightest),
+             std::max(worst.dashpots, rates.dashpots / lightest)};
   };
-  for (const FiberGroup& other : groups) meet(sphere_body(other.chain.fiber));
-  if (!domain.walls.empty()) meet(wall_body(domain));
+  const double own = end_mass_share(fiber);
+  for (const FiberGroup& other : groups)
+    meet(sphere_body(other.chain.fiber), std::min(own, end_mass_share(other.chain.fiber)));
+  if (!domain.walls.empty()) meet(wall_body(domain), own);
   return worst;
 }
 
+/// Of fibers now and of walls, and what is expected beside [m/s].
+double largest_speed(const std::vector<FiberGroup>& groups, const Domain& domain, double expected) {
+  double fastest = expected, wall = 0;
+  for (const FiberGroup& group : groups) {
+    for (const ChainState<3>& state : group.fibers) {
+      for (const auto& v : state.velocity) fastest = std::max(fastest, norm(v));
+    }
+  }
+  for (const Wall& each : domain.walls) wall = std::max(wall, norm(each.velocity));
+  return fastest + wall;
+}
+
+/// Calls use(a, b) with every pair of kinds of bodies that may meet.
+template <class Use>
+void for_pairs_of_bodies(const std::vector<FiberGroup>& groups, const Domain& domain, const Use& use) {
+  std::vector<ContactBody> bodies;
+  for (const FiberGroup& group : groups) {
+    const ContactBody body = sphere_body(group.chain.fiber);
+    if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
+  }
+  const std::size_t kinds = bodies.size();
+  if (!domain.walls.empty()) bodies.push_back(wall_body(domain));
+  for (std::size_t a = 0; a < kinds; ++a) {
+    for (std::size_t b = a; b < bodies.size(); ++b) use(bodies[a], bodies[b]);
+  }
+}
+
+/// Largest step up to `high` that keeps the coefficient of restitution of every pair of bodies.
+double restitution_step(const std::vector<FiberGroup>& groups, const Domain& domain, double speed,
+                        double allowed, double high) {
+  for_pairs_of_bodies(groups, domain, [&](const ContactBody& a, const ContactBody& b) {
+    high = step_for_restitution(a, b, domain.contacts, speed, allowed, high);
+  });
+  return high;
+}
+
+/// The step that is chosen goes no further than the speeds there are and the collisions at them allow.
+void count_speeds(StepChoice& choice, const std::vector<FiberGroup>& groups, const Domain& domain,
+                  const AssemblyOptions& options) {
+  choice.speed = largest_speed(groups, domain, options.speed);
+  if (!(choice.speed > 0)) return;
+  double radius = sphere_radius(groups.front().chain.fiber);
+  for (const FiberGroup& group : groups) radius = std::min(radius, sphere_radius(group.chain.fiber));
+  choice.path = chosen_path * radius / choice.speed;
+  const double stable = choice.step;
+  choice.restitution = restitution_step(groups, domain, choice.speed, options.restitution_error, choice.step);
+  choice.step = std::min({stable, choice.path, choice.restitution});
+  if (choice.step < stable) choice.set_by = choice.step == choice.path ? "speed" : "restitution";
+  choice.restitution_error = restitution_error(groups, domain, choice.speed, choice.step);
+}
+
 }  // namespace
+
+double restitution_error(const std::vector<FiberGroup>& groups, const Domain& domain, double speed,
+                         double step) {
+  double worst = 0;
+  if (!(speed > 0)) return worst;
+  for_pairs_of_bodies(groups, domain, [&](const ContactBody& a, const ContactBody& b) {
+    const double here = restitution_error(a, b, domain.contacts, speed, step);
+    if (!(here <= worst)) worst = here;
+  });
+  return worst;
+}
 
 // Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
 // (contact_rates.hpp). K and C are accumulators over bonds and contacts: what each uses up alone, in its own
@@ -52,7 +120,14 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
                               const AssemblyOptions& options) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  StepChoice choice{.step = none, .set_by = "", .bonds = none, .damped_bonds = none, .contacts = none};
+  StepChoice choice{.step = none,
+                    .set_by = "",
+                    .bonds = none,
+                    .damped_bonds = none,
+                    .contacts = none,
+                    .restitution = none,
+                    .path = none,
+                    .speed = 0};
   for (const FiberGroup& group : groups) {
     // springs k times stiffer than the parameters say: with dt / sqrt(k) neither dt^2 K nor dt C is larger
     // than allowed
@@ -70,6 +145,7 @@ StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domai
   }
   const double least = std::min({choice.bonds, choice.damped_bonds, choice.contacts});
   choice.set_by = least == choice.contacts ? "contacts" : least == choice.bonds ? "bonds" : "bond damping";
+  count_speeds(choice, groups, domain, options);
   return choice;
 }
 

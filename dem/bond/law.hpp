@@ -2,19 +2,25 @@
 
 #include <algorithm>
 
+#include "dem/bond/coupling.hpp"
 #include "dem/bond/kinematics.hpp"
 #include "dem/model/fiber.hpp"
 
 // The bond law, once for every dimension, number type, equilibrium and integrator. Its energy
-//   U = 1/2 K_n (l - l_r)^2 + 1/2 K_t l_0^2 gamma^2 + 1/2 K_bend theta_b^2 + 1/2 K_twist psi^2
-// with l_r = l_0 (1 - chord theta_b^2); chord = 0 is the paper's bond, 1/24 the corrected one.
+//   U = 1/2 K_n (l - l_r)^2 + 1/2 K_t l_0^2 gamma^2 + 1/2 K_bend theta_b^2 + 1/2 K_twist psi^2 + U_c
+// with l_r = l_0 (1 - chord theta_b^2); chord = 0 is the paper's bond, 1/24 the corrected one. theta_b and
+// psi count from the rest shape in the springs, from straight in l_r; U_c couples twist and bending
+// (coupling.hpp).
 namespace fiberchain::dem {
 
 template <class Real>
 struct BondParameters {
-  Real stretch, shear, twist, bend;                      ///< K_n, K_t [N/m]; K_twist, K_bend [N m]
-  Real rest_length;                                      ///< l_0 = 2R [m]
-  Real chord;                                            ///< 0 or 1/24 [-]
+  Real stretch, shear, twist, bend;  ///< K_n, K_t [N/m]; K_twist, K_bend [N m]
+  Real rest_length;                  ///< l_0 along the bond's axis at rest [m]
+  Real unbent_length;                ///< l_r at theta_b = 0 [m]
+  Real chord;                        ///< 0 or 1/24 [-]
+  Real rest_moment;                  ///< K_bend times the arc's angle [N m]
+  BondCoupling<Real> coupling;
   Real dash_stretch, dash_shear, dash_twist, dash_bend;  ///< dashpots, Eqs 7-10
   Real own[law_parameter_count];                         ///< parameters that one law alone knows
 };
@@ -23,12 +29,16 @@ inline BondParameters<double> bond_parameters(const Fiber& fiber) {
   const BondStiffness K = bond_stiffness(fiber);
   const BondDashpot c = bond_dashpot(fiber);
   const double chord = fiber.bond_model == BondModel::corrected ? 1.0 / 24.0 : 0.0;
+  const double angle = fiber.rest_angle, length = arc_length(fiber);
   BondParameters<double> bond{.stretch = K.stretch,
                               .shear = K.shear,
                               .twist = K.twist,
                               .bend = K.bend,
-                              .rest_length = bond_length(fiber),
+                              .rest_length = length,
+                              .unbent_length = bond_length(fiber) + length * chord * angle * angle,
                               .chord = chord,
+                              .rest_moment = K.bend * angle,
+                              .coupling = bond_coupling(fiber),
                               .dash_stretch = c.stretch,
                               .dash_shear = c.shear,
                               .dash_twist = c.twist,
@@ -60,7 +70,7 @@ Vec<Real, 3> scale_spin(const Real& along, const Real& across, const Vec<Real, 3
   return {along * Omega[0], across * Omega[1], across * Omega[2]};
 }
 
-/// N = K_n (l - l_r), from the stretch l - l_0 and theta_b^2.
+/// N = K_n (l - l_r), from l less the unbent length and theta_b^2.
 template <class Real>
 Real tension(const BondParameters<Real>& bond, const Real& stretch, const Real& bend_squared) {
   return bond.stretch * (stretch + bond.rest_length * bond.chord * bend_squared);
@@ -104,7 +114,7 @@ template <class Real, int Dim>
 BondStress<Real, Dim> bond_stress(const BondParameters<Real>& bond, const Vec<Real, Dim>& rho,
                                   const Spin<Real, Dim>& Omega) {
   const ShearAngle<Real> shear = shear_angle(rho);
-  const Real N = tension(bond, shear.length - bond.rest_length, bend_squared(Omega));
+  const Real N = tension(bond, shear.length - bond.unbent_length, bend_squared(Omega));
   const Real inverse_length = Real(1.0) / shear.length;
   // d(gamma^2/2)/drho = (gamma / |rho_perp|) (rho_x rho_perp - |rho_perp|^2 e_x) / l^2
   const Real l0 = bond.rest_length;
@@ -112,18 +122,30 @@ BondStress<Real, Dim> bond_stress(const BondParameters<Real>& bond, const Vec<Re
   const Real pull = N * inverse_length;
   Vec<Real, Dim> force = (pull + Q * rho[0]) * rho;
   force[0] = force[0] - Q * shear.length * shear.length;
-  return {force, scale_spin(bond.twist, bending_coefficient(bond, N), Omega)};
+  Spin<Real, Dim> moment = scale_spin(bond.twist, bending_coefficient(bond, N), Omega);
+  constexpr int about_z = spin_size<Dim> - 1;
+  moment[about_z] = moment[about_z] - bond.rest_moment;
+  if constexpr (Dim == 3) add_coupling(bond.coupling, rho, Omega, force, moment);
+  return {force, moment};
 }
 
 /// U [J]
 template <class Real, int Dim>
 Real bond_energy(const BondParameters<Real>& bond, const Vec<Real, Dim>& rho, const Spin<Real, Dim>& Omega) {
   const ShearAngle<Real> shear = shear_angle(rho);
-  const Real N = tension(bond, shear.length - bond.rest_length, bend_squared(Omega));
+  const Real N = tension(bond, shear.length - bond.unbent_length, bend_squared(Omega));
   const Real gamma_squared = shear.ratio * shear.ratio * across_squared(rho);
   const Real l0 = bond.rest_length;
-  return Real(0.5) * (N * N / bond.stretch + bond.shear * l0 * l0 * gamma_squared +
-                      dot(Omega, scale_spin(bond.twist, bond.bend, Omega)));
+  Spin<Real, Dim> strain = Omega;
+  constexpr int about_z = spin_size<Dim> - 1;
+  strain[about_z] = strain[about_z] - bond.rest_moment / bond.bend;
+  const Real springs = Real(0.5) * (N * N / bond.stretch + bond.shear * l0 * l0 * gamma_squared +
+                                    dot(strain, scale_spin(bond.twist, bond.bend, strain)));
+  if constexpr (Dim == 3) {
+    return springs + coupling_energy(bond.coupling, rho, Omega);
+  } else {
+    return springs;
+  }
 }
 
 /// What a bond does to its two spheres: forces +-force [N], moments [N m], in the global frame.

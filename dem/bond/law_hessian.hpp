@@ -36,6 +36,26 @@ Eigen::Matrix<double, Dim, Dim> shear_hessian(const Vec<double, Dim>& rho, const
   return hessian;
 }
 
+/// Adds the second derivative of U_c by (rho, Omega).
+inline void add_coupling_hessian(const BondCoupling<double>& c, const BondKinematics<double, 3>& k,
+                                 Sizes<3>::Hessian& H) {
+  enum { y = 1, z, twist, about_y, about_z };
+  const Vec<double, 3>&rho = k.separation, &Omega = k.rotation;
+  const auto add = [&H](int i, int j, double value) {
+    H(i, j) += value;
+    if (i != j) H(j, i) += value;
+  };
+  add(y, twist, -c.shear * Omega[1]);
+  add(z, twist, c.arc_shear - c.shear * Omega[2]);
+  add(y, about_y, -c.shear * Omega[0]);
+  add(z, about_z, -c.shear * Omega[0]);
+  add(twist, twist, c.bend * bend_squared(Omega) - 2 * c.arc_twist * Omega[2]);
+  add(twist, about_y, 2 * Omega[0] * c.bend * Omega[1] - c.shear * rho[1]);
+  add(twist, about_z, 2 * Omega[0] * (c.bend * Omega[2] - c.arc_twist) - c.shear * rho[2]);
+  add(about_y, about_y, Omega[0] * Omega[0] * c.bend - c.arc_bend);
+  add(about_z, about_z, Omega[0] * Omega[0] * c.bend);
+}
+
 /// Second derivative of U by (rho, Omega).
 template <int Dim>
 typename Sizes<Dim>::Hessian law_hessian(const BondParameters<double>& bond,
@@ -44,7 +64,7 @@ typename Sizes<Dim>::Hessian law_hessian(const BondParameters<double>& bond,
   using Matrix = Eigen::Matrix<double, S::d, S::d>;
   const ShearAngle<double> shear = shear_angle(k.separation);
   const double l = shear.length, l0 = bond.rest_length;
-  const double N = tension(bond, l - l0, bend_squared(k.rotation));
+  const double N = tension(bond, l - bond.unbent_length, bend_squared(k.rotation));
   const typename S::Displacement e = eigen(k.separation) / l;
   const typename S::Rotation slope =
       2 * l0 * bond.chord * eigen(scale_spin(0.0, 1.0, k.rotation));  // d(l-l_r)/dOmega
@@ -60,6 +80,7 @@ typename Sizes<Dim>::Hessian law_hessian(const BondParameters<double>& bond,
   H.template bottomRightCorner<S::s, S::s>() = bond.stretch * slope * slope.transpose();
   H.template bottomRightCorner<S::s, S::s>().diagonal() +=
       eigen(scale_spin(bond.twist, bending_coefficient(bond, N), ones));
+  if constexpr (Dim == 3) add_coupling_hessian(bond.coupling, k, H);
   return H;
 }
 

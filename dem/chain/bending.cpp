@@ -14,6 +14,10 @@ double bending_angle(const Chain<3>& chain, const Poses<3>& poses, int bond) {
     first = first * chain.natural[bond].first;
     second = second * chain.natural[bond].second;
   }
+  if (const double angle = chain.fiber.rest_angle; angle != 0) {
+    first = first * rotation({0, 0, angle / 2});
+    second = second * rotation({0, 0, -angle / 2});
+  }
   return angle_between(rotate(first, V{1, 0, 0}), rotate(second, V{1, 0, 0}));
 }
 

@@ -32,6 +32,10 @@ Quaternion<double> offset(const Quaternion<double>& from, const Quaternion<doubl
 template <int Dim>
 Chain<Dim> straight_chain(const Fiber& fiber) {
   check(fiber);
+  if (fiber.rest_angle != 0) {
+    throw InvalidInput(
+        fmt::format("rest_angle = {} is not allowed: a straight chain has none", fiber.rest_angle));
+  }
   Chain<Dim> chain{fiber, {}, {}};
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
     chain.poses.push_back(pose_along(Vec<double, Dim>{i * bond_length(fiber)}, false));

@@ -16,10 +16,11 @@ template <int Dim>
 struct Chain {
   Fiber fiber;
   Poses<Dim> poses;                               ///< aspect_ratio + 1 spheres, at rest
-  std::vector<NaturalEnds<double, Dim>> natural;  ///< a bond's ends at rest; empty: straight at rest
+  std::vector<NaturalEnds<double, Dim>> natural;  ///< a bond's ends at rest; empty: no corners
 };
 
-/// Stress-free straight chain along x from the origin. Throws InvalidInput for a fiber that makes no sense.
+/// Stress-free straight chain along x from the origin. Throws InvalidInput for a fiber that makes no sense
+/// or is an arc at rest (arc_chain.hpp).
 template <int Dim>
 Chain<Dim> straight_chain(const Fiber& fiber);
 

@@ -19,19 +19,21 @@ ChainState<Dim> at_rest(const Poses<Dim>& poses) {
 
 template <int Dim>
 double total_energy(const Chain<Dim>& chain, const ChainState<Dim>& state) {
-  const double m = sphere_mass(chain.fiber), J = sphere_inertia(chain.fiber);
   double sum = elastic_energy(chain, state.poses);
   for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    const double share = mass_share(chain.fiber, static_cast<int>(i));
+    const double m = share * sphere_mass(chain.fiber), J = share * sphere_inertia(chain.fiber);
     sum += 0.5 * (m * dot(state.velocity[i], state.velocity[i]) + J * dot(state.spin[i], state.spin[i]));
   }
   return sum;
 }
 
 template <int Dim>
-SphereVector<Dim> sphere_inertias(const Fiber& fiber) {
+SphereVector<Dim> sphere_inertias(const Fiber& fiber, int sphere) {
+  const double share = mass_share(fiber, sphere);
   SphereVector<Dim> inertias;
-  inertias.template head<Dim>().setConstant(sphere_mass(fiber));
-  inertias.template tail<spin_size<Dim>>().setConstant(sphere_inertia(fiber));
+  inertias.template head<Dim>().setConstant(share * sphere_mass(fiber));
+  inertias.template tail<spin_size<Dim>>().setConstant(share * sphere_inertia(fiber));
   return inertias;
 }
 
@@ -74,10 +76,9 @@ ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses
                                 const Boundary<Dim>& boundary, ChainTangent<Dim> K,
                                 const MatrixFactors& factors) {
   ChainTangent<Dim> A = std::move(K);
-  const SphereVector<Dim> inertias = sphere_inertias<Dim>(chain.fiber);
   for (int i = 0; i < A.blocks(); ++i) {
     for (auto* block : {&A.lower[i], &A.diagonal[i], &A.upper[i]}) *block *= factors.stiffness;
-    A.diagonal[i].diagonal() += factors.inertia * inertias;
+    A.diagonal[i].diagonal() += factors.inertia * sphere_inertias<Dim>(chain.fiber, i);
   }
   add_dashpots(chain, poses, factors.damping, A);
   hold_clamped(A, boundary);
@@ -87,7 +88,7 @@ ChainTangent<Dim> motion_matrix(const Chain<Dim>& chain, const Poses<Dim>& poses
 #define FIBERCHAIN_INSTANTIATE(Dim)                                                                         \
   template ChainState<Dim> at_rest<Dim>(const Poses<Dim>&);                                                 \
   template double total_energy<Dim>(const Chain<Dim>&, const ChainState<Dim>&);                             \
-  template SphereVector<Dim> sphere_inertias<Dim>(const Fiber&);                                            \
+  template SphereVector<Dim> sphere_inertias<Dim>(const Fiber&, int);                                       \
   template ChainVector<Dim> dashpot_forces<Dim>(const Chain<Dim>&, const Poses<Dim>&,                       \
                                                 const ChainVector<Dim>&);                                   \
   template void add_dashpots<Dim>(const Chain<Dim>&, const Poses<Dim>&, double, ChainTangent<Dim>&);        \

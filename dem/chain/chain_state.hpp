@@ -34,7 +34,7 @@ void add_dashpots(const Chain<Dim>& chain, const Poses<Dim>& poses, double facto
 
 /// Masses and moments of inertia, m for the displacements and J for the rotations.
 template <int Dim>
-SphereVector<Dim> sphere_inertias(const Fiber& fiber);
+SphereVector<Dim> sphere_inertias(const Fiber& fiber, int sphere);
 
 /// inertia M + damping C + stiffness K, identity rows at clamped spheres, with K (no sphere held) given:
 /// Newton's matrix of every implicit scheme.

@@ -13,8 +13,8 @@ double joined(double a, double b) { return 1 / (1 / a + 1 / b); }
 }  // namespace
 
 ContactBody sphere_body(const Fiber& fiber) {
-  return {fiber.material.youngs_modulus, poisson_ratio(fiber.material), sphere_radius(fiber),
-          sphere_mass(fiber), sphere_inertia(fiber)};
+  const auto [E, nu] = contact_elasticity(fiber.material);
+  return {E, nu, sphere_radius(fiber), sphere_mass(fiber), sphere_inertia(fiber)};
 }
 
 ContactBody wall_body(const Domain& domain) {

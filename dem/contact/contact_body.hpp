@@ -14,6 +14,7 @@ struct ContactBody {
   bool operator==(const ContactBody&) const = default;
 };
 
+/// A sphere of the fiber that is not an end; an end sphere of half its mass meets others by the same law.
 ContactBody sphere_body(const Fiber& fiber);
 ContactBody wall_body(const Domain& domain);
 

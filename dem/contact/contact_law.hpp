@@ -5,6 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "dem/contact/collision.hpp"
 #include "dem/contact/contact_body.hpp"
 #include "dem/contact/kernels/contact_kernel.hpp"
 #include "dem/contact/laws/laws.hpp"
@@ -19,6 +20,9 @@ struct ContactLaw {
   int parameters_size;  ///< numbers of Parameters
   void (*parameters)(const EffectiveBody&, const ContactProperties&, double step, double* numbers);
   ContactStiffness (*stiffness)(const EffectiveBody&, const ContactProperties&, double overlap);
+  /// Of a head-on collision at this speed, step and phase (collision.hpp).
+  double (*restitution)(const EffectiveBody&, const ContactProperties&, double speed, double step,
+                        double phase);
   double (*reach)(const EffectiveBody&, const ContactProperties&);           ///< gap up to which it acts [m]
   double (*overlap)(const double* history);                                  ///< [m]
   double (*stored_energy)(const double* parameters, const double* history);  ///< [J]
@@ -99,6 +103,7 @@ inline constexpr ContactLaw contact_law_of{
     .parameters_size = sizeof(typename Law::template Parameters<double>) / sizeof(double),
     .parameters = ContactLawOf<Law, Laws, Shapes>::parameters,
     .stiffness = Law::stiffness,
+    .restitution = collision_restitution<Law>,
     .reach = ContactLawOf<Law, Laws, Shapes>::reach,
     .overlap = ContactLawOf<Law, Laws, Shapes>::overlap,
     .stored_energy = ContactLawOf<Law, Laws, Shapes>::stored_energy,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/flow/stretch_limit.hpp"
 #include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/physics_of.hpp"
 
@@ -33,10 +34,13 @@ ChainBatch<Dim> block_of(const std::vector<typename FlowBatch<Dim>::Member>& mem
           physics, options.instruction_set};
 }
 
-std::string failure_text(int sphere, double step, double dt, double time, double stable) {
+template <int Dim>
+std::string failure_text(const FlowCase<Dim>& flow, int sphere, double step, double dt, double time,
+                         double stable) {
   const std::string cause =
       dt >= stable ? fmt::format("the step is beyond the stable one, {:.6g} s", stable)
-                   : std::string("a flow or load far beyond the bonds' stiffness, or a step too long for it");
+                   : fmt::format("{}; a load far beyond the bonds' stiffness, or a step too long for it",
+                                 stretch_cause(flow.chain.fiber, flow.fluid, time));
   return fmt::format(
       "the run blew up: sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}", sphere,
       step, dt, time, cause);
@@ -72,10 +76,14 @@ std::vector<FlowRecord> FlowBatch<Dim>::run(const FlowJobSample<Dim>& sample) {
     for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
       if (!whole(lane)) continue;
       const double time = (*members_[lane].times)[n];
+      const FlowCase<Dim>& flow = *members_[lane].flow;
+      const ChainState<Dim> state =
+          time > 0 ? state_now(block_, static_cast<int>(lane), spheres) : carried_state(flow);
+      if (lanes_[lane].step < members_[lane].plan.stable)
+        lanes_[lane].record.failure = stretch_failure(flow.chain, state.poses, flow.fluid, time);
+      if (!whole(lane)) continue;
       lanes_[lane].time = lanes_[lane].record.reached = time;
-      sample(lane, time,
-             time > 0 ? state_now(block_, static_cast<int>(lane), spheres)
-                      : carried_state(*members_[lane].flow));
+      sample(lane, time, state);
     }
   }
   std::vector<FlowRecord> records;
@@ -132,8 +140,8 @@ void FlowBatch<Dim>::find_break(std::size_t lane, int steps) {
     count(lane, 1);
     const int sphere = broken_sphere(block_, static_cast<int>(lane), members_[lane].flow->chain.fiber);
     if (sphere < 0) continue;
-    own.record.failure =
-        failure_text(sphere, own.record.work.steps, own.step, own.time, members_[lane].plan.stable);
+    own.record.failure = failure_text(*members_[lane].flow, sphere, own.record.work.steps, own.step, own.time,
+                                      members_[lane].plan.stable);
   }
 }
 

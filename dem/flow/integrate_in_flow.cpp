@@ -6,6 +6,7 @@
 #include "dem/chain/flow_at_spheres.hpp"
 #include "dem/flow/inertialess.hpp"
 #include "dem/flow/leapfrog_in_flow.hpp"
+#include "dem/flow/stretch_limit.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/cvode.hpp"
 
@@ -71,11 +72,14 @@ CvodeMotion<Dim> motion_with_inertia(const FlowCase<Dim>& flow, double tolerance
 }
 
 template <int Dim, class Motion>
-FlowRecord follow_by(Motion motion, const std::vector<double>& times, const FlowSample<Dim>& sample) {
+FlowRecord follow_by(const FlowCase<Dim>& flow, Motion motion, const std::vector<double>& times,
+                     const FlowSample<Dim>& sample) {
   FlowRecord record{};
   try {
     for (const double time : times) {
       const ChainState<Dim> state = motion.at(time);
+      record.failure = stretch_failure(flow.chain, state.poses, flow.fluid, time);
+      if (!record.failure.empty()) break;
       sample(time, state);
       record.reached = time;
     }
@@ -95,9 +99,10 @@ FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, c
   check_case(flow, times, options);
   switch (options.method) {
     case FlowMethod::inertialess:
-      return follow_by<Dim>(InertialessMotion<Dim>(flow, options.tolerance), times, sample);
+      return follow_by<Dim>(flow, InertialessMotion<Dim>(flow, options.tolerance), times, sample);
     case FlowMethod::cvode:
-      return follow_by<Dim>(motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()),
+      return follow_by<Dim>(flow,
+                            motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()),
                             times, sample);
     default:
       return leapfrog_in_flow(flow, times, options, sample);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "dem/model/errors.hpp"
@@ -11,6 +12,8 @@ namespace fiberchain::dem {
 namespace {
 
 using std::numbers::pi;
+
+constexpr double largest_rest_angle = 2 * pi / 3;
 
 void require(bool allowed, std::string_view name, double value, std::string_view allowed_text) {
   if (!allowed) throw InvalidInput(fmt::format("{} = {} is not allowed: {}", name, value, allowed_text));
@@ -32,8 +35,18 @@ Material isotropic_material(double youngs_modulus, double nu, double density) {
 }
 
 double poisson_ratio(const Material& material) {
-  return (material.youngs_modulus - 2 * material.shear_modulus) / (2 * material.shear_modulus);
+  const double nu = (material.youngs_modulus - 2 * material.shear_modulus) / (2 * material.shear_modulus);
+  // recovered from E and G it carries their rounding
+  return nu > -1 && nu <= 0.5 + 1e-12 ? nu : std::numeric_limits<double>::quiet_NaN();
 }
+
+TransverseElasticity contact_elasticity(const Material& material) {
+  if (material.across) return *material.across;
+  const double nu = poisson_ratio(material);
+  return {material.youngs_modulus, std::isnan(nu) ? usual_poisson_ratio : nu};
+}
+
+std::string_view name(MassModel model) { return model == MassModel::spheres ? "spheres" : "cylinder"; }
 
 std::string_view name(BondModel model) { return model == BondModel::paper ? "paper" : "corrected"; }
 
@@ -53,9 +66,10 @@ void check(const Fiber& fiber) {
   require_positive("shear_modulus", fiber.material.shear_modulus);
   require_positive("density", fiber.material.density);
   require_positive("diameter", fiber.diameter);
-  // nu recovered from E and G carries their rounding
-  const double nu = poisson_ratio(fiber.material);
-  require_poisson_ratio(nu > 0.5 && nu < 0.5 + 1e-12 ? 0.5 : nu);
+  if (const auto& across = fiber.material.across) {
+    require_positive("transverse_modulus", across->youngs_modulus);
+    require_poisson_ratio(across->poisson_ratio);
+  }
   require(fiber.aspect_ratio >= 1, "aspect_ratio", fiber.aspect_ratio,
           "it must be a whole number, 1 or more");
   require(std::isfinite(fiber.bond_damping) && fiber.bond_damping >= 0, "bond_damping", fiber.bond_damping,
@@ -64,6 +78,8 @@ void check(const Fiber& fiber) {
           fiber.retardation_time, "it must be finite and 0 or more");
   require(std::isfinite(fiber.rolling_friction) && fiber.rolling_friction >= 0, "rolling_friction",
           fiber.rolling_friction, "it must be finite and 0 or more");
+  require(std::abs(fiber.rest_angle) <= largest_rest_angle, "rest_angle", fiber.rest_angle,
+          "it must be between -2 pi / 3 and 2 pi / 3, where every other sphere touches");
   for (const double own : fiber.law_parameters)
     require(std::isfinite(own), "law_parameters", own, "they must be finite");
   if (fiber.dashpots == DashpotLaw::retardation_time) {
@@ -79,14 +95,32 @@ bool damped(const Fiber& fiber) { return fiber.bond_damping > 0 || fiber.retarda
 
 double sphere_radius(const Fiber& fiber) { return fiber.diameter / 2; }
 double bond_length(const Fiber& fiber) { return fiber.diameter; }
+
+double arc_length(const Fiber& fiber) {
+  const double half = fiber.rest_angle / 2;
+  return half == 0 ? bond_length(fiber) : bond_length(fiber) * (half / std::sin(half));
+}
+
 double fiber_length(const Fiber& fiber) { return fiber.aspect_ratio * bond_length(fiber); }
 
 double sphere_mass(const Fiber& fiber) {
-  return 4.0 / 3.0 * pi * std::pow(sphere_radius(fiber), 3) * fiber.material.density;
+  const double radii = fiber.mass == MassModel::spheres ? 4.0 / 3.0 : 2.0;
+  return radii * pi * std::pow(sphere_radius(fiber), 3) * fiber.material.density;
 }
 
 double sphere_inertia(const Fiber& fiber) {
-  return 0.4 * sphere_mass(fiber) * std::pow(sphere_radius(fiber), 2);
+  const double part = fiber.mass == MassModel::spheres ? 0.4 : 0.5;
+  return part * sphere_mass(fiber) * std::pow(sphere_radius(fiber), 2);
+}
+
+double end_mass_share(const Fiber& fiber) { return fiber.mass == MassModel::spheres ? 1.0 : 0.5; }
+
+double mass_share(const Fiber& fiber, int sphere) {
+  return sphere == 0 || sphere == fiber.aspect_ratio ? end_mass_share(fiber) : 1.0;
+}
+
+double fiber_mass(const Fiber& fiber) {
+  return (fiber.aspect_ratio - 1 + 2 * end_mass_share(fiber)) * sphere_mass(fiber);
 }
 
 double bending_stiffness(const Fiber& fiber) {
@@ -101,8 +135,12 @@ BondStiffness bond_stiffness(const Fiber& fiber) {
   const double E = fiber.material.youngs_modulus;
   const double G = fiber.material.shear_modulus;
   const double stretch = pi * R * E / 2;
-  const double shear = fiber.bond_model == BondModel::corrected ? 0.75 * stretch : pi * R * G / 2;
-  return {stretch, shear, pi * R * R * R * G / 4, pi * R * R * R * E / 8};
+  const double twist = pi * R * R * R * G / 4, bend = pi * R * R * R * E / 8;
+  if (fiber.bond_model == BondModel::paper) return {stretch, pi * R * G / 2, twist, bend};
+  const double straight = bond_length(fiber) / arc_length(fiber);
+  // K_t l_0^2 = 12 K_bend: the shear that bending of the bond gives
+  return {stretch * straight, 0.75 * stretch * (straight * straight * straight), twist * straight,
+          bend * straight};
 }
 
 BondDashpot bond_dashpot(const Fiber& fiber) {

@@ -1,27 +1,43 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace fiberchain::dem {
 
-/// Isotropic elastic material of the spheres and bonds.
+/// What a fiber is across its axis, where it is stiffer along it than across (wood, carbon, aramid).
+struct TransverseElasticity {
+  double youngs_modulus;  ///< [Pa]
+  double poisson_ratio;   ///< [-]
+};
+
+/// Elastic material of the spheres and bonds, isotropic or transversely so: bonds take E along the fiber and
+/// G, which are independent of each other.
 struct Material {
-  double youngs_modulus;  ///< E [Pa]
-  double shear_modulus;   ///< G [Pa]
-  double density;         ///< rho of the spheres [kg/m^3]
+  double youngs_modulus;                                      ///< E [Pa]
+  double shear_modulus;                                       ///< G [Pa]
+  double density;                                             ///< rho of the spheres [kg/m^3]
+  std::optional<TransverseElasticity> across = std::nullopt;  ///< for contacts
 };
 
 /// Material with G = E / (2 (1 + nu)). Throws InvalidInput unless -1 < nu <= 0.5.
 Material isotropic_material(double youngs_modulus, double poisson_ratio, double density);
 
-/// nu = E / (2 G) - 1
+/// nu = E / (2 G) - 1 of an isotropic material; not a number where that is not above -1 and at most 0.5: the
+/// material is stiffer along the fiber than across, or the other way round.
 double poisson_ratio(const Material& material);
+
+/// Poisson's ratio of contacts where neither E and G nor the user say it.
+inline constexpr double usual_poisson_ratio = 0.3;
+
+/// What contacts see: `across`, else E with nu, or the usual one where there is none.
+TransverseElasticity contact_elasticity(const Material& material);
 
 /// Which bond joins the spheres.
 enum class BondModel {
   paper,     ///< Nan, Wang & Tang (2015): K_t = pi R G / 2, rest length 2R
-  corrected  ///< K_t = 3/4 K_n, rest length 2R (1 - theta_b^2 / 24), the chord of the bent arc
+  corrected  ///< the rod between two spheres to fourth order: K_t = 3/4 K_n, the chord of the bent arc
 };
 
 std::string_view name(BondModel model);
@@ -35,10 +51,18 @@ enum class DashpotLaw {
 
 std::string_view name(DashpotLaw law);
 
+/// What the chain weighs.
+enum class MassModel {
+  spheres,  ///< the paper's spheres of the material's density: two thirds of the fiber
+  cylinder  ///< the fiber's own: a sphere has the cylinder of a bond's length, an end sphere half of it
+};
+
+std::string_view name(MassModel model);
+
 /// Most parameters that one bond law alone may have.
 inline constexpr int law_parameter_count = 3;
 
-/// A straight fiber: aspect_ratio bonds of length 2R join aspect_ratio + 1 touching spheres.
+/// A fiber, straight or an arc: aspect_ratio bonds of length 2R join aspect_ratio + 1 touching spheres.
 struct Fiber {
   Material material;
   double diameter;   ///< d = 2R [m]
@@ -48,6 +72,8 @@ struct Fiber {
   DashpotLaw dashpots = DashpotLaw::bond_damping;
   double retardation_time = 0.0;  ///< tau [s]; 0 unless DashpotLaw::retardation_time
   double rolling_friction = 0.0;  ///< xi_r of Eq 21 [-]
+  double rest_angle = 0.0;        ///< of an arc: angle between the ends of a bond at rest [rad]
+  MassModel mass = MassModel::spheres;
   std::array<double, law_parameter_count> law_parameters{};  ///< of a bond law that has its own, in its units
 };
 
@@ -55,11 +81,11 @@ struct Fiber {
 bool damped(const Fiber& fiber);
 
 /// Throws InvalidInput when a value is not finite or makes no physical sense:
-/// E, G, rho, d > 0; -1 < nu <= 0.5; r_f >= 1; xi_b, tau, xi_r >= 0, of xi_b and tau only the one that the
-/// dashpot law uses.
+/// E, G, rho, d > 0; across the fiber E > 0 and -1 < nu <= 0.5; |rest_angle| <= 2 pi / 3; r_f >= 1; xi_b,
+/// tau, xi_r >= 0, of xi_b and tau only the one that the dashpot law uses.
 void check(const Fiber& fiber);
 
-/// Stiffness of one bond (Eqs 3-6).
+/// Stiffness of one bond (Eqs 3-6), of the corrected bond by the length of its arc instead of 2R.
 struct BondStiffness {
   double stretch;  ///< K_n = pi R E / 2 [N/m]
   double shear;    ///< K_t = pi R G / 2, corrected bond 3/4 K_n [N/m]
@@ -75,14 +101,23 @@ struct BondDashpot {
   double bend;     ///< [N m s]
 };
 
-double sphere_radius(const Fiber& fiber);      ///< R [m]
-double bond_length(const Fiber& fiber);        ///< l = 2R [m]
-double fiber_length(const Fiber& fiber);       ///< L = r_f l [m]
-double sphere_mass(const Fiber& fiber);        ///< m = 4/3 pi R^3 rho [kg]
-double sphere_inertia(const Fiber& fiber);     ///< J = 2/5 m R^2 [kg m^2]
-double bending_stiffness(const Fiber& fiber);  ///< E I, I = pi R^4 / 4 [N m^2]
-double axial_stiffness(const Fiber& fiber);    ///< E A = K_n l [N]
-double shear_stiffness(const Fiber& fiber);    ///< K_t l, G A for the paper's bond [N]
+double sphere_radius(const Fiber& fiber);  ///< R [m]
+double bond_length(const Fiber& fiber);    ///< l = 2R [m]
+double arc_length(const Fiber& fiber);     ///< of a bond's axis at rest; 2R if straight [m]
+double fiber_length(const Fiber& fiber);   ///< L = r_f l [m]
+/// m = 4/3 pi R^3 rho, or 2 pi R^3 rho of the cylinder; of a sphere that is not an end [kg].
+double sphere_mass(const Fiber& fiber);
+/// J = 2/5 m R^2, or 1/2 m R^2 of the cylinder about its axis, taken about every axis: about one across a
+/// cylinder has half of that, which lowers the first bending frequency by (1.875 / (4 r_f))^2 / 2 of itself
+/// [kg m^2].
+double sphere_inertia(const Fiber& fiber);
+/// Mass and inertia of an end sphere over those of the others: 1, or 1/2 of the cylinder.
+double end_mass_share(const Fiber& fiber);
+double mass_share(const Fiber& fiber, int sphere);  ///< the same for any sphere, 0 to aspect_ratio
+double fiber_mass(const Fiber& fiber);              ///< of all spheres [kg]
+double bending_stiffness(const Fiber& fiber);       ///< E I, I = pi R^4 / 4 [N m^2]
+double axial_stiffness(const Fiber& fiber);         ///< E A = K_n l [N]
+double shear_stiffness(const Fiber& fiber);         ///< K_t l, G A for the paper's bond [N]
 
 BondStiffness bond_stiffness(const Fiber& fiber);
 BondDashpot bond_dashpot(const Fiber& fiber);

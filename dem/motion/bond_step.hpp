@@ -20,6 +20,10 @@ struct ChainBlock {
   Real* workspace = nullptr;                 ///< slots of the solve along the chain
   const EndLoad<Real, Dim>* dead = nullptr;  ///< bonds + 1, fluid only: dead loads, null if there are none
 
+  bool is_end(int sphere) const { return sphere == 0 || sphere == bonds; }
+  const SphereStep<Real>& step_of(int sphere) const {
+    return is_end(sphere) ? parameters.end : parameters.inner;
+  }
   bool fixed(int sphere) const { return (sphere == 0 && clamps.first) || (sphere == bonds && clamps.last); }
 };
 
@@ -107,7 +111,7 @@ void add_rolling(const ChainBlock<P, Real>& chain, int bond, const HistoryOf<P, 
   if constexpr (P.rolling == Rolling::explicit_sign) {
     action.moment = action.moment + sliding_moment(largest, now.motion.relative_spin);
   } else {
-    rolling_slots(chain)[bond].limit = chain.parameters.angular_impulse * largest;
+    rolling_slots(chain)[bond].limit = chain.parameters.inner.angular_impulse * largest;
   }
 }
 

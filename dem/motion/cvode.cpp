@@ -20,7 +20,7 @@ struct CvodeMotion<Dim>::Solver {
   Boundary<Dim> boundary;
   std::optional<Medium<Dim>> medium;
   ChainVector<Dim> loads;
-  SphereVector<Dim> inertias;
+  ChainVector<Dim> inertias;
   std::optional<CvodeSession> session;
   // Newton's matrix of one step and what its right-hand side takes
   std::optional<ChainFactors<sphere_motions<Dim>>> factors;
@@ -58,7 +58,7 @@ struct CvodeMotion<Dim>::Solver {
       const ChainVector<Dim> stream = medium->velocity(time, state.poses);
       for (int i = 0; i < spheres(); ++i) forces[i] += medium->drag.cwiseProduct(stream[i] - velocity[i]);
     }
-    for (int i = 0; i < spheres(); ++i) forces[i] = forces[i].cwiseQuotient(inertias);
+    for (int i = 0; i < spheres(); ++i) forces[i] = forces[i].cwiseQuotient(inertias[i]);
     for (const int sphere : boundary.clamped) forces[sphere].setZero(), velocity[sphere].setZero();
     for (int i = 0; i < spheres(); ++i, out += sphere_size<Dim>) {
       for (int c = 0; c < Dim; ++c) out[c] = velocity[i][c];
@@ -94,7 +94,8 @@ struct CvodeMotion<Dim>::Solver {
     const ChainVector<Dim> resisted = product(*springs, displaced);
     for (int i = 0; i < spheres(); ++i) {
       const double* own = b + i * sphere_size<Dim> + pose_size<Dim>;
-      for (int c = 0; c < sphere_motions<Dim>; ++c) rhs[i][c] = inertias[c] * own[c] - gamma * resisted[i][c];
+      for (int c = 0; c < sphere_motions<Dim>; ++c)
+        rhs[i][c] = inertias[i][c] * own[c] - gamma * resisted[i][c];
     }
     for (const int sphere : boundary.clamped) rhs[sphere].setZero();
     factors->solve_in_place(rhs);
@@ -133,7 +134,7 @@ CvodeMotion<Dim>::CvodeMotion(const Chain<Dim>& chain, const Boundary<Dim>& boun
   s.boundary = boundary;
   s.medium = std::move(medium);
   s.loads = applied_loads(boundary, s.spheres());
-  s.inertias = sphere_inertias<Dim>(chain.fiber);
+  for (int i = 0; i < s.spheres(); ++i) s.inertias.push_back(sphere_inertias<Dim>(chain.fiber, i));
   CvodeProblem problem;
   problem.start.resize(s.spheres() * sphere_size<Dim>);
   s.pack(start, problem.start.data());

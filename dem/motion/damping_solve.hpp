@@ -25,9 +25,9 @@ Vec<Real, motions<Dim>> stacked(const Vec<Real, Dim>& u, const Spin<Real, Dim>& 
 }
 
 template <class Real, int Dim>
-Square<Real, motions<Dim>> inertia_matrix(const MarchParameters<Real, Dim>& p) {
+Square<Real, motions<Dim>> inertia_matrix(const MarchParameters<Real, Dim>& p, const SphereStep<Real>& own) {
   Vec<Real, motions<Dim>> diagonal;
-  for (int i = 0; i < motions<Dim>; ++i) diagonal[i] = p.step / (i < Dim ? p.impulse : p.angular_impulse);
+  for (int i = 0; i < motions<Dim>; ++i) diagonal[i] = p.step / (i < Dim ? own.impulse : own.angular_impulse);
   return diagonal_matrix(diagonal);
 }
 
@@ -48,7 +48,8 @@ DashpotMatrix<Real, P.dimension> half_step_dashpots(const ChainBlock<P, Real>& c
 template <Physics P, class Real>
 void eliminate(const ChainBlock<P, Real>& chain, EliminationSlot<Real, P.dimension>* slots) {
   constexpr int Dim = P.dimension, N = motions<Dim>;
-  const Square<Real, N> inertia = inertia_matrix(chain.parameters);
+  const Square<Real, N> inner = inertia_matrix(chain.parameters, chain.parameters.inner);
+  const Square<Real, N> end = inertia_matrix(chain.parameters, chain.parameters.end);
   Square<Real, N> before = zero_matrix<Real, N>();  // what the bond before adds to the diagonal
   Vec<Real, N> pushed;                              // and to the right-hand side
   for (Real& c : pushed.c) c = Real(0.0);
@@ -61,7 +62,7 @@ void eliminate(const ChainBlock<P, Real>& chain, EliminationSlot<Real, P.dimensi
       slot.coupling = zero_matrix<Real, N>();
       for (Real& c : slot.forward.c) c = Real(0.0);
     } else {
-      Square<Real, N> A = inertia + before;
+      Square<Real, N> A = (chain.is_end(i) ? end : inner) + before;
       if (!last) A = A + C.first;
       factorize(A);
       const MovingSphere<Real, Dim>& sphere = chain.spheres[i];

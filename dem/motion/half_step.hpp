@@ -19,14 +19,15 @@ void relax(Vec<double, N>& v, const Relaxation& half, const Vec<double, N>& flui
   }
 }
 
-/// A sphere's velocity and spin half a step of `dt` on, or back, under its forces, a load and the flow of
-/// gradient A.
+/// Velocity and spin of sphere number `i` half a step of `dt` on, or back, under its forces, a load and the
+/// flow of gradient A.
 template <int Dim>
-void move_half_step(MovingSphere<double, Dim>& s, const EndLoad<double, Dim>& load, const Fiber& fiber,
+void move_half_step(MovingSphere<double, Dim>& s, int i, const EndLoad<double, Dim>& load, const Fiber& fiber,
                     const StokesDrag& drag, const Gradient& A, double dt, bool back) {
-  relax(s.velocity, relaxation(drag.translation, sphere_mass(fiber), dt / 2),
+  const double share = mass_share(fiber, i);
+  relax(s.velocity, relaxation(drag.translation, share * sphere_mass(fiber), dt / 2),
         velocity_at<Dim>(A, s.pose.position), s.force + load.force, back);
-  relax(s.spin, relaxation(drag.rotation, sphere_inertia(fiber), dt / 2), spin_of<Dim>(A),
+  relax(s.spin, relaxation(drag.rotation, share * sphere_inertia(fiber), dt / 2), spin_of<Dim>(A),
         s.moment + load.moment, back);
 }
 

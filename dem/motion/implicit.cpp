@@ -91,11 +91,11 @@ typename ImplicitMotion<Dim>::Trial ImplicitMotion<Dim>::trial(const ChainVector
     t.out_of_balance[i + 1] += motion_of<Dim>(-loads.force_on_first, loads.moment_on_second);
   }
   const ChainVector<Dim> dashpots = dashpot_forces(chain_, t.middle, mean_velocity);
-  const SphereVector<Dim> inertias = sphere_inertias<Dim>(chain_.fiber);
   for (std::size_t i = 0; i < dashpots.size(); ++i) {
     const SphereVector<Dim> change =
         2 * (mean_velocity[i] - motion_of<Dim>(state_.velocity[i], state_.spin[i]));
-    t.out_of_balance[i] += dashpots[i] - inertias.cwiseProduct(change) / dt;
+    t.out_of_balance[i] +=
+        dashpots[i] - sphere_inertias<Dim>(chain_.fiber, static_cast<int>(i)).cwiseProduct(change) / dt;
   }
   for (const int sphere : boundary_.clamped) t.out_of_balance[sphere].setZero();
   return t;

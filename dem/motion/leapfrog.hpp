@@ -41,13 +41,14 @@ void add_load(MovingSphere<Real, Dim>& sphere, const EndLoad<Real, Dim>& load) {
 /// Settling drag: v(1 + dt c/2) = v(1 - dt c/2) + dt a, centered in the step, stable whatever c. Stokes'
 /// drag: the velocity goes over to the fluid's at the sphere as exp(-c t), exactly.
 template <Physics P, class Real, int Dim>
-void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p,
+void kick(MovingSphere<Real, Dim>& sphere, const MarchParameters<Real, Dim>& p, const SphereStep<Real>& own,
           const LocalFlow<P, Real>& flow) {
-  const Vec<Real, Dim> change = p.impulse * sphere.force;
-  const Spin<Real, Dim> spin_change = p.angular_impulse * sphere.moment;
+  const Vec<Real, Dim> change = own.impulse * sphere.force;
+  const Spin<Real, Dim> spin_change = own.angular_impulse * sphere.moment;
   if constexpr (P.fluid) {
-    sphere.velocity = p.keep * sphere.velocity + p.follow * (flow.gradient * sphere.pose.position) + change;
-    sphere.spin = p.spin_keep * sphere.spin + p.spin_follow * flow.spin + spin_change;
+    sphere.velocity =
+        own.keep * sphere.velocity + own.follow * (flow.gradient * sphere.pose.position) + change;
+    sphere.spin = own.spin_keep * sphere.spin + own.spin_follow * flow.spin + spin_change;
   } else if constexpr (P.settling_damping) {
     const Real half = Real(0.5) * p.step * p.drag;
     const Real scale = Real(1.0) / (Real(1.0) + half);
@@ -107,7 +108,8 @@ void kick_together(const ChainBlock<P, Real>& chain) {
     kick_with_damping(chain);
   } else {
     for (int i = 0; i <= chain.bonds; ++i) {
-      if (!chain.fixed(i)) kick<P>(chain.spheres[i], chain.parameters, LocalFlow<P, Real>{});
+      if (!chain.fixed(i))
+        kick<P>(chain.spheres[i], chain.parameters, chain.step_of(i), LocalFlow<P, Real>{});
     }
     kick_with_rolling(chain);
   }
@@ -127,7 +129,7 @@ void march_step(const ChainBlock<P, Real>& chain, double steps_before, const Loc
       if constexpr (P.fluid) {
         if (chain.dead) add_load(sphere, chain.dead[i]);
       }
-      if constexpr (kick_alone) kick<P>(sphere, chain.parameters, flow);
+      if constexpr (kick_alone) kick<P>(sphere, chain.parameters, chain.step_of(i), flow);
       drift(sphere, chain.parameters.step);
     }
     clear_forces(sphere);

@@ -32,19 +32,26 @@ struct LoadRamp {
   Real rate;  ///< 1 / number of steps
 };
 
-template <class Real, int Dim>
-struct MarchParameters {
-  BondParameters<Real> bond;
-  Real inverse_length;  ///< 1 / l_0 [1/m]
+/// What a step does to a sphere.
+template <class Real>
+struct SphereStep {
   Real impulse;  ///< velocity per force over a step: dt / m, in a fluid (1 - keep) / (6 pi mu R) [s/kg]
   Real angular_impulse;  ///< spin per moment over a step: dt / J, in a fluid (1 - spin_keep) / (8 pi mu R^3)
                          ///< [s/(kg m^2)]
-  Real step;             ///< dt [s]
-  Real drag;             ///< force per momentum [1/s]
-  Real rolling_arm;      ///< xi_r R / 2 [m]
   Real keep,
       follow;  ///< fluid: parts of the sphere's and the fluid's velocity in the next one; their sum is 1
   Real spin_keep, spin_follow;
+};
+
+template <class Real, int Dim>
+struct MarchParameters {
+  BondParameters<Real> bond;
+  Real inverse_length;          ///< 1 / l_0 [1/m]
+  SphereStep<Real> inner, end;  ///< of the spheres between the ends, and of those
+  Real end_share;               ///< mass of an end sphere over that of the others
+  Real step;                    ///< dt [s]
+  Real drag;                    ///< force per momentum [1/s]
+  Real rolling_arm;             ///< xi_r R / 2 [m]
   LoadRamp<Real, Dim> ramp;
 };
 

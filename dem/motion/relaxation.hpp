@@ -26,14 +26,21 @@ inline Relaxation relaxation(double drag, double mass, double time) {
   return {std::exp(-exponent), follow, follow / drag};
 }
 
-/// What of the parameters depends on the step, for a sphere with drag (zero without fluid).
+/// A step of a sphere with `share` of the mass and inertia of the fiber's spheres, and with drag (zero
+/// without fluid).
+inline SphereStep<double> sphere_step(const Fiber& fiber, double share, const StokesDrag& drag, double dt) {
+  const Relaxation move = relaxation(drag.translation, share * sphere_mass(fiber), dt);
+  const Relaxation turn = relaxation(drag.rotation, share * sphere_inertia(fiber), dt);
+  return {move.gain, turn.gain, move.keep, move.follow, turn.keep, turn.follow};
+}
+
+/// What of the parameters depends on the step.
 template <int Dim>
 void set_step(MarchParameters<double, Dim>& p, const Fiber& fiber, const StokesDrag& drag, double dt) {
-  const Relaxation move = relaxation(drag.translation, sphere_mass(fiber), dt);
-  const Relaxation turn = relaxation(drag.rotation, sphere_inertia(fiber), dt);
   p.step = dt;
-  p.impulse = move.gain, p.keep = move.keep, p.follow = move.follow;
-  p.angular_impulse = turn.gain, p.spin_keep = turn.keep, p.spin_follow = turn.follow;
+  p.end_share = end_mass_share(fiber);
+  p.inner = sphere_step(fiber, 1, drag, dt);
+  p.end = sphere_step(fiber, p.end_share, drag, dt);
 }
 
 /// Everything that marches a fiber's spheres by steps of `dt`: no drag to settle, no loads.

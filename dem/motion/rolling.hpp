@@ -6,8 +6,9 @@
 // Rolling friction of the bonds, T_r = xi_r |F_n| R/2 against the relative spin w (Eq 21), as a set-valued
 // law: at w = 0 any moment up to T_r. With l the angular impulse over J, taken from one sphere of a bond and
 // given to the other, and the ball of radius r = dt T_r / J: l = proj(l + w / a), a the number of its spheres
-// that are free to turn. As w = w_free - a l + l_before + l_after this is l = proj((w_free + l_before +
-// l_after) / a), solved by Newton's method, its matrix eliminated along the chain.
+// that are free to turn, an end sphere of half the inertia counting twice. As w = w_free - a l + l_before +
+// l_after this is l = proj((w_free + l_before + l_after) / a), solved by Newton's method, its matrix
+// eliminated along the chain.
 namespace fiberchain::dem {
 
 /// Projection of p onto the ball and its derivative G: the identity inside, (r / |p|)(I - n n^T) outside.
@@ -44,11 +45,18 @@ Spin<Real, P.dimension> neighbors(const ChainBlock<P, Real>& chain, int bond) {
   return sum;
 }
 
+/// Spin that a sphere gets of l, in parts of what one between the ends gets.
+template <Physics P, class Real>
+Real turning(const ChainBlock<P, Real>& chain, int sphere) {
+  if (chain.fixed(sphere)) return Real(0.0);
+  return chain.is_end(sphere) ? Real(1.0) / chain.parameters.end_share : Real(1.0);
+}
+
 /// 1 / a
 template <Physics P, class Real>
-double mobility(const ChainBlock<P, Real>& chain, int bond) {
-  const int turning = (chain.fixed(bond) ? 0 : 1) + (chain.fixed(bond + 1) ? 0 : 1);
-  return turning > 0 ? 1.0 / turning : 0.0;
+Real mobility(const ChainBlock<P, Real>& chain, int bond) {
+  if (chain.fixed(bond) && chain.fixed(bond + 1)) return Real(0.0);
+  return Real(1.0) / (turning(chain, bond) + turning(chain, bond + 1));
 }
 
 /// One Newton iteration for all bonds; a lane that is done keeps its impulses. Returns which lanes are done.
@@ -60,7 +68,7 @@ auto rolling_iteration(const ChainBlock<P, Real>& chain, const decltype(Real(0.0
   // and the matrix is kept from being singular
   const Real firm = Real(chain.clamps.first && chain.clamps.last ? 1 - 1e-9 : 1.0);
   for (int i = 0; i < chain.bonds; ++i) {
-    const Real share = Real(mobility(chain, i));
+    const Real share = mobility(chain, i);
     const Projection<Real, S> q = project(share * neighbors(chain, i), slots[i].limit);
     Square<Real, S> B = q.derivative;
     for (int r = 0; r < S; ++r) {
@@ -102,7 +110,7 @@ void rolling_sweep(const ChainBlock<P, Real>& chain) {
   constexpr int S = spin_size<P.dimension>;
   auto* slots = rolling_slots(chain);
   for (int i = 0; i < chain.bonds; ++i) {
-    slots[i].impulse = project<Real, S>(Real(mobility(chain, i)) * neighbors(chain, i), slots[i].limit).value;
+    slots[i].impulse = project<Real, S>(mobility(chain, i) * neighbors(chain, i), slots[i].limit).value;
   }
 }
 
@@ -120,8 +128,8 @@ void kick_with_rolling(const ChainBlock<P, Real>& chain) {
   }
   for (int i = 0; i < chain.bonds; ++i) {
     MovingSphere<Real, P.dimension>&a = chain.spheres[i], &b = chain.spheres[i + 1];
-    if (!chain.fixed(i)) a.spin = a.spin + slots[i].impulse;
-    if (!chain.fixed(i + 1)) b.spin = b.spin - slots[i].impulse;
+    if (!chain.fixed(i)) a.spin = a.spin + turning(chain, i) * slots[i].impulse;
+    if (!chain.fixed(i + 1)) b.spin = b.spin - turning(chain, i + 1) * slots[i].impulse;
   }
 }
 

@@ -110,6 +110,8 @@ constexpr Column kColumns[] = {
     {"fiber_damping_eq20", number, "1", "the paper's Eq 20, 0.03709 exp(-0.1615 r_f) xi_b"},
     {"mode_2_estimate", number, "1",
      "what the higher modes do to the named peaks of a linear beam, over xi_f"},
+    {"damping_mass", number, "1",
+     "part of fiber_damping_modes over fiber_damping_beam - 1 from the mass of the spheres"},
     {"damping_discretization", number, "1",
      "part of fiber_damping_paper over fiber_damping_beam - 1 from finite bonds and the end sphere"},
     {"damping_shear", number, "1", "part from shear springs and dashpots"},
@@ -299,7 +301,10 @@ constexpr Column kColumns[] = {
      "xi_f/xi_b at r_f = 10 with this load and these peaks; the paper has 0.00698"},
 
     // Calibration: from a material's damping to that of the bonds.
-    {"density", number, "kg/m^3", "density of the spheres"},
+    {"density", number, "kg/m^3", "density of the material"},
+    {"mass", text, "",
+     "what the chain weighs: spheres (of the material's density, two thirds of the fiber) or cylinder (the "
+     "fiber)"},
     {"diameter", number, "m", "diameter d of the fiber"},
     {"target_damping", number, "1", "xi_f asked for"},
     {"retardation_time", number, "s", "retardation time of the bonds in bending, dashpot over spring"},
@@ -319,9 +324,10 @@ constexpr Column kColumns[] = {
     {"expected_error", number, "1", "amplitude_effect + time_step_effect"},
     {"fiber_damping_expected", number, "1", "xi_f expected of a run at that amplitude and time step"},
     {"beam_frequency", number, "rad/s",
-     "first natural frequency of the uniform beam with the spheres' mass per length"},
-    {"frequency_discretization", number, "1",
-     "part of the chain's undamped frequency over beam_frequency - 1 from finite bonds and the end sphere"},
+     "first natural frequency of the fiber, a uniform beam of its density"},
+    {"frequency_mass", number, "1",
+     "part of the chain's undamped frequency over beam_frequency - 1 from the mass of its spheres"},
+    {"frequency_discretization", number, "1", "part from finite bonds and the end sphere"},
     {"frequency_shear", number, "1", "part from shear"},
     {"verified_difference", number, "1", "fiber_damping of the run over fiber_damping_modes - 1"},
 

@@ -23,11 +23,35 @@ constexpr std::int64_t kStride = 64;
 
 /// The step's origin and limits.
 std::string step_words(const StepChoice& choice, const PackingScene& scene) {
-  const std::string limits = fmt::format(": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s",
-                                         choice.bonds, choice.damped_bonds, choice.contacts);
+  const std::string limits = fmt::format(
+      ": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s; restitution off by up to {:.2g} "
+      "where single spheres meet at {:.3g} m/s",
+      choice.bonds, choice.damped_bonds, choice.contacts, choice.restitution_error, choice.speed);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
+  if (choice.set_by == "speed") {
+    return fmt::format(
+        "{} of the smallest radius at {:.3g} m/s, which fibers and walls may come to; stable{}", chosen_path,
+        choice.speed, limits);
+  }
+  if (choice.set_by == "restitution") {
+    return fmt::format("restitution within {:g} at {:.3g} m/s; stable{}", scene.restitution_error,
+                       choice.speed, limits);
+  }
   return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by,
                      limits);
+}
+
+/// What the fibers weigh.
+std::string mass_words(const PackingScene& scene) {
+  double mass = 0, cylinders = 0;
+  for (const PackingFiberKind& kind : scene.kinds) {
+    const auto fibers = static_cast<double>(kind.count + std::ssize(kind.starts));
+    Fiber own = kind.fiber;
+    own.mass = MassModel::cylinder;
+    mass += fibers * fiber_mass(kind.fiber);
+    cylinders += fibers * fiber_mass(own);
+  }
+  return fmt::format("{:.4g} kg, {:.3g} of the fibers' own", mass, mass / cylinders);
 }
 
 /// The files of a run as they grow.
@@ -194,8 +218,9 @@ std::string program_of(const Provenance& provenance) {
 PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
   const auto clock = std::chrono::steady_clock::now();
   const double step = begin.assembly.step();
-  watchers.say(fmt::format("{} fibers, {} spheres; {} steps of {:.4g} s ({})", fibers_in(job.scene),
-                           spheres_in(job.scene), begin.steps, step, step_words(begin.choice, job.scene)));
+  watchers.say(fmt::format("{} fibers, {} spheres, {}; {} steps of {:.4g} s ({})", fibers_in(job.scene),
+                           spheres_in(job.scene), mass_words(job.scene), begin.steps, step,
+                           step_words(begin.choice, job.scene)));
   PackingEndState end{
       .choice = begin.choice, .step = step, .steps = begin.steps, .begun_at = begin.assembly.steps()};
   if (end.begun_at >= end.steps) {  // finished before: its files stay as they are

@@ -1,7 +1,10 @@
 #include "dem/scene/build_fiber.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "dem/chain/self_weight.hpp"
 #include "dem/equilibrium/newton.hpp"
 
 namespace fiberchain::dem {
@@ -51,7 +54,12 @@ Quaternion<double> orientation(const FlowStart& start, const Vec<double, 3>&, do
 
 template <int Dim>
 CantileverCase<Dim> build_cantilever(const CantileverScene& scene) {
-  return {straight_chain<Dim>(scene.fiber), {{0}, {end_load<Dim>(scene.fiber, scene.load, scene.direction)}}};
+  Boundary<Dim> boundary{{0}, {end_load<Dim>(scene.fiber, scene.load, scene.direction)}};
+  Vec<double, Dim> gravity{};
+  for (int c = 0; c < Dim; ++c) gravity[c] = scene.gravity[static_cast<std::size_t>(c)];
+  if (norm(gravity) > 0)
+    std::ranges::copy(self_weight(scene.fiber, gravity), std::back_inserter(boundary.loads));
+  return {straight_chain<Dim>(scene.fiber), boundary};
 }
 
 bool has_energy(const ReleaseScene& scene) {

@@ -12,6 +12,7 @@
 #include "dem/chain/arc_chain.hpp"
 #include "dem/files/sha256.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/scene/expected_speed.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -36,12 +37,18 @@ std::vector<FiberGroup> groups_of_files(const PackingScene& scene) {
 StepChoice step_choice(const PackingScene& scene) {
   std::vector<FiberGroup> kinds;
   for (const PackingFiberKind& kind : scene.kinds) kinds.push_back({chain_of(kind), {}});
-  return assembly_time_step(kinds, scene.domain);
+  AssemblyOptions options;
+  options.speed = expected_speed(scene);
+  options.restitution_error = scene.restitution_error;
+  StepChoice choice = assembly_time_step(kinds, scene.domain, options);
+  if (scene.step)
+    choice.restitution_error = restitution_error(kinds, scene.domain, choice.speed, *scene.step);
+  return choice;
 }
 
 }  // namespace
 
-Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber, kind.bend); }
+Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber); }
 
 namespace {
 

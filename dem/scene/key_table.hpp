@@ -222,6 +222,12 @@ class KeyTable {
     alternatives_.push_back({keys, !or_none.empty()});
   }
 
+  /// At least one of these keys must be there.
+  void one_or_more_of(const std::vector<std::string>& keys) {
+    one_of(keys);
+    alternatives_.back().several = true;
+  }
+
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const SceneKey<T>& key : keys_) names.push_back(key.declared.name);
@@ -253,7 +259,7 @@ class KeyTable {
  private:
   struct Alternatives {
     std::vector<std::string> keys;
-    bool or_none;
+    bool or_none, several = false;
   };
 
   static bool is_open(const ValueRange& range) {
@@ -277,6 +283,10 @@ class KeyTable {
       const auto is_there = [&](const std::string& one) { return from.has(one); };
       if (alternatives.keys.front() != key) continue;
       if (alternatives.or_none && std::ranges::none_of(alternatives.keys, is_there)) continue;
+      if (alternatives.several) {
+        if (std::ranges::any_of(alternatives.keys, is_there)) continue;
+        from.fail("", fmt::format("needs {}", fmt::join(alternatives.keys, " or ")));
+      }
       from.one_of(alternatives.keys);
     }
   }

@@ -14,7 +14,6 @@ namespace fiberchain::dem {
 /// Fibers of one kind, put in at random or where a file says.
 struct PackingFiberKind {
   Fiber fiber;
-  double bend = 0;                      ///< angle of a bond at rest [rad]; 0: straight
   std::int64_t count = 0;               ///< at random, in all batches together
   std::vector<FiberStart> starts = {};  ///< of the file
   std::optional<SceneText> file = {};   ///< which holds the starts
@@ -44,12 +43,13 @@ struct PackingScene {
   Box scene_box = {};  ///< shown in pictures and files; its cross section is that of densities [m]
   BondForm form = BondForm::incremental;
   Rolling rolling = Rolling::set_valued;
-  std::optional<double> step = {};  ///< [s]; left out: chosen
-  double duration = 0;              ///< [s]; 0 where steps are given
-  std::int64_t steps = 0;           ///< 0 where the duration is given
-  bool account_energy = false;      ///< sum what each mechanism takes
-  bool allow_unstable = false;      ///< march even beyond the stable step of the contacts
-  bool orientations = false;        ///< follow orientations of spheres that nothing needs
+  std::optional<double> step = {};                     ///< [s]; left out: chosen
+  double duration = 0;                                 ///< [s]; 0 where steps are given
+  std::int64_t steps = 0;                              ///< 0 where the duration is given
+  double restitution_error = usual_restitution_error;  ///< that a chosen step may make
+  bool account_energy = false;                         ///< sum what each mechanism takes
+  bool allow_unstable = false;                         ///< march even beyond the stable step of the contacts
+  bool orientations = false;                           ///< follow orientations of spheres that nothing needs
   PackingOutput output = {};
 };
 

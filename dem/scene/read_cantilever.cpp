@@ -49,6 +49,11 @@ KeyTable<CantileverScene> cantilever_keys() {
       "Newton's method (`form: total` only), or dynamic relaxation under a load ramp as the paper does");
   table.flag("allow_unstable", &CantileverScene::allow_unstable,
              "answer with an unstable equilibrium, too: the one on the path from zero load");
+  table
+      .vector("gravity", "m/s^2", &CantileverScene::gravity,
+              "acceleration of gravity, which gives every sphere a weight")
+      .only_with("'method: solve'",
+                 [](const CantileverScene& scene) { return scene.method == Method::solve; });
   table.mapping("march", march_keys(), &store_march, "dynamic relaxation")
       .only_with("'method: march'",
                  [](const CantileverScene& scene) { return scene.method == Method::march; });
@@ -66,6 +71,7 @@ CantileverScene read_cantilever(const StrictMapping& top) {
         "method",
         "'solve' finds the equilibrium of the total form; the incremental one depends on its path: march");
   }
+  check_planar(top, "gravity", scene.gravity, scene.dimension);
   return scene;
 }
 

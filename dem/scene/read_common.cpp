@@ -19,15 +19,25 @@ void check_fiber(const StrictMapping& mapping, const std::string& key, const Fib
   }
 }
 
+Material material_of(const FiberKeys& keys) {
+  const double E = keys.youngs_modulus;
+  if (!keys.shear_modulus) return isotropic_material(E, keys.poisson_ratio.value(), keys.density);
+  Material material{E, *keys.shear_modulus, keys.density};
+  if (keys.poisson_ratio || keys.transverse_modulus) {
+    const double nu = keys.poisson_ratio.value_or(contact_elasticity(material).poisson_ratio);
+    material.across = {keys.transverse_modulus.value_or(E), nu};
+  }
+  return material;
+}
+
 }  // namespace
 
 Fiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {
   Fiber fiber{};
   fiber.diameter = keys.diameter;
   fiber.aspect_ratio = keys.aspect_ratio;
-  fiber.material = keys.shear_modulus
-                       ? Material{keys.youngs_modulus, *keys.shear_modulus, keys.density}
-                       : isotropic_material(keys.youngs_modulus, keys.poisson_ratio.value(), keys.density);
+  fiber.mass = keys.mass;
+  fiber.material = material_of(keys);
   check_fiber(mapping, key, fiber);
   return fiber;
 }

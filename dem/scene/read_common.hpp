@@ -17,10 +17,12 @@ inline constexpr const char* kAxes[] = {"x", "y", "z"};
 struct FiberKeys {
   double diameter = 0;  ///< [m]
   int aspect_ratio = 0;
-  double youngs_modulus = 0;            ///< [Pa]
-  std::optional<double> poisson_ratio;  ///< this, or
-  std::optional<double> shear_modulus;  ///< this [Pa]
-  double density = 0;                   ///< [kg/m^3]
+  double youngs_modulus = 0;                 ///< [Pa]
+  std::optional<double> poisson_ratio;       ///< this, or
+  std::optional<double> shear_modulus;       ///< this [Pa], or both
+  std::optional<double> transverse_modulus;  ///< [Pa]
+  double density = 0;                        ///< [kg/m^3]
+  MassModel mass = Fiber{}.mass;
 };
 
 /// Declares the keys of a fiber, for a T that has them.
@@ -34,10 +36,19 @@ void declare_fiber(KeyTable<T>& table) {
       .required();
   table.quantity("youngs_modulus", "Pa", &T::youngs_modulus, kPositive, "Young's modulus E").required();
   table.number("poisson_ratio", &T::poisson_ratio, kPoissonRatio,
-               "Poisson's ratio ν, for G = E / (2 (1 + ν))");
-  table.quantity("shear_modulus", "Pa", &T::shear_modulus, kPositive, "shear modulus G");
-  table.quantity("density", "kg/m^3", &T::density, kPositive, "density of the spheres").required();
-  table.one_of({"poisson_ratio", "shear_modulus"});
+               "Poisson's ratio ν, for G = E / (2 (1 + ν)); beside `shear_modulus` that of contacts only");
+  table.quantity("shear_modulus", "Pa", &T::shear_modulus, kPositive,
+                 "shear modulus G, any: a fiber may be stiffer along than across");
+  table
+      .quantity("transverse_modulus", "Pa", &T::transverse_modulus, kPositive,
+                "Young's modulus across the fiber, of contacts")
+      .otherwise("`youngs_modulus`")
+      .only_with("shear_modulus", [](const T& keys) { return keys.shear_modulus.has_value(); });
+  table.quantity("density", "kg/m^3", &T::density, kPositive, "density of the material").required();
+  table.choice("mass", &T::mass, words_of({MassModel::spheres, MassModel::cylinder}),
+               "what the chain weighs: spheres of the material's density, two thirds of the fiber, as in the "
+               "paper; or the fiber's cylinder, end spheres half as heavy");
+  table.one_or_more_of({"poisson_ratio", "shear_modulus"});
 }
 
 /// The fiber of these keys, with the default bonds.

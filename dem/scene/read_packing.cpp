@@ -19,7 +19,7 @@ constexpr ValueRange kBondAngle{.low = -std::numbers::pi, .high = std::numbers::
 /// An entry of list "fibers" as typed.
 struct FiberKindKeys : FiberKeys {
   BondKeys bond = {};
-  double bend = 0;  ///< angle of a bond at rest [rad]
+  double rest_angle = 0;  ///< [rad]
   std::int64_t count = 0;
   std::string starts;
 };
@@ -44,7 +44,7 @@ void store_curvature(const StrictMapping& mapping, const CurvatureKeys& keys, Fi
   Fiber fiber{};
   fiber.diameter = kind.diameter;
   const double chord = bond_length(fiber);
-  kind.bend =
+  kind.rest_angle =
       keys.angle ? *keys.angle : 2 * std::asin(chord / 2 / mapping.quantity("radius", "m", {.low = chord}));
 }
 
@@ -79,7 +79,8 @@ void read_starts(const StrictMapping& mapping, const std::string& file, PackingF
 }
 
 void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, PackingScene& scene) {
-  PackingFiberKind kind{.fiber = fiber_of(mapping, "", keys), .bend = keys.bend, .count = keys.count};
+  PackingFiberKind kind{.fiber = fiber_of(mapping, "", keys), .count = keys.count};
+  kind.fiber.rest_angle = keys.rest_angle;
   apply(keys.bond, kind.fiber);
   try {
     chain_of(kind);
@@ -93,7 +94,13 @@ void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, P
 KeyTable<PackingScene> packing_motion_keys() {
   KeyTable<PackingScene> table;
   table.quantity("step", "s", &PackingScene::step, kPositive, "time step")
-      .otherwise("0.9 of the largest stable step");
+      .otherwise(
+          "0.9 of the largest stable step, less where the speeds there are or may come and "
+          "`restitution_error` want it");
+  table
+      .number("restitution_error", &PackingScene::restitution_error, kFraction,
+              "how far the chosen step may take the coefficient of restitution off")
+      .only_with("a step that is chosen", [](const PackingScene& scene) { return !scene.step; });
   table.choice(
       "form", &PackingScene::form, words_of({BondForm::total, BondForm::incremental}),
       "strains of the bonds from the poses of the spheres, or summed over the steps as the paper does");

@@ -32,6 +32,7 @@ struct CantileverScene {
   Fiber fiber;
   double load;                                  ///< P L^2 / (E I) [-]
   std::array<double, 3> direction = {0, 1, 0};  ///< of the load, unit vector; the fiber lies along x
+  std::array<double, 3> gravity = {0, 0, 0};    ///< acceleration that gives every sphere a weight [m/s^2]
   Method method = Method::solve;
   bool allow_unstable = false;  ///< an unstable equilibrium is an answer too
   RelaxOptions march = {};      ///< with the form of the bond law; solving has the total form only

@@ -19,15 +19,16 @@ double inner_product(const Motion& a, const Motion& b) {
 }
 
 /// M u, zero at the clamped sphere.
-Motion momentum(const SphereVector<2>& inertia, const Motion& u) {
+Motion momentum(const Fiber& fiber, const Motion& u) {
   Motion p = u;
-  for (auto& motion : p) motion = motion.cwiseProduct(inertia).eval();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = p[i].cwiseProduct(sphere_inertias<2>(fiber, static_cast<int>(i))).eval();
   p[0].setZero();
   return p;
 }
 
 /// Repeats u <- K^-1 M u: the second mode, (omega_2/omega_1)^2 = 39, falls by that in each pass.
-Motion undamped_mode(const Chain<2>& chain, const SphereVector<2>& inertia) {
+Motion undamped_mode(const Chain<2>& chain) {
   constexpr int passes = 16;
   const ChainFactors<3> K(stiffness<2>(chain, chain.poses, {{0}, {}}));
   const double length = fiber_length(chain.fiber);
@@ -37,7 +38,7 @@ Motion undamped_mode(const Chain<2>& chain, const SphereVector<2>& inertia) {
     u[i] << 0, x * x * length, 2 * x;
   }
   for (int n = 0; n < passes; ++n) {
-    u = momentum(inertia, u);
+    u = momentum(chain.fiber, u);
     K.solve_in_place(u);
     const double scale = length / u.back()[1];
     for (auto& motion : u) motion *= scale;
@@ -49,8 +50,7 @@ Motion undamped_mode(const Chain<2>& chain, const SphereVector<2>& inertia) {
 
 FirstMode first_mode(const Fiber& fiber) {
   const Chain<2> chain = straight_chain<2>(fiber);
-  const SphereVector<2> inertia = sphere_inertias<2>(fiber);
-  const Motion u = undamped_mode(chain, inertia), Mu = momentum(inertia, u);
+  const Motion u = undamped_mode(chain), Mu = momentum(fiber, u);
   Motion softened = Mu;  // K^-1 M u
   ChainFactors<3>(stiffness<2>(chain, chain.poses, {{0}, {}})).solve_in_place(softened);
   // m lambda^2 + c lambda + k = 0

@@ -24,13 +24,14 @@ void place(ChainBatch<Dim>& block, int lane, const Release<Dim>& release) {
 template <int Dim>
 double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt, BondForm form) {
   const Fiber& fiber = release.chain.fiber;
-  const double m = sphere_mass(fiber), J = sphere_inertia(fiber);
   const BondParameters<double> bond = bond_parameters(fiber);
   double sum = form == BondForm::total ? elastic_energy(release.chain, block.poses(lane)) : 0.0;
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
     const MovingSphere<double, Dim> s = block.sphere(lane, i);
     const bool clamped = i == 0;
     if (!clamped) {
+      const double share = mass_share(fiber, i), m = share * sphere_mass(fiber),
+                   J = share * sphere_inertia(fiber);
       sum += 0.5 * m * dot(s.velocity, s.velocity + (dt / m) * s.force);
       sum += 0.5 * J * dot(s.spin, s.spin + (dt / J) * s.moment);
     }
@@ -45,8 +46,10 @@ double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& releas
 template <int Dim>
 TipSample<Dim> sample(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt,
                       double steps, const ReleaseOptions& options) {
-  const MovingSphere<double, Dim> s = block.sphere(lane, release.chain.fiber.aspect_ratio);
-  const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / sphere_mass(release.chain.fiber)) * s.force;
+  const Fiber& fiber = release.chain.fiber;
+  const MovingSphere<double, Dim> s = block.sphere(lane, fiber.aspect_ratio);
+  const double tip_mass = end_mass_share(fiber) * sphere_mass(fiber);
+  const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / tip_mass) * s.force;
   return {steps * dt, s.pose.position, velocity,
           options.energy ? energy(block, lane, release, dt, options.form) : 0.0};
 }

@@ -140,7 +140,8 @@ BOOST_AUTO_TEST_CASE(operations_are_counted) {
 BOOST_AUTO_TEST_CASE(a_bonds_dashpots_cost_what_their_formula_says) {
   OperationCount count;
   const auto n = [&](double value) { return Counted(value, &count); };
-  const dem::BondParameters<Counted> bond{n(1), n(1), n(1), n(1), n(1), n(0), n(4), n(2), n(1), n(3), {}};
+  const dem::BondParameters<Counted> bond{n(1), n(1), n(1), n(1), n(1), n(1), n(0),
+                                          n(0), {},   n(4), n(2), n(1), n(3), {}};
   const dem::RelativeMotion<Counted, 2> motion{{n(1), n(2)}, {n(0.5)}, {n(0.25)}};
   const auto action = dem::dashpot_action<Counted, 2>(bond, {n(1), n(0)}, {n(1), n(0)}, motion);
   BOOST_TEST(action.force[0].value() == 4.0);

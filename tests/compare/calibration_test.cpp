@@ -101,17 +101,26 @@ BOOST_AUTO_TEST_CASE(measures_of_damping_mean_the_same) {
 BOOST_AUTO_TEST_CASE(departures_add_up_to_the_chain) {
   for (const DashpotLaw law : laws) {
     const Calibration f = calibrate(case_of(11, 0.43, law), 0.01);
-    const double sum = 1 + f.damping_departure.discretization + f.damping_departure.shear;
+    const double light = 1 + f.damping_departure.mass;
+    BOOST_TEST(std::abs(light - std::sqrt(1.5)) < 1e-14);
+    BOOST_TEST(f.frequency_departure.mass == f.damping_departure.mass);
+    const double sum = light + f.damping_departure.discretization + f.damping_departure.shear;
     BOOST_TEST(std::abs(f.beam_damping * sum / f.damping_ratio - 1) < 1e-9);
     // half a sphere more at the end: (r_f / (r_f + 1/2))^2, and the rest is of second order
-    BOOST_TEST(std::abs(f.damping_departure.discretization - (std::pow(11 / 11.5, 2) - 1)) < 0.003);
-    BOOST_TEST(std::abs(f.frequency_departure.discretization - (std::pow(11 / 11.5, 2) - 1)) < 0.003);
+    BOOST_TEST(std::abs(f.damping_departure.discretization / light - (std::pow(11 / 11.5, 2) - 1)) < 0.003);
+    BOOST_TEST(std::abs(f.frequency_departure.discretization / light - (std::pow(11 / 11.5, 2) - 1)) < 0.003);
     BOOST_TEST(f.frequency_departure.shear < 0);
     BOOST_TEST(f.frequency_departure.shear > -0.01);
   }
   const Calibration slender = calibrate(case_of(500), 0.01);
-  BOOST_TEST(std::abs(slender.damping_departure.discretization + 0.002) < 1e-5);
+  BOOST_TEST(std::abs(slender.damping_departure.discretization / std::sqrt(1.5) + 0.002) < 1e-5);
   BOOST_TEST(std::abs(slender.damping_departure.shear) < 1e-5);
+  // with the fiber's own mass nothing is left of that, nor of the half sphere
+  CalibrationCase own = case_of(40);
+  own.fiber.mass = dem::MassModel::cylinder;
+  const Calibration cylinder = calibrate(own, 0.01);
+  BOOST_TEST(cylinder.frequency_departure.mass == 0);
+  BOOST_TEST(std::abs(cylinder.frequency_departure.discretization) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(run_has_the_damping_asked_for) {

@@ -215,15 +215,15 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
   const dem::FiberGroup fibers = colliding_fibers(odd_fiber(6), 33, 5);
   const dem::Domain around = box_with_gravity(1.1);
   dem::Assembly one({fibers}, around, {.threads = 1}), two({fibers}, around, {.threads = 2});
-  one.march(1500);
+  one.march(2500);
   two.march(700);
   const dem::SavedState pause = two.saved();
-  two.march(800);
+  two.march(1800);
   dem::Assembly third({fibers}, around, {.threads = 2});
   third.march(10);
   third.restore(pause);
   BOOST_TEST(third.steps() == 700);
-  third.march(800);
+  third.march(1800);
   BOOST_TEST(one.touching() > 20);
   BOOST_TEST((numbers(one) == numbers(two)));
   BOOST_TEST((numbers(two) == numbers(third)));

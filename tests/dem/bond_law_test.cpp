@@ -1,5 +1,6 @@
 // The bond law against its own energy, by automatic differentiation: forces and moments are the first
 // derivatives of U, the Jacobian the derivative of the forces and moments.
+#include <array>
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -19,19 +20,25 @@ constexpr int motions = 2 * dem::sphere_motions<Dim>;
 template <int Dim>
 using MotionDual = Dual<motions<Dim>>;
 
-dem::Fiber odd_fiber(dem::BondModel model) {
-  return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, 13, model, 0.7};
+dem::Fiber odd_fiber(dem::BondModel model, double rest_angle) {
+  dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, 13, model, 0.7};
+  fiber.rest_angle = rest_angle;
+  return fiber;
 }
 
 template <class Real>
 dem::BondParameters<Real> parameters(const dem::Fiber& fiber) {
   const dem::BondParameters<double> b = dem::bond_parameters(fiber);
+  const dem::BondCoupling<double>& c = b.coupling;
   return {Real(b.stretch),
           Real(b.shear),
           Real(b.twist),
           Real(b.bend),
           Real(b.rest_length),
+          Real(b.unbent_length),
           Real(b.chord),
+          Real(b.rest_moment),
+          {Real(c.shear), Real(c.bend), Real(c.arc_shear), Real(c.arc_twist), Real(c.arc_bend)},
           Real(b.dash_stretch),
           Real(b.dash_shear),
           Real(b.dash_twist),
@@ -42,18 +49,19 @@ dem::BondParameters<Real> parameters(const dem::Fiber& fiber) {
 template <int Dim>
 using Pair = std::array<dem::Pose<double, Dim>, 2>;
 
-/// Two spheres, strained and bent by `amount` in every way.
+/// Two spheres, strained and bent by `amount` in every way about their rest shape.
 template <int Dim>
-Pair<Dim> random_pair(double amount, unsigned seed, double l0) {
+Pair<Dim> random_pair(double amount, unsigned seed, double l0, double rest_angle) {
+  const double half = rest_angle / 2;
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
   Pair<Dim> pair;
   if constexpr (Dim == 2) {
     const double angle = normal(generator);
-    pair[0] = {{0.3, -0.2}, angle + amount * normal(generator)};
+    pair[0] = {{0.3, -0.2}, angle - half + amount * normal(generator)};
     pair[1] = {{0.3 + l0 * (std::cos(angle) + 0.2 * amount * normal(generator)),
                 -0.2 + l0 * (std::sin(angle) + 0.2 * amount * normal(generator))},
-               angle + amount * normal(generator)};
+               angle + half + amount * normal(generator)};
   } else {
     const dem::Vec<double, 3> tilt{normal(generator), normal(generator), normal(generator)};
     const dem::Quaternion<double> frame = dem::rotation(tilt);
@@ -62,8 +70,9 @@ Pair<Dim> random_pair(double amount, unsigned seed, double l0) {
                                  amount * normal(generator)};
     };
     const dem::Vec<double, 3> axis = dem::rotate(frame, {1, 0, 0});
-    pair[0] = {{0.3, -0.2, 0.1}, dem::rotation(small()) * frame};
-    pair[1] = {pair[0].position + l0 * (axis + 0.2 * small()), dem::rotation(small()) * frame};
+    pair[0] = {{0.3, -0.2, 0.1}, dem::rotation(small()) * frame * dem::rotation({0, 0, -half})};
+    pair[1] = {pair[0].position + l0 * (axis + 0.2 * small()),
+               dem::rotation(small()) * frame * dem::rotation({0, 0, half})};
   }
   return pair;
 }
@@ -108,12 +117,12 @@ double load_scale(const dem::BondParameters<double>& b, int component, int dim) 
 }
 
 template <int Dim>
-void check_forces_and_jacobian(dem::BondModel model, double amount, unsigned seed) {
+void check_forces_and_jacobian(dem::BondModel model, double rest_angle, double amount, unsigned seed) {
   using Real = MotionDual<Dim>;
   constexpr int n = dem::sphere_motions<Dim>;
-  const dem::Fiber fiber = odd_fiber(model);
+  const dem::Fiber fiber = odd_fiber(model, rest_angle);
   const auto b = parameters<double>(fiber);
-  const Pair<Dim> pair = random_pair<Dim>(amount, seed, b.rest_length);
+  const Pair<Dim> pair = random_pair<Dim>(amount, seed, b.rest_length, rest_angle);
   const auto poses = moving<Dim>(pair);
   const auto bond = parameters<Real>(fiber);
   const auto k = dem::bond_kinematics(poses[0], poses[1]);
@@ -123,7 +132,8 @@ void check_forces_and_jacobian(dem::BondModel model, double amount, unsigned see
   const auto tangent = dem::bond_tangent(b, dem::bond_kinematics(pair[0], pair[1]));
   for (int i = 0; i < motions<Dim>; ++i) {
     const double scale = load_scale(b, i % n, Dim);
-    BOOST_TEST_CONTEXT("component " << i << " amount " << amount << " seed " << seed) {
+    BOOST_TEST_CONTEXT("component " << i << " amount " << amount << " arc " << rest_angle << " seed "
+                                    << seed) {
       BOOST_TEST(std::abs(components[i].value() + energy.derivative(i)) / scale < 2e-15);
       for (int j = 0; j < motions<Dim>; ++j) {
         const double unit = j % n < Dim ? b.rest_length : 1.0;
@@ -140,8 +150,10 @@ BOOST_DATA_TEST_CASE(loads_are_derivatives_of_the_energy_and_the_jacobian_of_the
                      boost::unit_test::data::make({1e-9, 1e-4, 0.01, 0.1, 0.3, 0.6}), amount) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     for (const auto model : {dem::BondModel::paper, dem::BondModel::corrected}) {
-      check_forces_and_jacobian<2>(model, amount, seed);
-      check_forces_and_jacobian<3>(model, amount, seed);
+      for (const double rest_angle : {0.0, -0.31}) {
+        check_forces_and_jacobian<2>(model, rest_angle, amount, seed);
+        check_forces_and_jacobian<3>(model, rest_angle, amount, seed);
+      }
     }
   }
 }

@@ -106,10 +106,22 @@ BOOST_AUTO_TEST_CASE(refuses_what_makes_no_physical_sense) {
   refuses([&](dem::Fiber& f) { f.aspect_ratio = 0; }, "aspect_ratio");
   refuses([&](dem::Fiber& f) { f.bond_damping = -0.1; }, "bond_damping");
   refuses([&](dem::Fiber& f) { f.bond_damping = nan; }, "bond_damping");
-  refuses([&](dem::Fiber& f) { f.material.shear_modulus = f.material.youngs_modulus / 3.1; },
-          "poisson_ratio");
+  refuses([&](dem::Fiber& f) { f.material.across = {1e6, 0.51}; }, "poisson_ratio");
+  refuses([&](dem::Fiber& f) { f.material.across = {0, 0.3}; }, "transverse_modulus");
+  refuses([&](dem::Fiber& f) { f.rest_angle = 2.1; }, "rest_angle");
+  refuses([&](dem::Fiber& f) { f.rest_angle = nan; }, "rest_angle");
   for (const double nu : {-1.0, 0.51, nan})
     BOOST_CHECK_THROW(dem::isotropic_material(1e6, nu, 1e3), dem::InvalidInput);
+}
+
+BOOST_AUTO_TEST_CASE(poissons_ratio_is_that_of_isotropic_materials_only) {
+  const dem::Material wood{11e9, 0.7e9, 500}, rubber = dem::isotropic_material(1e6, 0.5, 900);
+  BOOST_TEST(std::isnan(dem::poisson_ratio(wood)));
+  BOOST_CHECK_CLOSE_FRACTION(dem::poisson_ratio(rubber), 0.5, 1e-12);
+  BOOST_TEST(dem::contact_elasticity(wood).poisson_ratio == dem::usual_poisson_ratio);
+  dem::Fiber fiber = odd_fiber();
+  fiber.material = wood;
+  BOOST_CHECK_NO_THROW(dem::check(fiber));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -20,8 +20,9 @@ struct Account {
 template <int Dim>
 Account<Dim> account(const dem::ChainBatch<Dim>& block, const dem::Fiber& fiber, int lane = 0) {
   Account<Dim> sum;
-  const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    const double share = dem::mass_share(fiber, i);
+    const double m = share * dem::sphere_mass(fiber), J = share * dem::sphere_inertia(fiber);
     const auto s = block.sphere(lane, i);
     sum.momentum = sum.momentum + m * s.velocity;
     sum.angular = sum.angular + m * dem::cross(s.pose.position, s.velocity) + J * s.spin;
@@ -59,9 +60,10 @@ double elastic_energy(const dem::ChainBatch<Dim>& block, const dem::Chain<Dim>& 
 /// Kinetic energy at the step: velocities half a step before are moved on by the forces at the step [J].
 template <int Dim>
 double kinetic_energy(const dem::ChainBatch<Dim>& block, const dem::Fiber& fiber, double dt, int lane) {
-  const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
   double sum = 0;
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    const double share = dem::mass_share(fiber, i);
+    const double m = share * dem::sphere_mass(fiber), J = share * dem::sphere_inertia(fiber);
     const auto s = block.sphere(lane, i);
     const auto v = s.velocity + (0.5 * dt / m) * s.force;
     const auto w = s.spin + (0.5 * dt / J) * s.moment;

@@ -50,7 +50,9 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
       fluid_(physics.fluid) {
   check_chains(chains, kernel_.width);
   bonds_ = chains[0].fiber.aspect_ratio;
-  along_ = lanes_ == 1 && kernel_.march_single_chain != nullptr && bonds_ >= kernel_.width;
+  // along the lanes a fluid takes all spheres to be equally heavy
+  const bool even = !fluid_ || end_mass_share(chains[0].fiber) == 1;
+  along_ = lanes_ == 1 && even && kernel_.march_single_chain != nullptr && bonds_ >= kernel_.width;
   const std::size_t width = kernel_.width, column = along_ ? bonds_ + 2 : width * (bonds_ + 1);
   spheres_ = LaneArray(column * numbers_of<MovingSphere<double, Dim>>);
   history_ = LaneArray(column * kernel_.history);
@@ -61,7 +63,7 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
   for (const Chain<Dim>& chain : chains) fibers_.push_back(chain.fiber);
   loads_ = LaneArray(along_ ? column * numbers_of<BondLoads<double, Dim>> : 0);
   mobile_ = LaneArray(bonds_ + 1);
-  for (int i = 0; i <= bonds_; ++i) mobile_.put(fixed(i) ? 0.0 : 1.0, i, 1);
+  for (int i = 0; i <= bonds_; ++i) mobile_.put(fixed(i) ? 0.0 : 1 / mass_share(chains[0].fiber, i), i, 1);
   natural_ = LaneArray(chains[0].natural.size() * numbers_of<NaturalEnds<double, Dim>> * width);
   parameters_ = LaneArray(numbers_of<MarchParameters<double, Dim>> * width);
   for (int lane = 0; lane < (along_ ? 1 : kernel_.width); ++lane) {

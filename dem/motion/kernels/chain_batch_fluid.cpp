@@ -102,7 +102,7 @@ template <int Dim>
 void ChainBatch<Dim>::move_half_step(int lane, int index, MovingSphere<double, Dim>& s, bool back) const {
   if (fixed(index)) return;
   const EndLoad<double, Dim> load = load_now(lane, index);
-  dem::move_half_step(s, load, fibers_[lane], fluids_[lane].drag, gradient_now(lane, 0),
+  dem::move_half_step(s, index, load, fibers_[lane], fluids_[lane].drag, gradient_now(lane, 0),
                       parameters_of_[lane].step, back);
 }
 

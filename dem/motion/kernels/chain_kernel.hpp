@@ -16,15 +16,16 @@ namespace fiberchain::dem {
 struct ChainBatchView {
   int bonds;
   Clamps clamps;
-  double* spheres;                 ///< MovingSphere, bonds + 1
-  double* history;                 ///< of the bond law, bonds; null size where it has none
-  const double* natural;           ///< NaturalEnds, bonds (curved chains)
-  const double* parameters;        ///< MarchParameters, one
-  int stride = 0;                  ///< along only
-  const double* mobile = nullptr;  ///< along only: 1 a sphere, 0 where it is clamped
-  double* workspace = nullptr;     ///< `workspace` of the kernel
-  double* loads = nullptr;         ///< along only: BondLoads, bonds + 2, the first and last zero
-  const double* dead = nullptr;    ///< fluid: EndLoad, bonds + 1, dead loads; null if there are none
+  double* spheres;           ///< MovingSphere, bonds + 1
+  double* history;           ///< of the bond law, bonds; null size where it has none
+  const double* natural;     ///< NaturalEnds, bonds (curved chains)
+  const double* parameters;  ///< MarchParameters, one
+  int stride = 0;            ///< along only
+  const double* mobile =
+      nullptr;  ///< along only: mass of an inner sphere over a sphere's, 0 where it is clamped
+  double* workspace = nullptr;   ///< `workspace` of the kernel
+  double* loads = nullptr;       ///< along only: BondLoads, bonds + 2, the first and last zero
+  const double* dead = nullptr;  ///< fluid: EndLoad, bonds + 1, dead loads; null if there are none
   const double* gradients =
       nullptr;              ///< fluid: A of the steps to come, number n of lane k at [n * width + k]
   int gradient_stride = 0;  ///< doubles from one step's A to the next; 0 for a steady flow

@@ -35,7 +35,8 @@ struct PackingBlock {
   const double* parameters;    ///< MarchParameters, lane by lane
   double* workspace;           ///< `workspace` of the kernel
   double* scratch;             ///< room for `scratch` doubles
-  double weight[3];            ///< of a sphere [N]
+  double weight[3];            ///< of a sphere that is not an end [N]
+  double end_share;            ///< mass of an end sphere over that of the others
   const double* gradient;      ///< fluid: A now, lane by lane
   const double* next_history;  ///< of the block that comes next, to be fetched ahead; null if none
   std::int64_t rows_ahead;  ///< spheres from those of this block to those whose position_radius and motions

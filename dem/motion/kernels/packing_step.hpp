@@ -36,6 +36,8 @@ class BlockStorage {
         motions_(starts_of<velocity_spin_size, Real>(block.motions, block)),
         loads_(starts_of<load_size, Real>(block.loads, block, block.first_loaded)),
         weight_{Real(block.weight[0]), Real(block.weight[1]), Real(block.weight[2])},
+        end_share_(block.end_share),
+        bonds_(block.bonds),
         radius_(places_.at[0][radius_offset]),
         oriented_(block.orientation != nullptr) {
     if (oriented_) orientation_ = starts_of<quaternion_size, Real>(block.orientation, block);
@@ -66,7 +68,8 @@ class BlockStorage {
     MovingSphere<Real, 3> s = read_unloaded(i);
     Real n[moment_offset + 3];
     load_rows<moment_offset + 3>(loads_, i * load_size, n);
-    s.force = {n[0] + weight_[0], n[1] + weight_[1], n[2] + weight_[2]};
+    const Vec<Real, 3> weight = i == 0 || i == bonds_ ? end_share_ * weight_ : weight_;
+    s.force = {n[0] + weight[0], n[1] + weight[1], n[2] + weight[2]};
     s.moment = {n[moment_offset], n[moment_offset + 1], n[moment_offset + 2]};
     return s;
   }
@@ -88,6 +91,8 @@ class BlockStorage {
  private:
   RowStarts<Real> places_, motions_, loads_, orientation_{};
   Vec<Real, 3> weight_;
+  Real end_share_;
+  std::ptrdiff_t bonds_;
   Real radius_;
   bool oriented_;
 };
@@ -142,7 +147,7 @@ Real sweep_packing(const PackingBlock& block) {
   const Real previous_step(block.previous_step), dt = chain.parameters.step;
   Real fastest(0.0);
   const auto move = [&](int i, MovingSphere<Real, 3>& s) {
-    kick<P>(s, chain.parameters, flow);
+    kick<P>(s, chain.parameters, chain.step_of(i), flow);
     drift_row(rows, s, dt);
     fastest = max(fastest, dot(s.velocity, s.velocity));
     rows.write(i, s);
@@ -231,7 +236,7 @@ void account_rolling(const PackingBlock& block, const ChainBlock<P, Real>& chain
   const MarchParameters<Real, 3>& p = chain.parameters;
   const Vec<Real, 3>& spin = now.motion.relative_spin;
   if constexpr (P.rolling == Rolling::set_valued) {  // the impulse l over J went from one sphere to the other
-    const Real inertia = p.step / p.angular_impulse;
+    const Real inertia = p.step / p.inner.angular_impulse;
     const Vec<Real, 3> impulse = rolling_slots(chain)[bond].impulse;
     if (block.previous_step > 0)
       friction = friction + Real(0.5) * inertia * dot(impulse, previous.spin + spin);

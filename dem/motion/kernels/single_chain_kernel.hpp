@@ -60,15 +60,15 @@ void move_spheres_along(const ChainBatchView& block, const MarchParameters<Real,
       block.bonds + 1,
       [&](int i) {
         Sphere sphere = load_along<Sphere, Real>(block.spheres, stride, i);
-        MarchParameters<Real, P.dimension> own = p;
-        const Real mobile = Real::load_unaligned(block.mobile + i);  // 0 at a clamp, else 1
+        SphereStep<Real> own = p.inner;
+        const Real mobile = Real::load_unaligned(block.mobile + i);
         own.impulse = own.impulse * mobile, own.angular_impulse = own.angular_impulse * mobile;
         if constexpr (P.fluid) {
           own.follow = own.follow * mobile, own.spin_follow = own.spin_follow * mobile;
           if (block.dead)
             add_load(sphere, load_along<EndLoad<Real, P.dimension>, Real>(block.dead, stride, i));
         }
-        kick<P>(sphere, own, flow);
+        kick<P>(sphere, p, own, flow);
         drift(sphere, p.step);
         return sphere;
       },

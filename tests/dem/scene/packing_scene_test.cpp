@@ -176,13 +176,13 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_REQUIRE_EQUAL(scene.kinds.size(), 2u);
   const dem::PackingFiberKind &straight = scene.kinds[0], &curved = scene.kinds[1];
   BOOST_TEST(straight.count == 11);
-  BOOST_TEST(straight.bend == 0);
+  BOOST_TEST(straight.fiber.rest_angle == 0);
   BOOST_TEST(straight.fiber.material.density == 1200, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(straight.fiber.bond_damping == 0);
   BOOST_TEST((curved.fiber.bond_model == dem::BondModel::corrected));
   BOOST_TEST(curved.fiber.bond_damping == 0.7);
   BOOST_TEST(curved.fiber.material.shear_modulus == 4e6);
-  BOOST_TEST(2 * 0.03 * std::sin(curved.bend / 2) == 1.5e-3, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(2 * 0.03 * std::sin(curved.fiber.rest_angle / 2) == 1.5e-3, boost::test_tools::tolerance(1e-12));
   const dem::InsertionRules& rules = scene.filling;
   BOOST_TEST((rules.region.low[0] == 0.01 && rules.region.high[0] == 0.06));
   BOOST_TEST((rules.region.low[1] == 0 && rules.region.high[1] == 0.05));  // the period
@@ -289,8 +289,12 @@ BOOST_AUTO_TEST_CASE(arcs_are_stress_free_and_of_their_radius) {
   const dem::Chain<3> chain = dem::chain_of(kind);
   BOOST_TEST(dem::elastic_energy(chain, chain.poses) < 1e-25);
   const auto a = chain.poses[0].position, b = chain.poses[12].position;
-  BOOST_TEST(norm(b - a) == 2 * 0.03 * std::sin(6 * kind.bend), boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(dem::elastic_energy(dem::straight_chain<3>(kind.fiber), chain.poses) > 1e-9);
+  BOOST_TEST(norm(b - a) == 2 * 0.03 * std::sin(6 * kind.fiber.rest_angle),
+             boost::test_tools::tolerance(1e-12));
+  dem::Fiber straight = kind.fiber;
+  straight.rest_angle = 0;
+  BOOST_TEST(dem::elastic_energy(dem::straight_chain<3>(straight), chain.poses) > 1e-9);
+  BOOST_CHECK_THROW(dem::straight_chain<3>(kind.fiber), dem::InvalidInput);
 }
 
 BOOST_AUTO_TEST_CASE(the_step_is_chosen_for_all_kinds) {

@@ -80,9 +80,13 @@ const Fault kFaults[] = {
     {"2.6 MPa", "0 Pa", "test.yaml:7: fiber.youngs_modulus: '0 Pa' is out of range"},
     {"0.17", "0.51", "test.yaml:8: fiber.poisson_ratio: '0.51' is out of range; allowed: a number above -1"},
     {"0.17", "-1", "test.yaml:8: fiber.poisson_ratio: '-1' is out of range"},
-    {"0.17", "0.17\n  shear_modulus: 1 MPa",
-     "test.yaml:4: fiber: must have exactly one of poisson_ratio, shear_modulus"},
-    {"poisson_ratio: 0.17", "shear_modulus: 0.5 MPa", "test.yaml:4: fiber: "},
+    {"poisson_ratio: 0.17", "", "test.yaml:4: fiber: needs poisson_ratio or shear_modulus"},
+    {"poisson_ratio: 0.17", "shear_modulus: 0 Pa",
+     "test.yaml:8: fiber.shear_modulus: '0 Pa' is out of range"},
+    {"0.17", "0.17\n  transverse_modulus: 1 MPa",
+     "test.yaml:9: fiber.transverse_modulus: is of use only with shear_modulus"},
+    {"0.17", "0.17\n  mass: beads",
+     "test.yaml:9: fiber.mass: 'beads' is not allowed; allowed: spheres, cylinder"},
     {"damping: 0.7", "damping: -0.7", "test.yaml:10: bond.damping: '-0.7' is out of range"},
     {"model: corrected", "model: better",
      "test.yaml:10: bond.model: 'better' is not allowed; allowed: paper, corrected"},
@@ -233,6 +237,28 @@ BOOST_AUTO_TEST_CASE(the_ready_scenes_are_read) {
     const std::string path = std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/" + name + ".yaml";
     BOOST_CHECK_NO_THROW(dem::parse_scene(dem::read_scene_text(path)));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_fiber_may_be_stiffer_along_than_across_and_weigh_what_it_weighs) {
+  // wood along the grain: E and G are all that bonds need
+  const dem::Fiber wood = parse(with("youngs_modulus: 2.6 MPa\n  poisson_ratio: 0.17",
+                                     "youngs_modulus: 11 GPa\n  shear_modulus: 0.7 GPa\n  mass: cylinder"))
+                              .fiber;
+  BOOST_TEST(wood.material.youngs_modulus == 11e9);
+  BOOST_TEST(wood.material.shear_modulus == 0.7e9);
+  BOOST_TEST(dem::contact_elasticity(wood.material).poisson_ratio == dem::usual_poisson_ratio);
+  BOOST_TEST(dem::contact_elasticity(wood.material).youngs_modulus == 11e9);
+  BOOST_TEST((wood.mass == dem::MassModel::cylinder));
+  const dem::Fiber across =
+      parse(with("poisson_ratio: 0.17",
+                 "poisson_ratio: 0.43\n  shear_modulus: 0.1 MPa\n  transverse_modulus: 0.4 MPa"))
+          .fiber;
+  BOOST_TEST(across.material.shear_modulus == 0.1e6);
+  BOOST_TEST(dem::contact_elasticity(across.material).poisson_ratio == 0.43);
+  BOOST_TEST(dem::contact_elasticity(across.material).youngs_modulus == 0.4e6);
+  // an isotropic one by E and G
+  const dem::Fiber same = parse(with("poisson_ratio: 0.17", "shear_modulus: 1.0 MPa")).fiber;
+  BOOST_CHECK_CLOSE_FRACTION(dem::contact_elasticity(same.material).poisson_ratio, 0.3, 1e-12);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

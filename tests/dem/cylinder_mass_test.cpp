@@ -1,0 +1,157 @@
+// Fibers that weigh what a cylinder does: their mass, their frequencies, and every integrator's energy.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "dem/assembly/assembly.hpp"
+#include "dem/chain/residual.hpp"
+#include "dem/equilibrium/newton.hpp"
+#include "dem/insertion/placement.hpp"
+#include "dem/vibration/first_mode.hpp"
+#include "dem/vibration/release.hpp"
+#include "reference/chain_modes.hpp"
+#include "reference/damped_beam.hpp"
+
+BOOST_AUTO_TEST_SUITE(cylinder_mass_test)
+
+namespace dem = fiberchain::dem;
+namespace reference = fiberchain::reference;
+using V = dem::Vec<double, 3>;
+
+namespace {
+
+dem::Fiber fiber(int bonds, dem::BondModel model = dem::BondModel::corrected) {
+  dem::Fiber fiber{dem::isotropic_material(3.1e6, 0.17, 1300), 1.3e-3, bonds, model};
+  fiber.mass = dem::MassModel::cylinder;
+  return fiber;
+}
+
+double beam_frequency(const dem::Fiber& f) {
+  const double R = f.diameter / 2, L = dem::fiber_length(f),
+               mu = f.material.density * std::numbers::pi * R * R;
+  return std::pow(reference::clamped_free_beta(1) / L, 2) * std::sqrt(dem::bending_stiffness(f) / mu);
+}
+
+/// Two thirds of the way out of its rest shape.
+template <int Dim>
+dem::Release<Dim> bent_release(const dem::Fiber& f) {
+  const dem::FirstMode mode = dem::first_mode(f);
+  dem::Release<Dim> release{dem::straight_chain<Dim>(f), {}, {}, {}, mode.period, 3};
+  dem::Load<Dim> pull{f.aspect_ratio, {}, {}};
+  pull.force[1] = dem::load_force(f, 1.3);
+  release.start = dem::solve_equilibrium<Dim>(release.chain, {{0}, {pull}}).poses;
+  return release;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(it_weighs_what_its_cylinder_does) {
+  const dem::Fiber f = fiber(13);
+  const double R = f.diameter / 2;
+  BOOST_CHECK_CLOSE_FRACTION(dem::fiber_mass(f), 1300 * std::numbers::pi * R * R * dem::fiber_length(f),
+                             1e-14);
+  dem::Fiber spheres = f;
+  spheres.mass = dem::MassModel::spheres;
+  BOOST_CHECK_CLOSE_FRACTION(dem::fiber_mass(spheres), 14 * 1300 * std::numbers::pi * 4 / 3 * R * R * R,
+                             1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(its_first_frequency_goes_to_the_beams_at_second_order) {
+  std::vector<double> errors;
+  for (const int bonds : {10, 20, 40}) {
+    const dem::Fiber f = fiber(bonds);
+    const double chain = dem::first_mode(f).frequency;
+    auto linear = reference::with_cylinder_mass(reference::linear_chain({bonds, 0.65e-3, 3.1e6, 0.17, 1300}));
+    linear.stiffness.shear = 0.75 * linear.stiffness.stretch;
+    BOOST_CHECK_CLOSE_FRACTION(chain, reference::first_bending_mode(linear).frequency, 1e-9);
+    const auto modes =
+        reference::chain_modes(linear, reference::ChainMotion::bending, reference::ChainEnds::clamped_free);
+    double slowest = 1e300;
+    for (const auto& mode : modes) slowest = std::min(slowest, mode.frequency);
+    BOOST_CHECK_CLOSE_FRACTION(chain, slowest, 1e-7);
+    errors.push_back(std::abs(chain / beam_frequency(f) - 1));
+  }
+  BOOST_TEST(errors[0] < 0.02);
+  for (std::size_t i = 0; i + 1 < errors.size(); ++i)
+    BOOST_TEST(std::abs(std::log2(errors[i] / errors[i + 1]) - 2) < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(every_integrator_keeps_its_energy_and_finds_the_same_motion) {
+  const dem::Fiber f = fiber(11);
+  std::vector<V> tips;
+  const auto run = [&](dem::Integrator integrator, dem::BondForm form) {
+    dem::ReleaseOptions options;
+    options.integrator = integrator, options.form = form, options.energy = true;
+    if (integrator == dem::Integrator::cvode) options.tolerance = 1e-9;
+    if (integrator != dem::Integrator::cvode) options.step_ratio = 0.1;
+    const auto record = dem::ring_down<3>({bent_release<3>(f)}, options)[0];
+    BOOST_TEST(record.failure == "");
+    const double start = record.samples.front().energy;
+    for (const auto& sample : record.samples) {
+      if (std::abs(sample.energy / start - 1) < 1e-4) continue;
+      BOOST_ERROR("energy " << sample.energy / start << " at " << sample.time);
+      break;
+    }
+    tips.push_back(record.samples.back().position);
+  };
+  run(dem::Integrator::leapfrog, dem::BondForm::total);
+  run(dem::Integrator::leapfrog, dem::BondForm::incremental);
+  run(dem::Integrator::leapfrog_damped, dem::BondForm::total);
+  run(dem::Integrator::implicit, dem::BondForm::total);
+  run(dem::Integrator::cvode, dem::BondForm::total);
+  for (const V& tip : tips) BOOST_TEST(norm(tip - tips.back()) < 2e-3 * dem::fiber_length(f));
+}
+
+BOOST_AUTO_TEST_CASE(a_packing_lets_it_fall_and_swing_as_it_should) {
+  const dem::Fiber f = fiber(13);
+  const auto chain = dem::straight_chain<3>(f);
+  for (const auto form : {dem::BondForm::total, dem::BondForm::incremental}) {
+    dem::ChainState<3> state = dem::placed(chain, dem::FiberStart{{0, 0, 0}, {0.3, 1, -0.2}});
+    for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+      const double s = static_cast<double>(i) / 13;
+      state.velocity[i] = {0.2 * s * s, -0.1 * s, 0.3 * std::sin(5 * s)};
+      state.spin[i] = {1, -2 * s, 3};
+    }
+    dem::Domain around;
+    around.gravity = {0.4, -1.1, -9.81};
+    dem::ChainState<3> other = state;
+    for (auto& pose : other.poses) pose.position[0] += 1;
+    dem::Assembly assembly({{chain, {state, other}}}, around, {.step = 2e-6, .form = form});
+    const auto account = [&] {
+      V momentum{};
+      const dem::ChainState<3> now = assembly.state(0, 0);
+      for (int i = 0; i <= 13; ++i)
+        momentum = momentum +
+                   dem::mass_share(f, i) * dem::sphere_mass(f) * now.velocity[static_cast<std::size_t>(i)];
+      return momentum;
+    };
+    const V before = account();
+    const auto energy_before = assembly.energy();
+    assembly.march(8000);
+    const V expected = before + (assembly.time() * dem::fiber_mass(f)) * around.gravity;
+    BOOST_TEST(norm(account() - expected) < 1e-12 * norm(expected));
+    const auto energy = assembly.energy();
+    const double change = energy.kinetic + energy.bonds + energy.gravity - energy_before.kinetic -
+                          energy_before.bonds - energy_before.gravity;
+    BOOST_TEST(std::abs(change) < 1e-3 * energy_before.kinetic);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_settles_in_a_fluid_with_its_weight_over_its_drag) {
+  const dem::Fiber f = fiber(13);
+  dem::Domain around;
+  around.gravity = {0, 0, -9.81};
+  around.fluid = dem::Fluid{0.8, {}};
+  const auto chain = dem::straight_chain<3>(f);
+  dem::Assembly assembly({{chain, {dem::placed(chain, {{0, 0, 0}, {1, 0, 0}})}}}, around,
+                         {.form = dem::BondForm::total});
+  const double speed = dem::fiber_mass(f) * 9.81 / (14 * dem::stokes_drag(*around.fluid, f).translation);
+  assembly.march(static_cast<std::int64_t>(0.05 / assembly.step()));
+  const auto now = assembly.state(0, 0);
+  double mean = 0;
+  for (const V& v : now.velocity) mean -= v[2] / 14;
+  BOOST_TEST(std::abs(mean / speed - 1) < 0.02);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
