@@ -1,5 +1,5 @@
 // Within dem/ and within compare/ a room includes only rooms below it: nobody has to know the upper ones to
-// read a lower one.
+// read a lower one. No source is longer than a reader keeps in mind.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -34,13 +34,32 @@ bool points_up(const std::vector<std::string>& rooms, const std::string& from, c
   return std::ranges::find(rooms, to) > std::ranges::find(rooms, from);
 }
 
+std::vector<fs::path> sources_of(const fs::path& folder) {
+  std::vector<fs::path> sources;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path extension = entry.path().extension();
+    if (extension == ".hpp" || extension == ".cpp") sources.push_back(entry.path());
+  }
+  return sources;
+}
+
+/// Sources with more lines: "file: lines".
+std::vector<std::string> longer_than(std::ptrdiff_t most, const std::string& root) {
+  std::vector<std::string> found;
+  for (const fs::path& path : sources_of(fs::path(FIBERCHAIN_SOURCE_DIR) / root)) {
+    std::ifstream file(path);
+    std::ptrdiff_t lines = 0;
+    for (std::string line; std::getline(file, line);) ++lines;
+    if (lines > most) found.push_back(path.string() + ": " + std::to_string(lines));
+  }
+  return found;
+}
+
 /// Arrows up, and rooms that the order does not know: "file: line".
 std::vector<std::string> faults(const std::string& root, const std::vector<std::string>& rooms) {
   std::vector<std::string> found;
   const fs::path folder = fs::path(FIBERCHAIN_SOURCE_DIR) / root;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const fs::path& path = entry.path();
-    if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
+  for (const fs::path& path : sources_of(folder)) {
     const std::string room = fs::relative(path, folder).begin()->string();
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
@@ -70,6 +89,13 @@ BOOST_AUTO_TEST_CASE(no_room_of_dem_includes_one_above_it) {
 
 BOOST_AUTO_TEST_CASE(no_room_of_compare_includes_one_above_it) {
   for (const std::string& fault : faults("compare", kCompare)) BOOST_ERROR(fault);
+}
+
+BOOST_AUTO_TEST_CASE(no_source_is_longer_than_350_lines) {
+  BOOST_TEST(longer_than(100, "dem").size() > 50);  // it counts
+  for (const std::string root : {"dem", "reference", "compare"}) {
+    for (const std::string& source : longer_than(350, root)) BOOST_ERROR(source);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

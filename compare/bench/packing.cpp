@@ -74,12 +74,12 @@ double motion_alone(std::int64_t spheres, const BenchOptions& options) {
   constexpr std::int64_t part = dem::cache_sized_part;
   dem::SphereStorage rows(spheres, false);
   std::vector<double> loads(part * dem::load_size, 1e-3);
-  double* places = rows.position_radius.data();
-  double* motions = rows.motions.data();
+  double* position_radius = rows.position_radius.data();
+  double* velocity_spin = rows.velocity_spin.data();
   const auto step = [&] {
     for (std::int64_t i = 0; i < spheres; ++i) {
-      double *x = places + i * dem::position_radius_size, *v = motions + i * dem::velocity_spin_size,
-             *w = v + dem::spin_offset;
+      double *x = position_radius + i * dem::position_radius_size,
+             *v = velocity_spin + i * dem::velocity_spin_size, *w = v + dem::spin_offset;
       const double *force = &loads[static_cast<std::size_t>(i % part) * dem::load_size],
                    *moment = force + dem::moment_offset;
       for (int c = 0; c < 3; ++c) v[c] += 1e-6 * force[c], w[c] += 1e-5 * moment[c], x[c] += 1e-6 * v[c];
@@ -135,12 +135,12 @@ std::vector<PackingTime> times_of(const PackingScene& scene, int threads, const 
 /// memory of the first, which has found none used before.
 std::vector<PackingTime> fastest_of(const std::vector<PackingScene>& sizes, int rounds, std::int64_t steps,
                                     const BenchOptions& options) {
-  std::vector<double> motions;
-  for (const PackingScene& size : sizes) motions.push_back(motion_alone(dem::spheres_in(size), options));
+  std::vector<double> motion_ns;
+  for (const PackingScene& size : sizes) motion_ns.push_back(motion_alone(dem::spheres_in(size), options));
   std::vector<PackingTime> fastest;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      const PackingTime time = times_of(sizes[k], 1, {steps, 1}, motions[k]).front();
+      const PackingTime time = times_of(sizes[k], 1, {steps, 1}, motion_ns[k]).front();
       if (round == 0) {
         fastest.push_back(time);
       } else if (time.all < fastest[k].all) {

@@ -12,8 +12,8 @@
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
-#include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/parallel/parallel_for.hpp"
 #include "reference/errors.hpp"
 
 namespace fiberchain::compare {
@@ -208,7 +208,8 @@ std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases,
   std::vector<std::vector<std::size_t>> work;
   for (const auto& [kind, members] : groups) work.push_back(members);
   std::vector<DampingPoint> points(cases.size());
-  parallel_for(work.size(), options.jobs, [&](std::size_t i) { run_group(cases, work[i], options, points); });
+  dem::parallel_for(work.size(), options.jobs,
+                    [&](std::size_t i) { run_group(cases, work[i], options, points); });
   return points;
 }
 

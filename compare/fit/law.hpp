@@ -55,7 +55,7 @@ struct ChainCurve {
   std::vector<double> slope;
 };
 
-/// What regions are snapshot for in: r_f = 3 ... 500.
+/// Where regions are looked for: r_f = 3 ... 500.
 inline constexpr AspectRange kRegion{3, 500};
 ChainCurve chain_curve(const ChainKind& kind, AspectRange range = kRegion);
 

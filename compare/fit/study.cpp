@@ -10,7 +10,7 @@
 #include "compare/measure/static_release.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/study/parallel.hpp"
+#include "dem/parallel/parallel_for.hpp"
 
 // What the laws are fitted to, measured.
 namespace fiberchain::compare {
@@ -43,7 +43,7 @@ std::vector<double> first_mode_dampings(const FitSweep& asked, const Ratios& asp
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, std::ranges::greater{}, [&](std::size_t i) { return aspect_ratios[i]; });
   std::vector<double> found(aspect_ratios.size());
-  parallel_for(order.size(), jobs, [&](std::size_t k) {
+  dem::parallel_for(order.size(), jobs, [&](std::size_t k) {
     found[order[k]] = first_mode_damping(fiber_of(asked, aspect_ratios[order[k]]), asked.load);
   });
   return found;

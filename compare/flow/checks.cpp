@@ -101,13 +101,13 @@ double worst_drag() {
   for (const bool along : {false, true}) {
     const dem::Load<2> load{5, {along ? drag * speed : 0, along ? 0 : drag * speed}, {0}};
     const dem::Chain<2> chain = dem::straight_chain<2>(fiber);
-    dem::follow<2>({chain, chain.poses, {viscosity, {}}, {{}, {load}}}, {10}, {.tolerance = 1e-11},
-                   [&](double, const dem::ChainState<2>& state) {
-                     for (const auto& v : state.velocity) {
-                       largest = std::max(largest,
-                                          std::hypot(v[along ? 0 : 1] / speed - 1, v[along ? 1 : 0] / speed));
-                     }
-                   });
+    dem::integrate_in_flow<2>(
+        {chain, chain.poses, {viscosity, {}}, {{}, {load}}}, {10}, {.tolerance = 1e-11},
+        [&](double, const dem::ChainState<2>& state) {
+          for (const auto& v : state.velocity) {
+            largest = std::max(largest, std::hypot(v[along ? 0 : 1] / speed - 1, v[along ? 1 : 0] / speed));
+          }
+        });
   }
   return largest;
 }

@@ -59,7 +59,7 @@ FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std:
   FlowHistory history{};
   const auto begin = std::chrono::steady_clock::now();
   history.record =
-      dem::follow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
+      dem::integrate_in_flow<Dim>(flow, times, options, [&](double time, const dem::ChainState<Dim>& state) {
         if (shape_interval > 0 && history.moments.size() % static_cast<std::size_t>(shape_interval) == 0) {
           history.shapes.push_back(shape_of(flow.chain, time, state.poses));
         }

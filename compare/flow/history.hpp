@@ -38,7 +38,7 @@ struct FlowHistory {
 using dem::even_times;
 
 /// Follows the fiber; the shape of every `shape_interval`-th moment is kept, none with 0. L is the length of
-/// the bonds. Throws as dem::follow.
+/// the bonds. Throws as dem::integrate_in_flow.
 template <int Dim>
 FlowHistory integrate_in_flow_history(const dem::FlowCase<Dim>& flow, const std::vector<double>& times,
                                       const dem::FlowOptions& options, int shape_interval = 0);

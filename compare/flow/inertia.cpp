@@ -7,9 +7,9 @@
 
 #include "compare/flow/setup.hpp"
 #include "compare/study/nan.hpp"
-#include "compare/study/parallel.hpp"
 #include "compare/study/tabulate.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/parallel/parallel_for.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -96,7 +96,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
       cases.push_back({.stokes = stokes, .method = method, .tolerance = 1e-8});
   }
   std::vector<double> distance(cases.size()), drift(cases.size(), nan);
-  parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
+  dem::parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
     distance[i] = inertia_distance(cases[i]);
     if (cases[i].method == leapfrog) drift[i] = orbit_drift(cases[i], 1);
   });

@@ -11,9 +11,9 @@
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
-#include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/parallel/parallel_for.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -156,8 +156,8 @@ std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases,
   for (const RollingCase& asked : cases) check(asked);
   const auto blocks = blocks_of(cases);
   std::vector<RollingPoint> points(cases.size());
-  parallel_for(blocks.size(), options.jobs,
-               [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
+  dem::parallel_for(blocks.size(), options.jobs,
+                    [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
   return points;
 }
 

@@ -10,8 +10,8 @@
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/study/parallel.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/parallel/parallel_for.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -114,11 +114,11 @@ std::vector<StaticReleaseResult> static_release_damping(const std::vector<Static
                                                         int jobs) {
   for (const StaticReleaseRequest& request : requests) check(request);
   std::vector<dem::Release<2>> releases(requests.size());
-  parallel_for(requests.size(), jobs, [&](std::size_t i) { releases[i] = release_of(requests[i]); });
+  dem::parallel_for(requests.size(), jobs, [&](std::size_t i) { releases[i] = release_of(requests[i]); });
   const std::vector<Block> blocks = blocks_of(requests, releases);
   std::vector<StaticReleaseResult> results(requests.size());
-  parallel_for(blocks.size(), jobs,
-               [&](std::size_t i) { run_block(requests, releases, blocks[i], results); });
+  dem::parallel_for(blocks.size(), jobs,
+                    [&](std::size_t i) { run_block(requests, releases, blocks[i], results); });
   return results;
 }
 

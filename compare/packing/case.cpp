@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "compare/study/parallel.hpp"
 #include "dem/analysis/observables.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/parallel/parallel_for.hpp"
 #include "dem/scene/build_packing.hpp"
 
 namespace fiberchain::compare {
@@ -95,8 +95,8 @@ PackingEnd end_of(const dem::Assembly& assembly, const States& states, double fl
   return end;
 }
 
-void follow(const dem::PackingScene& scene, const PackingWatch& watch, const std::function<void()>& advance,
-            PackingRun& run) {
+void sample_packing(const dem::PackingScene& scene, const PackingWatch& watch,
+                    const std::function<void()>& advance, PackingRun& run) {
   dem::PackingStart start = dem::packing_start(scene, watch.threads);
   const std::vector<std::int32_t> fiber_of_sphere = dem::fiber_numbers(start.groups);
   const double floor = floor_area(scene);
@@ -143,7 +143,7 @@ PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch,
   run.asked = asked;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    follow(packing_scene(asked), watch, advance, run);
+    sample_packing(packing_scene(asked), watch, advance, run);
     run.status = "finished";
   } catch (const dem::Diverged& error) {
     run.status = error.what();
@@ -160,8 +160,8 @@ std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, cons
   for (const PackingCase& c : cases) work.push_back(c.fibers / packing_scene(c).step.value());
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return work[i]; });
   std::vector<PackingRun> runs(cases.size());
-  parallel_for(cases.size(), jobs,
-               [&](std::size_t i) { runs[order[i]] = run_packing(cases[order[i]], watch, advance); });
+  dem::parallel_for(cases.size(), jobs,
+                    [&](std::size_t i) { runs[order[i]] = run_packing(cases[order[i]], watch, advance); });
   return runs;
 }
 

@@ -35,7 +35,7 @@ inline constexpr PackingStage kPackingStages[] = {PackingStage::reaching, Packin
 
 std::string_view name(PackingStage stage);
 
-/// Samples of the stages by these rules, each snapshot for after the one before:
+/// Samples of the stages by these rules, each looked for after the one before:
 /// - reaching the bottom: the mean vertical velocity is lowest, so that from here on the floor carries more
 /// than the weight;
 /// - densest: the first lowest mean height, where the mean vertical velocity turns upward;

@@ -10,7 +10,7 @@
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
-#include "compare/study/parallel.hpp"
+#include "dem/parallel/parallel_for.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -98,7 +98,7 @@ std::vector<StabilityPoint> stability_points(const std::vector<StabilityCase>& c
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return cases[i].aspect_ratio; });
   std::vector<StabilityPoint> points(cases.size());
-  parallel_for(order.size(), options.jobs, [&](std::size_t i) {
+  dem::parallel_for(order.size(), options.jobs, [&](std::size_t i) {
     points[order[i]] = point_of(cases[order[i]]);
     options.advance();
   });

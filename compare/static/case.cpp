@@ -6,9 +6,9 @@
 #include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
-#include "compare/study/parallel.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/parallel/parallel_for.hpp"
 #include "reference/elastica.hpp"
 #include "reference/errors.hpp"
 #include "reference/reissner.hpp"
@@ -129,8 +129,8 @@ std::vector<StaticPoint> static_points(const std::vector<StaticCase>& cases, con
   std::vector<StaticPoint> points(cases.size());
   const std::size_t width = dem::chain_kernel(dem::built_physics[0], options.march.instruction_set).width;
   const std::vector<Block> blocks = blocks_of(cases, width);
-  parallel_for(blocks.size(), options.jobs,
-               [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
+  dem::parallel_for(blocks.size(), options.jobs,
+                    [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
   return points;
 }
 

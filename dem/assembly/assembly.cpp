@@ -48,7 +48,7 @@ void check_places(const std::vector<FiberGroup>& groups, const Domain& domain, d
 }
 
 /// Spheres have no images: what they meet must be the same at all of them.
-void check_periods(const Domain& domain) {
+void check_periodic_invariance(const Domain& domain) {
   for (const Wall& wall : domain.walls) {
     for (int c = 0; c < 3; ++c) {
       if (domain.period[c] > 0 && !is_invariant_along(wall, c))
@@ -75,7 +75,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   if (groups.empty()) throw InvalidInput("fibers = none is not allowed: an assembly needs at least one");
   for (const FiberGroup& group : groups) check(group);
   check_fluid(domain);
-  check_periods(domain);
+  check_periodic_invariance(domain);
   if (!options.placed_anywhere) check_places(groups, domain, 0);
   if (options.threads < 1)
     throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));

@@ -167,7 +167,7 @@ const std::vector<FieldRule>& fields() {
       number_field<&State::displacement_budget>("displacement_budget"),
       number_field<&State::inserted>("inserted_energy"),
       sphere_field<&SphereStorage::position_radius>("position_radius"),
-      sphere_field<&SphereStorage::motions>("velocity_spin"),
+      sphere_field<&SphereStorage::velocity_spin>("velocity_spin"),
       sphere_field<&SphereStorage::orientation>("orientation"),
       {.name = "load",
        .get = [](State& s) -> FieldValues { return s.loads.all(); },

@@ -18,7 +18,7 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
     std::copy_n(source.data(), from.count * numbers, target.data());
   };
   copy(from.position_radius, rows.position_radius, position_radius_size);
-  copy(from.motions, rows.motions, velocity_spin_size);
+  copy(from.velocity_spin, rows.velocity_spin, velocity_spin_size);
   if (oriented && from.count > 0) copy(from.orientation, rows.orientation, quaternion_size);
   return rows;
 }
@@ -83,7 +83,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   loads = ForceBuffers(contacts.parts(), options.threads);
   loads.set(loads_before.data(), loads_before.size());
   displacement_budget = 0.5 * contacts.skin();
-  wave = WavefrontSchedule(contacts.parts().count());
+  wavefront = WavefrontSchedule(contacts.parts().count());
   paths.assign(contacts.parts().count(), 0);
   return first_new;
 }
@@ -153,7 +153,13 @@ std::int64_t Assembly::State::broken() const {
   return -1;
 }
 
+<<<<<<< HEAD
 std::string Assembly::State::place_of(std::int64_t sphere) const {
+=======
+void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
+  const bool walls_come = std::ranges::any_of(
+      domain.walls, [](const Wall& w) { return w.active_from > 0 || norm(w.velocity) > 0; });
+>>>>>>> from-h1
   int fiber = 0;
   for (const FiberBlock& block : blocks) {
     for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {

@@ -77,7 +77,7 @@ struct Assembly::State {
   double longest_path = 0;           ///< of all since this was made [m]
   std::vector<double> paths;         ///< largest displacement in the last step, one a part [m]
   std::vector<StepTimes> own_times;  ///< one a thread, of the last step
-  WavefrontSchedule wave{0};
+  WavefrontSchedule wavefront{0};
   double displacement_budget = 0;  ///< displacement left before the Verlet criterion must be checked [m]
   StopWatch watch;
   double inserted = 0;  ///< energy supplied with inserted fibers [J]

@@ -36,7 +36,7 @@ bool Assembly::State::update_neighbor_list() {
   }
   displacement_budget -= longest;
   if (displacement_budget > 0) return false;
-  displacement_budget = contacts.follow(rows, pool);
+  displacement_budget = contacts.update_neighbor_list(rows, pool);
   return true;
 }
 
@@ -98,7 +98,7 @@ void Assembly::State::has_moved() {
 
 /// Bonds and motion of all fibers.
 void Assembly::State::move() {
-  pool.each(contacts.parts().count(), [&](int k, int thread) { move_part(k, thread); });
+  pool.parallel_for(contacts.parts().count(), [&](int k, int thread) { move_part(k, thread); });
   has_moved();
   watch.lap(&StepTimes::bonds_and_motion);
 }
@@ -113,7 +113,7 @@ void Assembly::State::touch() {
 void Assembly::State::touch_and_move() {
   for (StepTimes& own : own_times) own = {};
   const double now = time();
-  wave.run(
+  wavefront.run(
       pool, contacts.reach(),
       [&](int k, int thread) {
         const TimedPart timed(watch.on, own_times[thread].contacts);

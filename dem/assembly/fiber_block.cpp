@@ -12,7 +12,7 @@ namespace {
 
 using Sphere = MovingSphere<double, 3>;
 
-/// Lanes of `dissipated_`: two accumulators a lane.
+/// Lanes of `dissipated_`: two sums a lane.
 constexpr int taken_numbers = 2;
 
 double sum_of_lanes(const double* numbers, int lanes) {
@@ -100,7 +100,7 @@ PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRa
   return {.bonds = kind.chain.fiber.aspect_ratio,
           .first = first_.data(),
           .position_radius = rows.position_radius.data(),
-          .motions = rows.motions.data(),
+          .velocity_spin = rows.velocity_spin.data(),
           .loads = loads.rows,
           .first_loaded = loads.first,
           .orientation = rows.oriented() ? rows.orientation.data() : nullptr,

@@ -115,7 +115,7 @@ double restitution_error(const std::vector<FiberGroup>& groups, const Domain& do
 }
 
 // Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
-// (contact_rates.hpp). K and C are accumulators over bonds and contacts: what each uses up alone, in its own
+// (contact_rates.hpp). K and C are sums over bonds and contacts: what each uses up alone, in its own
 // worst mode, adds up to no less than what both do.
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
                               const AssemblyOptions& options) {

@@ -129,7 +129,7 @@ Imbalance imbalance(const Poses<Dim>& poses, const ChainVector<Dim>& net, const 
     force_scale = std::max({force_scale, norm(load.force), norm(load.moment) / length});
     moment_scale = std::max({moment_scale, norm(load.force) * length, norm(load.moment)});
   }
-  // sums over the part of the chain beyond each cross section; at a clamp they start rebuilt
+  // sums over the part of the chain beyond each cross section; at a clamp they start anew
   Vec<double, Dim> force{};
   Spin<double, Dim> moment{};
   Imbalance worst{0, 0};

@@ -14,19 +14,19 @@ struct SphereStorage {
   static constexpr int pads = 3;
 
   std::int64_t count = 0;
-  LaneArray position_radius, motions;
+  LaneArray position_radius, velocity_spin;
   LaneArray orientation;  ///< empty where it is not followed
 
   SphereStorage() = default;
   SphereStorage(std::int64_t spheres, bool oriented)
       : count(spheres),
         position_radius((spheres + pads) * position_radius_size),
-        motions((spheres + pads) * velocity_spin_size),
+        velocity_spin((spheres + pads) * velocity_spin_size),
         orientation(oriented ? (spheres + pads) * quaternion_size : 0) {}
 
   bool oriented() const { return orientation.size() > 0; }
   double* position_row(std::int64_t sphere) { return position_radius.data() + sphere * position_radius_size; }
-  double* velocity_row(std::int64_t sphere) { return motions.data() + sphere * velocity_spin_size; }
+  double* velocity_row(std::int64_t sphere) { return velocity_spin.data() + sphere * velocity_spin_size; }
 
   Vec<double, 3> position(std::int64_t sphere) const {
     return three(position_radius.data() + sphere * position_radius_size);
@@ -35,10 +35,10 @@ struct SphereStorage {
     return position_radius.data()[sphere * position_radius_size + radius_offset];
   }
   Vec<double, 3> velocity(std::int64_t sphere) const {
-    return three(motions.data() + sphere * velocity_spin_size);
+    return three(velocity_spin.data() + sphere * velocity_spin_size);
   }
   Vec<double, 3> spin(std::int64_t sphere) const {
-    return three(motions.data() + sphere * velocity_spin_size + spin_offset);
+    return three(velocity_spin.data() + sphere * velocity_spin_size + spin_offset);
   }
 
  private:

@@ -5,9 +5,9 @@
 
 namespace fiberchain::dem {
 
-Box box_around(std::span<const Vec<double, 3>> position_radius) {
-  Box box{position_radius[0], position_radius[0]};
-  for (const Vec<double, 3>& x : position_radius) {
+Box box_around(std::span<const Vec<double, 3>> points) {
+  Box box{points[0], points[0]};
+  for (const Vec<double, 3>& x : points) {
     for (int c = 0; c < 3; ++c)
       box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
   }

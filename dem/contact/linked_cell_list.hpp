@@ -13,10 +13,10 @@ struct Box {
   Vec<double, 3> low, high;
 };
 
-/// The least one around some position_radius, at least one.
-Box box_around(std::span<const Vec<double, 3>> position_radius);
+/// The least one around some points, at least one.
+Box box_around(std::span<const Vec<double, 3>> points);
 
-/// CellGeometry that fill a box. What stands outside of it counts for the cells at its border; along periodic
+/// Cells that fill a box. What stands outside of it counts for the cells at its border; along periodic
 /// axes the box is the period.
 class CellGeometry {
  public:
@@ -44,7 +44,7 @@ class CellGeometry {
   double inverse_edge_[3];
 };
 
-/// Numbers 0, 1, ... in the cells of the position_radius where they stand; more can be added.
+/// Numbers 0, 1, ... in the cells of the points where they stand; more can be added.
 class LinkedCellList {
  public:
   explicit LinkedCellList(const CellGeometry& cells) : cells_(cells), head_(cells.count(), -1) {}

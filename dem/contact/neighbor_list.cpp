@@ -9,7 +9,7 @@
 namespace fiberchain::dem {
 namespace {
 
-/// How far spheres may go from where they were sorted, in parts of what they see.
+/// Displacement of a sphere since it was sorted that the cells allow, over its reach.
 constexpr double kSlack = 0.5;
 
 }  // namespace
@@ -22,9 +22,9 @@ NeighborList::NeighborList(SphereSet spheres, double skin, Partition parts, cons
       incoming_(parts_.count()),
       kernel_(&kernel) {}
 
-void NeighborList::list(std::vector<Vec<double, 3>> position_radius, ThreadPool& pool) {
-  places_ = std::move(position_radius);
-  rebuilt_.assign(places_.size(), 1);
+void NeighborList::build(std::vector<Vec<double, 3>> positions, ThreadPool& pool) {
+  reference_positions_ = std::move(positions);
+  rebuilt_.assign(reference_positions_.size(), 1);
   for (int k = 0; k < parts_.count(); ++k) {
     searches_[k].rebuilt.clear();
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) searches_[k].rebuilt.push_back(i);
@@ -36,10 +36,10 @@ void NeighborList::list(std::vector<Vec<double, 3>> position_radius, ThreadPool&
 
 double NeighborList::farthest_moved(const SphereStorage& rows, ThreadPool& pool) const {
   std::vector<double> squared(searches_.size(), 0);
-  pool.each(parts_.count(), [&](int k, int) {
+  pool.parallel_for(parts_.count(), [&](int k, int) {
     double farthest = 0;
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) {
-      const Vec<double, 3> moved = rows.position(i) - places_[i];
+      const Vec<double, 3> moved = rows.position(i) - reference_positions_[i];
       farthest = std::max(farthest, dot(moved, moved));
     }
     squared[k] = farthest;
@@ -49,17 +49,17 @@ double NeighborList::farthest_moved(const SphereStorage& rows, ThreadPool& pool)
 
 void NeighborList::update(const SphereStorage& rows, double distance, ThreadPool& pool) {
   std::vector<std::uint8_t> strayed(searches_.size(), 0);
-  pool.each(parts_.count(), [&](int k, int) {
+  pool.parallel_for(parts_.count(), [&](int k, int) {
     std::vector<std::int32_t>& rebuilt = searches_[k].rebuilt;
     rebuilt.clear();
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) {
-      const Vec<double, 3> place = rows.position(i), moved = place - places_[i];
+      const Vec<double, 3> position = rows.position(i), moved = position - reference_positions_[i];
       rebuilt_[i] = dot(moved, moved) > distance * distance ? 1 : 0;
       if (rebuilt_[i] == 0) continue;
       rebuilt.push_back(i);
-      places_[i] = place;
-      sorted_->move(i, place);
-      if (!(sorted_->distance_from_first(i, place) <= slack_)) strayed[k] = 1;
+      reference_positions_[i] = position;
+      sorted_->move(i, position);
+      if (!(sorted_->distance_from_first(i, position) <= slack_)) strayed[k] = 1;
     }
   });
   check_finite();
@@ -70,7 +70,7 @@ void NeighborList::update(const SphereStorage& rows, double distance, ThreadPool
 void NeighborList::check_finite() const {
   for (const Search& search : searches_) {
     for (const std::int32_t i : search.rebuilt) {
-      const Vec<double, 3>& x = places_[i];
+      const Vec<double, 3>& x = reference_positions_[i];
       if (!std::isfinite(x[0] + x[1] + x[2])) {
         throw InvalidInput(fmt::format("the position of sphere {} is not finite", i));
       }
@@ -80,19 +80,19 @@ void NeighborList::check_finite() const {
 
 void NeighborList::sort() {
   const double reach = 2 * *std::ranges::max_element(spheres_.radius) + skin_;
-  check_periods(spheres_.period, reach);
-  Box box = box_around(places_);
+  check_minimum_image(spheres_.period, reach);
+  Box box = box_around(reference_positions_);
   for (int c = 0; c < 3; ++c) {
     if (spheres_.period[c] > 0) box.low[c] = 0;
   }
   slack_ = kSlack * reach;
   const CellGeometry cells(box, spheres_.period, reach + slack_,
-                           64.0 * static_cast<double>(places_.size()) + 64);
-  sorted_.emplace(cells, places_, spheres_.radius, spheres_.fiber);
+                           64.0 * static_cast<double>(reference_positions_.size()) + 64);
+  sorted_.emplace(cells, reference_positions_, spheres_.radius, spheres_.fiber);
 }
 
 void NeighborList::search(ThreadPool& pool) {
-  pool.each(parts_.count(), [&](int k, int) { search(k); });
+  pool.parallel_for(parts_.count(), [&](int k, int) { search(k); });
   collect_incoming();
 }
 
@@ -116,26 +116,26 @@ void NeighborList::search(int part) {
   Search& own = searches_[part];
   own.own.clear(), own.earlier.clear();
   const SortedSpheres all = sorted_->view();
-  NeighborQuery asking{};
-  asking.periods = periodic_box(spheres_.period);
+  NeighborQuery query{};
+  query.periods = periodic_box(spheres_.period);
   SlotRange runs[SortedCells::most_runs];
   int count = 0;
   std::int32_t last_cell = -1;
   std::vector<std::int32_t> near;
   const std::int32_t begin = parts_.begin(part);
   for (const std::int32_t i : own.rebuilt) {
-    const Vec<double, 3>& place = places_[i];
-    if (const std::int32_t cell = sorted_->cell_of(place); cell != last_cell) {
+    const Vec<double, 3>& position = reference_positions_[i];
+    if (const std::int32_t cell = sorted_->cell_of(position); cell != last_cell) {
       last_cell = cell;
-      count = sorted_->runs_around(place, runs);
-      std::size_t room = 0;
-      for (int k = 0; k < count; ++k) room += runs[k].end - runs[k].begin;
-      if (near.size() < room) near.resize(2 * room);
+      count = sorted_->runs_around(position, runs);
+      std::size_t most = 0;
+      for (int k = 0; k < count; ++k) most += runs[k].end - runs[k].begin;
+      if (near.size() < most) near.resize(2 * most);
     }
-    std::copy_n(place.c, 3, asking.x);
-    asking.reach = spheres_.radius[i] + skin_;
-    asking.sphere = i, asking.fiber = spheres_.fiber[i];
-    const std::int32_t found = kernel_->search(all, runs, count, asking, near.data());
+    std::copy_n(position.c, 3, query.x);
+    query.reach = spheres_.radius[i] + skin_;
+    query.sphere = i, query.fiber = spheres_.fiber[i];
+    const std::int32_t found = kernel_->query_neighbors(all, runs, count, query, near.data());
     for (std::int32_t n = 0; n < found; ++n) {
       const std::int32_t j = near[n];
       if (j > i) {

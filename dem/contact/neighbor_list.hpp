@@ -10,9 +10,8 @@
 #include "dem/parallel/partition.hpp"
 #include "dem/parallel/thread_pool.hpp"
 
-// Which spheres are close. Every sphere is listed at a place; who is close follows from these position_radius
-// alone. A sphere that has moved far from its place is listed at a new one, and only its neighbors are
-// searched rebuilt.
+// The Verlet list. Neighbors follow from each sphere's reference position alone. A sphere that has moved far
+// from it gets a new one, and only its neighbors are searched again.
 namespace fiberchain::dem {
 
 struct Pair {
@@ -30,27 +29,28 @@ struct SphereSet {
 class NeighborList {
  public:
   NeighborList() = default;
-  /// Pairs with a gap below `skin` [m] are close. `kernel` is that of the scene's contacts (periodic or not).
+  /// Pairs with a gap below `skin` [m] are neighbors. `kernel` is that of the scene's contacts (periodic or
+  /// not).
   NeighborList(SphereSet spheres, double skin, Partition parts, const ContactKernel& kernel);
 
   double skin() const { return skin_; }
   const SphereSet& spheres() const { return spheres_; }
   const Partition& parts() const { return parts_; }
-  const std::vector<Vec<double, 3>>& position_radius() const { return places_; }
+  const std::vector<Vec<double, 3>>& reference_positions() const { return reference_positions_; }
 
-  /// Lists all spheres at these position_radius. Throws InvalidInput for position_radius that are not finite,
-  /// and where a periodic side is shorter than twice 2 R + skin.
-  void list(std::vector<Vec<double, 3>> position_radius, ThreadPool& pool);
-  /// How far any sphere is from its place [m].
+  /// The neighbors of all spheres, which stand at these positions. Throws InvalidInput for positions that are
+  /// not finite, and where a period is shorter than twice 2 R + skin.
+  void build(std::vector<Vec<double, 3>> positions, ThreadPool& pool);
+  /// Largest displacement of a sphere from its reference position [m].
   double farthest_moved(const SphereStorage& rows, ThreadPool& pool) const;
-  /// Lists those that are farther than `distance` [m] from their position_radius where they are now; throws
-  /// as list().
+  /// Those displaced by more than `distance` [m] get new reference positions and neighbors; throws as
+  /// build().
   void update(const SphereStorage& rows, double distance, ThreadPool& pool);
 
-  /// Spheres of a part that the last call has listed rebuilt, by rising number.
+  /// Spheres of a part whose neighbors the last call has searched, by rising number.
   const std::vector<std::int32_t>& rebuilt(int part) const { return searches_[part].rebuilt; }
   bool is_rebuilt(std::int32_t sphere) const { return rebuilt_[sphere] != 0; }
-  /// Close pairs with one of these or two, whose first sphere is of the part, in order.
+  /// Neighbor pairs with one of these or two, whose first sphere is of the part, in order.
   std::vector<Pair> found(int part) const;
 
  private:
@@ -73,14 +73,14 @@ class NeighborList {
 
   SphereSet spheres_;
   double skin_ = 0;
-  std::vector<Vec<double, 3>> places_;
+  std::vector<Vec<double, 3>> reference_positions_;
   std::vector<std::uint8_t> rebuilt_;
   Partition parts_;
   std::vector<Search> searches_;
   std::vector<std::vector<Incoming>> incoming_;  ///< of each part
   const ContactKernel* kernel_ = nullptr;
   std::optional<SortedCells> sorted_;
-  double slack_ = 0;  ///< what spheres may move from where they were sorted [m]
+  double slack_ = 0;  ///< displacement of a sphere since it was sorted that the cells allow [m]
 };
 
 }  // namespace fiberchain::dem

@@ -14,7 +14,7 @@ PeriodicBox periodic_box(const Vec<double, 3>& length) {
   return periods;
 }
 
-void check_periods(const Vec<double, 3>& length, double reach) {
+void check_minimum_image(const Vec<double, 3>& length, double reach) {
   for (const double period : length.c) {
     if (period > 0 && period < 2 * reach) {
       throw InvalidInput(

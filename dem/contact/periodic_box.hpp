@@ -6,17 +6,16 @@
 
 namespace fiberchain::dem {
 
-/// After which lengths along the axes a room repeats itself [m], and one over them [1/m]; both 0 where it
-/// does not.
+/// Periods along the axes [m] and one over them [1/m]; both 0 along axes that are not periodic.
 struct PeriodicBox {
   double length[3], inverse[3];
 };
 
 PeriodicBox periodic_box(const Vec<double, 3>& length);
 
-/// Throws InvalidInput where a room repeats itself before twice the `reach` [m] of what is in it: it would
-/// meet more than one image of another.
-void check_periods(const Vec<double, 3>& length, double reach);
+/// Throws InvalidInput where a period is shorter than twice the `reach` [m] of a body: it would meet more
+/// than one image of another.
+void check_minimum_image(const Vec<double, 3>& length, double reach);
 
 /// A separation to the nearest image of the other end.
 template <class Real>

@@ -2,15 +2,13 @@
 
 namespace fiberchain::dem {
 
-SortedCells::SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> position_radius,
+SortedCells::SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> positions,
                          std::span<const double> radius, std::span<const std::int32_t> fiber)
-    : cells_(cells),
-      first_place_(position_radius.begin(), position_radius.end()),
-      begin_(cells.count() + 1, 0) {
-  const auto n = static_cast<std::int32_t>(position_radius.size());
+    : cells_(cells), first_place_(positions.begin(), positions.end()), begin_(cells.count() + 1, 0) {
+  const auto n = static_cast<std::int32_t>(positions.size());
   std::vector<std::int32_t> cell(n);
   for (std::int32_t i = 0; i < n; ++i) {
-    cell[i] = cells.index(position_radius[i]);
+    cell[i] = cells.index(positions[i]);
     ++begin_[cell[i] + 1];
   }
   for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
@@ -23,7 +21,7 @@ SortedCells::SortedCells(const CellGeometry& cells, std::span<const Vec<double, 
     radius_[at] = radius[i];
     fiber_[at] = fiber[i];
     sphere_[at] = i;
-    move(i, position_radius[i]);
+    move(i, positions[i]);
   }
 }
 

@@ -15,7 +15,7 @@ class SortedCells {
   static constexpr int most_runs = 27;
 
   /// The arrays behind the view stay where they are.
-  SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> position_radius,
+  SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> positions,
               std::span<const double> radius, std::span<const std::int32_t> fiber);
 
   /// A sphere moves, not far: it stays in the cell where it stood first.

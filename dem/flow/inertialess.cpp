@@ -112,7 +112,7 @@ struct InertialessMotion<Dim>::Solver {
     return x;
   }
 
-  /// Newton's correction x of the motions; a kept matrix is made rebuilt where gamma has moved on, the matrix
+  /// Newton's correction x of the motions; a kept matrix is made anew where gamma has moved on, the matrix
   /// has served long, or corrections do not shrink to a fifth.
   void solve(const CvodeProblem::Newton& newton, const double* b, double* out) {
     const Poses<Dim> poses = unpack(newton.y);

@@ -72,7 +72,7 @@ CvodeMotion<Dim> motion_with_inertia(const FlowCase<Dim>& flow, double tolerance
 }
 
 template <int Dim, class Motion>
-FlowRecord follow_by(const FlowCase<Dim>& flow, Motion motion, const std::vector<double>& times,
+FlowRecord record_motion(const FlowCase<Dim>& flow, Motion motion, const std::vector<double>& times,
                      const FlowSample<Dim>& sample) {
   FlowRecord record{};
   try {
@@ -94,14 +94,14 @@ FlowRecord follow_by(const FlowCase<Dim>& flow, Motion motion, const std::vector
 }  // namespace
 
 template <int Dim>
-FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
-                  const FlowSample<Dim>& sample) {
+FlowRecord integrate_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
+                             const FlowOptions& options, const FlowSample<Dim>& sample) {
   check_case(flow, times, options);
   switch (options.method) {
     case FlowMethod::inertialess:
-      return follow_by<Dim>(flow, InertialessMotion<Dim>(flow, options.tolerance), times, sample);
+      return record_motion<Dim>(flow, InertialessMotion<Dim>(flow, options.tolerance), times, sample);
     case FlowMethod::cvode:
-      return follow_by<Dim>(flow,
+      return record_motion<Dim>(flow,
                             motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()),
                             times, sample);
     default:
@@ -113,9 +113,9 @@ template void check<2>(const FlowCase<2>&);
 template void check<3>(const FlowCase<3>&);
 template ChainState<2> carried_state<2>(const FlowCase<2>&);
 template ChainState<3> carried_state<3>(const FlowCase<3>&);
-template FlowRecord follow<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&,
-                              const FlowSample<2>&);
-template FlowRecord follow<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&,
-                              const FlowSample<3>&);
+template FlowRecord integrate_in_flow<2>(const FlowCase<2>&, const std::vector<double>&, const FlowOptions&,
+                                         const FlowSample<2>&);
+template FlowRecord integrate_in_flow<3>(const FlowCase<3>&, const std::vector<double>&, const FlowOptions&,
+                                         const FlowSample<3>&);
 
 }  // namespace fiberchain::dem

@@ -71,10 +71,11 @@ struct FlowRecord {
   std::string failure;  ///< empty; else time, step, sphere and likely cause, and `reached` is before it
 };
 
-/// Follows one fiber and hands its state out at the times, which must rise from 0 or later. The leapfrog
-/// takes whole steps to each of them. Throws InvalidInput for a case that makes no sense or is not built.
+/// Integrates the motion of one fiber and hands its state out at the times, which must rise from 0 or later.
+/// The leapfrog takes whole steps to each of them. Throws InvalidInput for a case that makes no sense or is
+/// not built.
 template <int Dim>
-FlowRecord follow(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options,
-                  const FlowSample<Dim>& sample);
+FlowRecord integrate_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
+                             const FlowOptions& options, const FlowSample<Dim>& sample);
 
 }  // namespace fiberchain::dem

@@ -4,7 +4,7 @@
 
 namespace fiberchain::dem {
 
-/// follow() by the leapfrog.
+/// integrate_in_flow() by the leapfrog.
 template <int Dim>
 FlowRecord leapfrog_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
                             const FlowOptions& options, const FlowSample<Dim>& sample);

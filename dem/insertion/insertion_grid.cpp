@@ -5,7 +5,7 @@ namespace fiberchain::dem {
 namespace {
 
 CellGeometry cells_for(const Box& box, const Vec<double, 3>& period, double reach, std::int64_t expected) {
-  check_periods(period, reach);
+  check_minimum_image(period, reach);
   return {box, period, reach, 64 + 8.0 * static_cast<double>(expected)};
 }
 

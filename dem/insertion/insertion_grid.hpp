@@ -14,7 +14,7 @@ struct PlacedSpheres {
   std::vector<double> radius;            ///< [m]
 };
 
-/// Spheres by cells, to ask whether there is room for one more.
+/// Spheres by cells, to ask whether one more fits.
 class InsertionGrid {
  public:
   /// For spheres of at most the reach, that are added in or near the box, about `expected` of them. Periodic

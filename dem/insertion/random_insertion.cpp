@@ -24,12 +24,12 @@ double sphere_volume(double radius) { return 4.0 / 3 * pi * radius * radius * ra
 
 void check(const std::vector<InsertionCount>& counts, const InsertionRules& rules) {
   const auto refuse = [](const std::string& what) { throw InvalidInput(what); };
-  double needed = 0, room = 1;
+  double needed = 0, available = 1;
   for (int a = 0; a < 3; ++a) {
     const double length = rules.region.high[a] - rules.region.low[a];
     if (!(length > 0 && std::isfinite(length)))
       refuse(fmt::format("region's side {} m is not allowed: it must be above 0", length));
-    room *= length;
+    available *= length;
   }
   for (const InsertionCount& c : counts) {
     check(c.chain.fiber);
@@ -37,8 +37,9 @@ void check(const std::vector<InsertionCount>& counts, const InsertionRules& rule
     needed += static_cast<double>(c.count * (c.chain.fiber.aspect_ratio + 1)) *
               sphere_volume(sphere_radius(c.chain.fiber));
   }
-  if (needed > room) {
-    throw NoRoom(fmt::format("fibers of {:.3g} m^3 do not go into a region of {:.3g} m^3", needed, room));
+  if (needed > available) {
+    throw NoRoom(
+        fmt::format("fibers of {:.3g} m^3 do not go into a region of {:.3g} m^3", needed, available));
   }
   const InsertionOrientation& o = rules.orientation;
   if (!(o.angle >= 0 && o.angle <= pi / 2))
@@ -106,7 +107,7 @@ class Inserter {
     return period > 0 && rules_.region.high[a] - rules_.region.low[a] >= period * (1 - 1e-12);
   }
 
-  /// Uniformly among the position_radius in the region; false if the fiber is longer than the region.
+  /// Uniformly among the positions in the region; false if the fiber is longer than the region.
   bool move_inside(Poses<3>& poses, double radius, const std::array<double, 4>& u) const {
     V shift{};
     for (int a = 0; a < 3; ++a) {
@@ -191,8 +192,9 @@ PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups) {
   return spheres;
 }
 
-std::vector<FiberGroup> fill(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
-                             const Domain& domain, const PlacedSpheres& present) {
+std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts,
+                                         const InsertionRules& rules, const Domain& domain,
+                                         const PlacedSpheres& present) {
   check(counts, rules);
   double largest = 0;
   auto spheres = static_cast<std::int64_t>(present.radius.size());

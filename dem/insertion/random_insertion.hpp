@@ -7,7 +7,7 @@
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
 
-// Fibers at random position_radius, one after the other, where no sphere overlaps another or a wall. The same
+// Fibers at random positions, one after the other, where no sphere overlaps another or a wall. The same
 // seed gives the same packing on any machine and any number of threads.
 namespace fiberchain::dem {
 
@@ -49,14 +49,15 @@ struct InsertionCount {
 /// insertion: a dense filling is not quite as isotropic as asked. Fibers of a group are numbered in the order
 /// of their middles along the region's longest side. Throws InvalidInput for rules that make no sense, NoRoom
 /// when a fiber finds no place.
-std::vector<FiberGroup> fill(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
-                             const Domain& domain, const PlacedSpheres& present = {});
+std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts,
+                                         const InsertionRules& rules, const Domain& domain,
+                                         const PlacedSpheres& present = {});
 
 /// All spheres of fibers, to fill in more beside them.
 PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups);
 
-/// Distance from a wall's surface into the room [m] at a time; negative behind it. Infinite while the wall is
-/// not there.
+/// Distance from a wall's surface into the domain [m] at a time; negative behind it. Infinite while the wall
+/// is not there.
 double distance_to(const Wall& wall, const Vec<double, 3>& point, double time);
 
 }  // namespace fiberchain::dem

@@ -5,7 +5,7 @@
 
 namespace fiberchain::dem {
 
-bool is_active(const Wall& wall, double time) { return time >= wall.from && time < wall.until; }
+bool is_active(const Wall& wall, double time) { return time >= wall.active_from && time < wall.active_until; }
 
 bool is_invariant_along(const Wall& wall, int axis) { return wall.shape.is_invariant_along(axis); }
 
@@ -19,7 +19,8 @@ Vec<double, 3> direction_to(const Wall& wall, const Vec<double, 3>& place, doubl
 
 bool are_same(const Wall& one, const Wall& other) {
   if (one.shape.type().name != other.shape.type().name) return false;
-  if (!(std::max(one.from, other.from) < std::min(one.until, other.until))) return false;
+  if (!(std::max(one.active_from, other.active_from) < std::min(one.active_until, other.active_until)))
+    return false;
   // no two shapes of a kind have the same gaps from seven places that lie in no plane and on no circle
   constexpr double spread = 0.37;  // [m]
   for (int n = 0; n < 7; ++n) {

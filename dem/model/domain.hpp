@@ -15,9 +15,10 @@ namespace fiberchain::dem {
 /// A wall that may move at constant speed and be there for a while only.
 struct Wall {
   WallShape shape;
-  Vec<double, 3> velocity{};                               ///< [m/s]
-  double from = 0;                                         ///< there from this time [s]
-  double until = std::numeric_limits<double>::infinity();  ///< and gone from this one: a wall that opens
+  Vec<double, 3> velocity{};  ///< [m/s]
+  double active_from = 0;     ///< [s]
+  double active_until =
+      std::numeric_limits<double>::infinity();  ///< [s]; a wall that opens is gone from then on
 };
 
 bool is_active(const Wall& wall, double time);

@@ -124,7 +124,7 @@ void ImplicitMotion<Dim>::accept(const Poses<Dim>& middle, const ChainVector<Dim
   ++work_.steps;
 }
 
-/// Newton's method with a matrix that is set up rebuilt only where it no longer serves.
+/// Newton's method with a matrix that is set up anew only where it no longer serves.
 template <int Dim>
 bool ImplicitMotion<Dim>::solve_step(double dt) {
   const double length = fiber_length(chain_.fiber);

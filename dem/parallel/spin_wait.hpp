@@ -8,7 +8,7 @@
 namespace fiberchain::dem {
 
 /// Between two looks at what another thread is about to change.
-inline void pause() {
+inline void spin_wait() {
 #if defined(__x86_64__)
   _mm_pause();
 #else

@@ -10,7 +10,7 @@ unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
   for (int n = 0; n < spin_count; ++n) {
     const unsigned now = value.load(std::memory_order_acquire);
     if (now != old) return now;
-    pause();
+    spin_wait();
   }
   value.wait(old, std::memory_order_acquire);
   return value.load(std::memory_order_acquire);

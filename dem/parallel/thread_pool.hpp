@@ -21,7 +21,7 @@ class ThreadPool {
   /// work(i, thread) for all i below `count`, each thread consecutive ones of its own, then what others have
   /// left; back when all are done. `work` must not throw.
   template <class Work>
-  void each(int count, Work&& work) {
+  void parallel_for(int count, Work&& work) {
     if (workers_.empty()) {
       for (int i = 0; i < count; ++i) work(i, 0);
       return;
@@ -37,7 +37,7 @@ class ThreadPool {
   /// work(thread), once by each thread that is free; back when all are done. `work` must not throw.
   template <class Work>
   void for_each_thread(Work&& work) {
-    each(threads(), [&](int, int thread) { work(thread); });
+    parallel_for(threads(), [&](int, int thread) { work(thread); });
   }
 
  private:

@@ -7,7 +7,7 @@ namespace fiberchain::dem {
 void WavefrontSchedule::wait_until_done(const std::atomic<int>& piece) {
   for (int n = 0; piece.load(std::memory_order_acquire) != done; ++n) {
     if (n < spin_count) {
-      pause();
+      spin_wait();
     } else {
       std::this_thread::yield();
     }

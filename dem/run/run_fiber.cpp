@@ -49,10 +49,10 @@ template <int Dim>
 FlowResult flow(const FlowScene& scene) {
   FlowResult result{};
   const std::vector<double> times = even_times(scene.duration, scene.samples);
-  result.record = follow<Dim>(build_flow<Dim>(scene), times, scene.motion,
-                              [&](double time, const ChainState<Dim>& state) {
-                                result.samples.push_back({time, positions_of<Dim>(state.poses)});
-                              });
+  result.record = integrate_in_flow<Dim>(build_flow<Dim>(scene), times, scene.motion,
+                                         [&](double time, const ChainState<Dim>& state) {
+                                           result.samples.push_back({time, positions_of<Dim>(state.poses)});
+                                         });
   return result;
 }
 

@@ -175,7 +175,7 @@ std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double t
   rules.time = time;
   rules.first_number = 0;
   for (const PackingFiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
-  return fill(counts, rules, scene.domain, present);
+  return random_insertion(counts, rules, scene.domain, present);
 }
 
 std::int64_t fibers_in(const PackingScene& scene) {

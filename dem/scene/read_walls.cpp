@@ -51,8 +51,9 @@ void declare_wall_motion(KeyTable<Wall>& table) {
   table.vector("velocity", "m/s", &Wall::velocity,
                "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a time, and "
                "one at rest `from` then");
-  table.quantity("from", "s", &Wall::from, kFinite, "the wall is there from this time on");
-  table.quantity("until", "s", &Wall::until, kFinite, "and gone from this time on").otherwise("always there");
+  table.quantity("from", "s", &Wall::active_from, kFinite, "the wall is there from this time on");
+  table.quantity("until", "s", &Wall::active_until, kFinite, "and gone from this time on")
+      .otherwise("always there");
 }
 
 KeyTable<Wall> plane_keys() {
@@ -93,7 +94,7 @@ KeyTable<Wall> cylinder_keys() {
 /// Stores a wall whose key `along` says how it lies.
 auto store_wall(const char* along) {
   return [along](const StrictMapping& mapping, const Wall& wall, PackingScene& scene) {
-    if (!(wall.from < wall.until)) mapping.fail("until", "must be later than from");
+    if (!(wall.active_from < wall.active_until)) mapping.fail("until", "must be later than from");
     for (int a = 0; a < 3; ++a) {
       if (scene.domain.period[a] > 0 && !is_invariant_along(wall, a)) {
         mapping.fail(

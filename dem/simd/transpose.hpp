@@ -60,6 +60,117 @@ struct RowStarts {
   Number* at[lane_count<Real>];
 };
 
+#ifdef __AVX512F__
+/// Whether rows of N numbers are transposed in registers.
+template <int N, int lanes>
+inline constexpr bool in_registers = lanes == 8 && (N == 2 || N == 4 || N == 8);
+
+template <int N, class Real, class Number>
+inline __attribute__((always_inline)) void load_in_registers(const RowStarts<Real, Number>& rows,
+                                                             std::ptrdiff_t offset, Real* out) {
+  if constexpr (N == 8) {
+    __m512d r[8];
+    for (int k = 0; k < 8; ++k) r[k] = _mm512_loadu_pd(rows.at[k] + offset);
+    transpose_8(r);
+    for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
+  } else if constexpr (N == 4) {
+    __m512d r[4];
+    for (int k = 0; k < 4; ++k) {
+      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows.at[k] + offset)),
+                                _mm256_loadu_pd(rows.at[k + 4] + offset), 1);
+    }
+    transpose_4(r);
+    for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
+  } else {
+    // rows k, k + 2, k + 4, k + 6; loads that blend go beside the shuffles
+    const auto quarters = [&](int k) {
+      const auto two = [&](int l) { return _mm_castpd_ps(_mm_loadu_pd(rows.at[l] + offset)); };
+      __m512 r = _mm512_castps128_ps512(two(k));
+      r = _mm512_mask_broadcast_f32x4(r, 0x00f0, two(k + 2));
+      r = _mm512_mask_broadcast_f32x4(r, 0x0f00, two(k + 4));
+      return _mm512_castps_pd(_mm512_mask_broadcast_f32x4(r, 0xf000, two(k + 6)));
+    };
+    const __m512d even = quarters(0), odd = quarters(1);
+    out[0] = Real(_mm512_unpacklo_pd(even, odd)), out[1] = Real(_mm512_unpackhi_pd(even, odd));
+  }
+}
+
+template <int N, class Real>
+inline __attribute__((always_inline)) void store_in_registers(const Real* in, const RowStarts<Real>& rows,
+                                                              std::ptrdiff_t offset) {
+  if constexpr (N == 8) {
+    __m512d r[8];
+    for (int c = 0; c < 8; ++c) r[c] = in[c];
+    transpose_8(r);
+    for (int k = 0; k < 8; ++k) _mm512_storeu_pd(rows.at[k] + offset, r[k]);
+  } else if constexpr (N == 4) {
+    __m512d r[4];
+    for (int c = 0; c < N; ++c) r[c] = in[c];
+    transpose_4(r);
+    for (int k = 0; k < 4; ++k) {
+      _mm256_storeu_pd(rows.at[k] + offset, _mm512_castpd512_pd256(r[k]));
+      _mm256_storeu_pd(rows.at[k + 4] + offset, _mm512_extractf64x4_pd(r[k], 1));
+    }
+  } else {
+    const __m512d even = _mm512_unpacklo_pd(in[0], in[1]), odd = _mm512_unpackhi_pd(in[0], in[1]);
+    const auto quarters = [&](const __m512d& pairs, int k) {
+      const __m512 r = _mm512_castpd_ps(pairs);
+      const auto two = [&](int l, const __m128& pair) {
+        _mm_storeu_pd(rows.at[l] + offset, _mm_castps_pd(pair));
+      };
+      two(k, _mm512_castps512_ps128(r)), two(k + 2, _mm512_extractf32x4_ps(r, 1));
+      two(k + 4, _mm512_extractf32x4_ps(r, 2)), two(k + 6, _mm512_extractf32x4_ps(r, 3));
+    };
+    quarters(even, 0), quarters(odd, 1);
+  }
+}
+#elif defined(__AVX2__)
+template <int N, int lanes>
+inline constexpr bool in_registers = lanes == 4 && (N == 2 || N % 4 == 0);
+
+template <int N, class Real, class Number>
+inline __attribute__((always_inline)) void load_in_registers(const RowStarts<Real, Number>& rows,
+                                                             std::ptrdiff_t offset, Real* out) {
+  if constexpr (N == 2) {
+    const auto two = [&](int k) {
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[k] + offset)),
+                                  _mm_loadu_pd(rows.at[k + 2] + offset), 1);
+    };
+    const __m256d even = two(0), odd = two(1);
+    out[0] = Real(_mm256_unpacklo_pd(even, odd)), out[1] = Real(_mm256_unpackhi_pd(even, odd));
+  } else {
+    for (int part = 0; part < N; part += 4) {
+      __m256d r[4];
+      for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows.at[k] + offset + part);
+      transpose_4(r);
+      for (int c = 0; c < 4; ++c) out[part + c] = Real(r[c]);
+    }
+  }
+}
+
+template <int N, class Real>
+inline __attribute__((always_inline)) void store_in_registers(const Real* in, const RowStarts<Real>& rows,
+                                                              std::ptrdiff_t offset) {
+  if constexpr (N == 2) {
+    const __m256d even = _mm256_unpacklo_pd(in[0], in[1]), odd = _mm256_unpackhi_pd(in[0], in[1]);
+    _mm_storeu_pd(rows.at[0] + offset, _mm256_castpd256_pd128(even)),
+        _mm_storeu_pd(rows.at[1] + offset, _mm256_castpd256_pd128(odd));
+    _mm_storeu_pd(rows.at[2] + offset, _mm256_extractf128_pd(even, 1)),
+        _mm_storeu_pd(rows.at[3] + offset, _mm256_extractf128_pd(odd, 1));
+  } else {
+    for (int part = 0; part < N; part += 4) {
+      __m256d r[4];
+      for (int c = 0; c < 4; ++c) r[c] = in[part + c];
+      transpose_4(r);
+      for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset + part, r[k]);
+    }
+  }
+}
+#else
+template <int N, int lanes>
+inline constexpr bool in_registers = false;
+#endif
+
 /// Number c of the row `offset` numbers behind a lane's start becomes that lane of out[c].
 template <int N, class Real, class Number>
 inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Number>& rows,
@@ -68,63 +179,17 @@ inline __attribute__((always_inline)) void load_rows(const RowStarts<Real, Numbe
   if constexpr (lanes > 1 && N == 6) {
     load_rows<4>(rows, offset, out);
     load_rows<2>(rows, offset + 4, out + 4);
-    return;
-  }
-#ifdef __AVX512F__
-  if constexpr (lanes == 8 && N == 4) {
-    __m512d r[4];
-    for (int k = 0; k < 4; ++k) {
-      r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows.at[k] + offset)),
-                                _mm256_loadu_pd(rows.at[k + 4] + offset), 1);
-    }
-    transpose_4(r);
-    for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
-    return;
-  } else if constexpr (lanes == 8 && N == 8) {
-    __m512d r[8];
-    for (int k = 0; k < 8; ++k) r[k] = _mm512_loadu_pd(rows.at[k] + offset);
-    transpose_8(r);
-    for (int c = 0; c < N; ++c) out[c] = Real(r[c]);
-    return;
-  } else if constexpr (lanes == 8 && N == 2) {
-    const auto quarters =
-        [&](int k) {  // rows k, k + 2, k + 4, k + 6; loads that blend go beside the shuffles
-          const auto two = [&](int l) { return _mm_castpd_ps(_mm_loadu_pd(rows.at[l] + offset)); };
-          __m512 r = _mm512_castps128_ps512(two(k));
-          r = _mm512_mask_broadcast_f32x4(r, 0x00f0, two(k + 2));
-          r = _mm512_mask_broadcast_f32x4(r, 0x0f00, two(k + 4));
-          return _mm512_castps_pd(_mm512_mask_broadcast_f32x4(r, 0xf000, two(k + 6)));
-        };
-    const __m512d even = quarters(0), odd = quarters(1);
-    out[0] = Real(_mm512_unpacklo_pd(even, odd)), out[1] = Real(_mm512_unpackhi_pd(even, odd));
-    return;
-  }
-#elif defined(__AVX2__)
-  if constexpr (lanes == 4 && N % 4 == 0) {
-    for (int part = 0; part < N; part += 4) {
-      __m256d r[4];
-      for (int k = 0; k < 4; ++k) r[k] = _mm256_loadu_pd(rows.at[k] + offset + part);
-      transpose_4(r);
-      for (int c = 0; c < 4; ++c) out[part + c] = Real(r[c]);
-    }
-    return;
-  } else if constexpr (lanes == 4 && N == 2) {
-    const auto two = [&](int k) {
-      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(rows.at[k] + offset)),
-                                  _mm_loadu_pd(rows.at[k + 2] + offset), 1);
-    };
-    const __m256d even = two(0), odd = two(1);
-    out[0] = Real(_mm256_unpacklo_pd(even, odd)), out[1] = Real(_mm256_unpackhi_pd(even, odd));
-    return;
-  }
-#endif
-  for (int c = 0; c < N; ++c) {
-    if constexpr (lanes == 1) {
-      out[c] = rows.at[0][offset + c];
-    } else {
-      alignas(64) double numbers[lanes];
-      for (int k = 0; k < lanes; ++k) numbers[k] = rows.at[k][offset + c];
-      out[c] = Real::load_aligned(numbers);
+  } else if constexpr (in_registers<N, lanes>) {
+    load_in_registers<N>(rows, offset, out);
+  } else {
+    for (int c = 0; c < N; ++c) {
+      if constexpr (lanes == 1) {
+        out[c] = rows.at[0][offset + c];
+      } else {
+        alignas(64) double numbers[lanes];
+        for (int k = 0; k < lanes; ++k) numbers[k] = rows.at[k][offset + c];
+        out[c] = Real::load_aligned(numbers);
+      }
     }
   }
 }
@@ -137,62 +202,17 @@ inline __attribute__((always_inline)) void store_rows(const Real* in, const RowS
   if constexpr (lanes > 1 && N == 6) {
     store_rows<4>(in, rows, offset);
     store_rows<2>(in + 4, rows, offset + 4);
-    return;
-  }
-#ifdef __AVX512F__
-  if constexpr (lanes == 8 && N == 4) {
-    __m512d r[4];
-    for (int c = 0; c < N; ++c) r[c] = in[c];
-    transpose_4(r);
-    for (int k = 0; k < 4; ++k) {
-      _mm256_storeu_pd(rows.at[k] + offset, _mm512_castpd512_pd256(r[k]));
-      _mm256_storeu_pd(rows.at[k + 4] + offset, _mm512_extractf64x4_pd(r[k], 1));
-    }
-    return;
-  } else if constexpr (lanes == 8 && N == 8) {
-    __m512d r[8];
-    for (int c = 0; c < 8; ++c) r[c] = in[c];
-    transpose_8(r);
-    for (int k = 0; k < 8; ++k) _mm512_storeu_pd(rows.at[k] + offset, r[k]);
-    return;
-  } else if constexpr (lanes == 8 && N == 2) {
-    const __m512d even = _mm512_unpacklo_pd(in[0], in[1]), odd = _mm512_unpackhi_pd(in[0], in[1]);
-    const auto quarters = [&](const __m512d& pairs, int k) {
-      const __m512 r = _mm512_castpd_ps(pairs);
-      const auto two = [&](int l, const __m128& pair) {
-        _mm_storeu_pd(rows.at[l] + offset, _mm_castps_pd(pair));
-      };
-      two(k, _mm512_castps512_ps128(r)), two(k + 2, _mm512_extractf32x4_ps(r, 1));
-      two(k + 4, _mm512_extractf32x4_ps(r, 2)), two(k + 6, _mm512_extractf32x4_ps(r, 3));
-    };
-    quarters(even, 0), quarters(odd, 1);
-    return;
-  }
-#elif defined(__AVX2__)
-  if constexpr (lanes == 4 && N % 4 == 0) {
-    for (int part = 0; part < N; part += 4) {
-      __m256d r[4];
-      for (int c = 0; c < 4; ++c) r[c] = in[part + c];
-      transpose_4(r);
-      for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows.at[k] + offset + part, r[k]);
-    }
-    return;
-  } else if constexpr (lanes == 4 && N == 2) {
-    const __m256d even = _mm256_unpacklo_pd(in[0], in[1]), odd = _mm256_unpackhi_pd(in[0], in[1]);
-    _mm_storeu_pd(rows.at[0] + offset, _mm256_castpd256_pd128(even)),
-        _mm_storeu_pd(rows.at[1] + offset, _mm256_castpd256_pd128(odd));
-    _mm_storeu_pd(rows.at[2] + offset, _mm256_extractf128_pd(even, 1)),
-        _mm_storeu_pd(rows.at[3] + offset, _mm256_extractf128_pd(odd, 1));
-    return;
-  }
-#endif
-  for (int c = 0; c < N; ++c) {
-    if constexpr (lanes == 1) {
-      rows.at[0][offset + c] = in[c];
-    } else {
-      alignas(64) double numbers[lanes];
-      in[c].store_aligned(numbers);
-      for (int k = 0; k < lanes; ++k) rows.at[k][offset + c] = numbers[k];
+  } else if constexpr (in_registers<N, lanes>) {
+    store_in_registers<N>(in, rows, offset);
+  } else {
+    for (int c = 0; c < N; ++c) {
+      if constexpr (lanes == 1) {
+        rows.at[0][offset + c] = in[c];
+      } else {
+        alignas(64) double numbers[lanes];
+        in[c].store_aligned(numbers);
+        for (int k = 0; k < lanes; ++k) rows.at[k][offset + c] = numbers[k];
+      }
     }
   }
 }

@@ -9,6 +9,18 @@
 
 using namespace fiberchain::dem;
 
+double bond_damping_of(double loss_factor, int aspect_ratio);  // material.cpp
+
+/// Bond damping from a material's loss factor, against xi_f = (beta_1^2 / sqrt(20)) xi_b / (r_f + 1/2)^2,
+/// which a chain without shear meets within 1 / r_f^2.
+bool calibrates_a_material() {
+  const double loss_factor = 0.04, beta = 1.8751040687;
+  const double expected = 0.5 * loss_factor * std::sqrt(20.0) * std::pow(40.5 / beta, 2),
+               found = bond_damping_of(loss_factor, 40);
+  std::printf("bond damping %.9g, closed form %.9g\n", found, expected);
+  return std::abs(found / expected - 1) < 0.005;
+}
+
 /// Departure of a cantilever's tip at a small load from P L^3 / (3 E I): the chain's own is (3E/(16G) - 1/4)
 /// / r_f^2.
 bool solves_a_cantilever() {
@@ -37,5 +49,6 @@ bool runs_a_packing(const std::filesystem::path& path, const std::filesystem::pa
 }
 
 int main(int, char** arguments) {
-  return solves_a_cantilever() && runs_a_packing(arguments[1], arguments[2]) ? 0 : 1;
+  return calibrates_a_material() && solves_a_cantilever() && runs_a_packing(arguments[1], arguments[2]) ? 0
+                                                                                                        : 1;
 }

@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(physics_that_is_not_built_is_refused) {
 
 namespace {
 
-std::vector<double> position_radius(const Case& c, const dem::AssemblyOptions& options) {
+std::vector<double> positions(const Case& c, const dem::AssemblyOptions& options) {
   const dem::FiberGroup one = scattered(chain_of(c, 7, 1), 11, 0.07, 3);
   dem::FiberGroup two = scattered(chain_of(c, 5, 1.2), 3, 0.07, 3);
   for (auto& fiber : two.fibers) move(fiber, {0.003, 0.004, 0.0279});  // they touch
@@ -139,14 +139,14 @@ BOOST_AUTO_TEST_CASE(booking_and_orientations_change_no_bit) {
   for (const Case& c : cases) {
     if (c.dashpots != DashpotLaw::bond_damping || c.model != BondModel::paper) continue;
     dem::AssemblyOptions options{.form = c.form, .rolling = c.rolling, .allow_passage = true};
-    const auto plain = position_radius(c, options);
+    const auto plain = positions(c, options);
     options.account_energy = true;
-    BOOST_TEST((position_radius(c, options) == plain), c.name << ", booked");
+    BOOST_TEST((positions(c, options) == plain), c.name << ", booked");
     if (c.form == BondForm::total) continue;  // its bonds need the orientations
     options.orientations = false;
-    BOOST_TEST((position_radius(c, options) == plain), c.name << ", without orientations");
+    BOOST_TEST((positions(c, options) == plain), c.name << ", without orientations");
     options.account_energy = false;
-    BOOST_TEST((position_radius(c, options) == plain), c.name << ", without orientations, not booked");
+    BOOST_TEST((positions(c, options) == plain), c.name << ", without orientations, not booked");
   }
 }
 

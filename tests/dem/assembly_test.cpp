@@ -6,8 +6,6 @@
 #include <random>
 
 #include "dem/assembly/assembly.hpp"
-#include "dem/contact/contact_law.hpp"
-#include "dem/contact/neighbor_list.hpp"
 #include "dem/model/errors.hpp"
 
 BOOST_AUTO_TEST_SUITE(assembly_test)
@@ -111,84 +109,6 @@ std::vector<double> numbers(const dem::Assembly& assembly) {
 }
 
 }  // namespace
-
-using Pairs = std::vector<dem::Pair>;
-
-/// All pairs of the listed spheres, compared one by one.
-Pairs brute_pairs(const dem::NeighborList& list) {
-  Pairs pairs;
-  const dem::SphereSet& all = list.spheres();
-  const auto n = static_cast<std::int32_t>(all.radius.size());
-  for (std::int32_t i = 0; i < n; ++i) {
-    for (std::int32_t j = i + 1; j < n; ++j) {
-      Vec3 r = list.position_radius()[j] - list.position_radius()[i];
-      for (int c = 0; c < 3; ++c) {
-        if (all.period[c] > 0) r[c] -= all.period[c] * std::round(r[c] / all.period[c]);
-      }
-      if (dem::norm(r) >= all.radius[i] + all.radius[j] + list.skin() ||
-          (j == i + 1 && all.fiber[i] == all.fiber[j]))
-        continue;
-      pairs.push_back({i, j});
-    }
-  }
-  return pairs;
-}
-
-/// Pairs after spheres have been listed rebuilt: those of spheres that have not, and what was found.
-Pairs followed(const Pairs& before, const dem::NeighborList& list, int parts) {
-  Pairs pairs;
-  for (const dem::Pair& pair : before) {
-    if (!list.is_rebuilt(pair.first) && !list.is_rebuilt(pair.second)) pairs.push_back(pair);
-  }
-  for (int k = 0; k < parts; ++k) {
-    for (const dem::Pair& pair : list.found(k)) {
-      BOOST_TEST(list.parts().of(pair.first) == k);
-      pairs.push_back(pair);
-    }
-  }
-  std::ranges::sort(pairs);
-  return pairs;
-}
-
-BOOST_AUTO_TEST_CASE(close_pairs_are_those_of_brute_force) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  constexpr int n = 1200, parts = 7;
-  for (const int trial : {0, 1, 2, 3}) {
-    const bool periodic = trial % 2 == 1;
-    dem::SphereSet set{{}, {}, periodic ? Vec3{0.9, 0, 0.8} : Vec3{}};
-    std::vector<Vec3> position_radius;
-    for (int s = 0; s < n; ++s) {
-      position_radius.push_back({3 * uniform(random) - 1, uniform(random), 1.7 * uniform(random)});
-      set.radius.push_back(0.03 + 0.03 * uniform(random));
-      set.fiber.push_back(s / 12);
-    }
-    dem::ThreadPool pool(2);
-    const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts),
-                           dem::law_of({}).kernel({false, periodic, false, false}, instructions));
-    list.list(position_radius, pool);
-    Pairs pairs = followed({}, list, parts);
-    BOOST_TEST(pairs.size() > 400u);
-    BOOST_TEST((pairs == brute_pairs(list)));
-    // spheres go far and near, out of the box that they began in too; the grid is made rebuilt at times
-    dem::SphereStorage rows(n, false);
-    for (int round = 0; round < 150; ++round) {
-      for (int i = 0; i < n; ++i) {
-        const double step = i % 3 == 0 ? 0.02 : round % 50 == 0 ? 0.7 : 0.0005;
-        for (int c = 0; c < 3; ++c)
-          rows.position_row(i)[c] = position_radius[i][c] += step * (uniform(random) - 0.5);
-      }
-      if (round % 5 != 0) continue;
-      const double farthest = list.farthest_moved(rows, pool);
-      list.update(rows, 0.004, pool);
-      BOOST_TEST(farthest > 0.004);
-      BOOST_TEST(list.farthest_moved(rows, pool) <= 0.004);
-      pairs = followed(pairs, list, parts);
-      BOOST_REQUIRE((pairs == brute_pairs(list)));
-    }
-  }
-}
 
 /// 50 fibers of two kinds that collide in open space, with friction, rolling friction and dashpots.
 BOOST_AUTO_TEST_CASE(momenta_of_colliding_fibers_are_kept) {

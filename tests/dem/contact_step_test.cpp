@@ -99,11 +99,11 @@ struct Dense {
     const double height = fibers / (packing.around.period[0] * packing.around.period[1]) / 0.5;
     dem::Wall& plate = packing.around.walls[1];
     plate.velocity = {0, 0, -speed};
-    plate.until = (plate.shape.get_if<dem::Plane>()->point[2] - height) / speed;
+    plate.active_until = (plate.shape.get_if<dem::Plane>()->point[2] - height) / speed;
     packing.around.walls.push_back(side({0, 0, height}, {0, 0, -1}));
-    packing.around.walls[2].from = plate.until;
+    packing.around.walls[2].active_from = plate.active_until;
     dem::Assembly assembly = packing.assembly({.step = 4e-6, .form = dem::BondForm::total});
-    assembly.march(static_cast<int>(plate.until / 4e-6) + 6000);
+    assembly.march(static_cast<int>(plate.active_until / 4e-6) + 6000);
     for (int f = 0; f < 16; ++f) packing.groups[0].fibers[f] = dem::at_rest<3>(assembly.state(0, f).poses);
     const dem::EnergyBalance now = assembly.energy();
     stored = now.bonds + now.contacts;
@@ -114,7 +114,7 @@ struct Dense {
       mean += c.overlap / 1e-3 / static_cast<double>(all.size());
     contacts = all.size();
     packing.around.walls.erase(packing.around.walls.begin() + 1);
-    packing.around.walls[1].from = 0;
+    packing.around.walls[1].active_from = 0;
   }
 
   double chosen() const { return packing.assembly({}).step(); }

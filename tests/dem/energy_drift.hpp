@@ -18,8 +18,8 @@ struct EnergyDrift {
 /// The same chain at several time steps, given over the largest stable one, side by side.
 template <int Dim>
 std::vector<EnergyDrift> energy_drift(dem::BondForm form, const std::vector<double>& step_ratios,
-                                      double steps, double speed,
-                                      dem::BondModel bond = dem::BondModel::paper) {
+                                      double steps, double speed, dem::BondModel bond = dem::BondModel::paper,
+                                      unsigned seed = 9) {
   const dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.3, 431), 0.0262, 4, bond};
   const std::vector<dem::Chain<Dim>> chains(step_ratios.size(), dem::straight_chain<Dim>(fiber));
   std::vector<double> dt = step_ratios;
@@ -30,7 +30,7 @@ std::vector<EnergyDrift> energy_drift(dem::BondForm form, const std::vector<doub
       dem::best_instruction_set());
   for (std::size_t lane = 0; lane < dt.size(); ++lane) {
     // one seed for all: stir() would give each lane its own
-    std::mt19937 generator(9);
+    std::mt19937 generator(seed);
     std::normal_distribution<double> normal;
     const double rate = speed / dem::bond_time_step(fiber);
     dem::Vec<double, Dim> sum{};

@@ -69,7 +69,8 @@ std::pair<double, double> distance_from_cvode(double damping, double rate_ratio)
   cvode.method = dem::FlowMethod::cvode;
   cvode.tolerance = 1e-12;
   dem::ChainState<Dim> expected;
-  dem::follow<Dim>(flow, times, cvode, [&](double, const dem::ChainState<Dim>& state) { expected = state; });
+  dem::integrate_in_flow<Dim>(flow, times, cvode,
+                              [&](double, const dem::ChainState<Dim>& state) { expected = state; });
   const auto off = [&](double ratio) {
     dem::FlowOptions options;
     options.step_ratio = ratio;
@@ -91,8 +92,8 @@ BOOST_AUTO_TEST_CASE(a_step_longer_than_the_drags_memory_is_of_first_order_and_s
     cvode.method = dem::FlowMethod::cvode;
     cvode.tolerance = 1e-11;
     dem::ChainState<2> expected;
-    dem::follow<2>(flow, {3 / shear}, cvode,
-                   [&](double, const dem::ChainState<2>& state) { expected = state; });
+    dem::integrate_in_flow<2>(flow, {3 / shear}, cvode,
+                              [&](double, const dem::ChainState<2>& state) { expected = state; });
     const auto off = [&](double part) {
       dem::FlowOptions options;
       options.step_ratio = part * dem::stable_time_step(fiber, flow.fluid) / t_b;

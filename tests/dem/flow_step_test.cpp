@@ -45,7 +45,7 @@ bool grows(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form,
   return false;
 }
 
-/// The largest step that does not grow, to 1 in 400, snapshot for around a guess.
+/// The largest step that does not grow, to 1 in 400, looked for around a guess.
 template <int Dim>
 double measured_limit(const dem::Fiber& fiber, const dem::Fluid& fluid, dem::BondForm form, double guess) {
   double low = 0.5 * guess, high = 2 * guess;

@@ -272,10 +272,10 @@ BOOST_AUTO_TEST_CASE(inertia_vanishes_in_first_order) {
     const auto flow = strained_case<3>(fiber, shear());
     dem::ChainState<3> with, without;
     const double time = 3 / kRate;
-    dem::follow<3>(flow, {time}, {.method = dem::FlowMethod::cvode, .tolerance = 1e-10},
-                   [&](double, const dem::ChainState<3>& s) { with = s; });
-    dem::follow<3>(flow, {time}, {.tolerance = 1e-10},
-                   [&](double, const dem::ChainState<3>& s) { without = s; });
+    dem::integrate_in_flow<3>(flow, {time}, {.method = dem::FlowMethod::cvode, .tolerance = 1e-10},
+                              [&](double, const dem::ChainState<3>& s) { with = s; });
+    dem::integrate_in_flow<3>(flow, {time}, {.tolerance = 1e-10},
+                              [&](double, const dem::ChainState<3>& s) { without = s; });
     distance[i] = dem::norm(with.poses.back().position - without.poses.back().position);
   }
   BOOST_TEST(std::log(distance[0] / distance[1]) / std::log(4.0) == 1, boost::test_tools::tolerance(0.05));
@@ -300,10 +300,10 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const dem::Fiber fiber = fiber_of(5, 1);
   const auto nothing = [](double, const dem::ChainState<2>&) {};
   const auto refused = [&](const dem::FlowCase<2>& flow, const dem::FlowOptions& options = {}) {
-    BOOST_CHECK_THROW(dem::follow<2>(flow, {1.0}, options, nothing), dem::InvalidInput);
+    BOOST_CHECK_THROW(dem::integrate_in_flow<2>(flow, {1.0}, options, nothing), dem::InvalidInput);
   };
   auto flow = straight_case<2>(fiber, shear());
-  BOOST_CHECK_NO_THROW(dem::follow<2>(flow, {0.1}, {}, nothing));
+  BOOST_CHECK_NO_THROW(dem::integrate_in_flow<2>(flow, {0.1}, {}, nothing));
   for (const double viscosity : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
     auto other = flow;
     other.fluid.viscosity = viscosity;
@@ -313,7 +313,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   squeezed.fluid.flow.gradient[1][1] = 0.1;
   refused(squeezed);
   squeezed.fluid.compressible = true;
-  BOOST_CHECK_NO_THROW(dem::follow<2>(squeezed, {0.1}, {}, nothing));
+  BOOST_CHECK_NO_THROW(dem::integrate_in_flow<2>(squeezed, {0.1}, {}, nothing));
   auto leaving = flow;
   leaving.fluid.flow.gradient[2][0] = 1;
   refused(leaving);
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   refused(interacting);
   refused(flow, {.form = dem::BondForm::incremental});
   refused(flow, {.tolerance = 0});
-  BOOST_CHECK_THROW(dem::follow<2>(flow, {1.0, 0.5}, {}, nothing), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::integrate_in_flow<2>(flow, {1.0, 0.5}, {}, nothing), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::start_up(dem::simple_shear(1), 0), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::oscillation(dem::simple_shear(1), -1), dem::InvalidInput);
 }

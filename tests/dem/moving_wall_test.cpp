@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_plate_that_stops_gives_nothing) {
 
 /// The same scene with everything moving along at one velocity is the same scene.
 BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
-  std::vector<V> position_radius[2];
+  std::vector<V> positions[2];
   for (const bool moving : {false, true}) {
     const V u = moving ? V{0.31, -0.22, 0.17} : V{};
     dem::Fiber fiber = ball;
@@ -155,11 +155,11 @@ BOOST_AUTO_TEST_CASE(walls_that_move_along_change_nothing) {
     BOOST_TEST(most > 3);
     for (int f = 0; f < 5; ++f) {
       for (const auto& pose : assembly.state(0, f).poses)
-        position_radius[moving].push_back(pose.position - assembly.time() * u);
+        positions[moving].push_back(pose.position - assembly.time() * u);
     }
   }
-  for (std::size_t i = 0; i < position_radius[0].size(); ++i)
-    BOOST_TEST(norm(position_radius[1][i] - position_radius[0][i]) < 1e-9 * ball.diameter);
+  for (std::size_t i = 0; i < positions[0].size(); ++i)
+    BOOST_TEST(norm(positions[1][i] - positions[0][i]) < 1e-9 * ball.diameter);
 }
 
 /// The same scene turned as a whole is the same scene.

@@ -44,14 +44,14 @@ std::vector<V> after(const V& at, const V& image, const dem::Domain& around, int
     assembly.march(20);
     *most = std::max(*most, assembly.touching());
   }
-  std::vector<V> position_radius;
+  std::vector<V> positions;
   for (int g = 0; g < 2; ++g) {
     for (int f = 0; f < assembly.fibers(g); ++f) {
       for (const auto& pose : assembly.state(g, f).poses)
-        position_radius.push_back(pose.position - at - (g == 1 ? image : V{}));
+        positions.push_back(pose.position - at - (g == 1 ? image : V{}));
     }
   }
-  return position_radius;
+  return positions;
 }
 
 }  // namespace
@@ -65,10 +65,10 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
        {0.5 * period, V{}, V{period[0], 0, 0}, V{1e-4, period[1] - 1e-4, -3e-4}, V{0.01, 0.0269, 0.01}}) {
     for (const V& image :
          {V{}, V{period[0], 0, 0}, V{-period[0], 2 * period[1], 0}, V{0, 0, -3 * period[2]}}) {
-      const auto position_radius = after(at, image, rough(period), 1200, &most);
+      const auto positions = after(at, image, rough(period), 1200, &most);
       double off = 0;
-      for (std::size_t i = 0; i < position_radius.size(); ++i)
-        off = std::max(off, norm(position_radius[i] - free[i]) / d);
+      for (std::size_t i = 0; i < positions.size(); ++i)
+        off = std::max(off, norm(positions[i] - free[i]) / d);
       BOOST_TEST(off < 1e-9, "off by " << off << " d");
     }
   }
@@ -76,9 +76,8 @@ BOOST_AUTO_TEST_CASE(a_collision_across_the_sides_is_that_in_the_middle) {
   for (int axis = 0; axis < 3; ++axis) {
     V one{};
     one[axis] = period[axis];
-    const auto position_radius = after({}, 2.0 * one, rough(one), 1200, &most);
-    for (std::size_t i = 0; i < position_radius.size(); ++i)
-      BOOST_TEST(norm(position_radius[i] - free[i]) < 1e-9 * d);
+    const auto positions = after({}, 2.0 * one, rough(one), 1200, &most);
+    for (std::size_t i = 0; i < positions.size(); ++i) BOOST_TEST(norm(positions[i] - free[i]) < 1e-9 * d);
   }
 }
 

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(fibers_of_several_kinds_fill_a_room_without_overlap) {
   dem::InsertionRules rules{room};
   rules.velocity = {0.1, -0.2, -0.7};
   rules.gap = 1e-5;
-  const auto groups = dem::fill(counts, rules, {});
+  const auto groups = dem::random_insertion(counts, rules, {});
   BOOST_TEST(groups.size() == 3u);
   for (std::size_t g = 0; g < 3; ++g)
     BOOST_TEST(groups[g].fibers.size() == static_cast<std::size_t>(counts[g].count));
@@ -130,18 +130,18 @@ BOOST_AUTO_TEST_CASE(fibers_of_several_kinds_fill_a_room_without_overlap) {
       BOOST_TEST(norm(state.spin.back()) == 0);
     }
   }
-  BOOST_TEST(same(groups, dem::fill(counts, rules, {})));
+  BOOST_TEST(same(groups, dem::random_insertion(counts, rules, {})));
   dem::InsertionRules other = rules;
   other.seed = 2;
-  BOOST_TEST(!same(groups, dem::fill(counts, other, {})));
+  BOOST_TEST(!same(groups, dem::random_insertion(counts, other, {})));
 }
 
 BOOST_AUTO_TEST_CASE(a_second_batch_finds_room_beside_the_first) {
   const std::vector<dem::InsertionCount> counts{{chain_of(12, 1e-3), 90}};
   dem::InsertionRules rules{room};
-  const auto first = dem::fill(counts, rules, {});
+  const auto first = dem::random_insertion(counts, rules, {});
   rules.first_number = 90;
-  const auto second = dem::fill({{chain_of(7, 1.3e-3), 90}}, rules, {}, dem::spheres_of(first));
+  const auto second = dem::random_insertion({{chain_of(7, 1.3e-3), 90}}, rules, {}, dem::spheres_of(first));
   BOOST_TEST(least_gap(second, {}, dem::spheres_of(first)) >= -1e-15);
   BOOST_TEST(norm(second[0].fibers[0].poses[0].position - first[0].fibers[0].poses[0].position) > 1e-4);
 }
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(periodic_sides_are_crossed_and_images_kept_apart) {
   dem::InsertionRules rules{cell};
   dem::Domain domain;
   domain.period = period;
-  const auto groups = dem::fill({{chain_of(20, 1e-3), 25}}, rules, domain);
+  const auto groups = dem::random_insertion({{chain_of(20, 1e-3), 25}}, rules, domain);
   BOOST_TEST(least_gap(groups, period) >= -1e-15);
   int outside = 0;
   for (const V& x : dem::spheres_of(groups).position) {
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(periodic_sides_are_crossed_and_images_kept_apart) {
   }
   BOOST_TEST(outside > 20);
   domain.period[0] = 0.0019;
-  BOOST_CHECK_THROW(dem::fill({{chain_of(1, 1e-3), 1}}, rules, domain), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::random_insertion({{chain_of(1, 1e-3), 1}}, rules, domain), dem::InvalidInput);
 }
 
 BOOST_AUTO_TEST_CASE(walls_stand_where_they_are_at_the_time) {
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(walls_stand_where_they_are_at_the_time) {
   s.walls.push_back({dem::Plane{{0, 0, 0}, {0, 0, -1}}, {}, 0, 0.5});  // has gone
   dem::InsertionRules rules{{{-0.03, -0.03, 0.1}, {0.06, 0.08, 0.19}}};
   rules.time = 1.5;
-  const auto groups = dem::fill({{chain_of(9, 1e-3), 150}}, rules, s);
+  const auto groups = dem::random_insertion({{chain_of(9, 1e-3), 150}}, rules, s);
   double to_plane = 1, to_cylinder = 1;
   for (const V& x : dem::spheres_of(groups).position) {
     const V r = x - V{0.01, 0.02, 0};
@@ -196,7 +196,7 @@ dem::Orientations orientations(const dem::InsertionOrientation& o, const V& up, 
   dem::InsertionRules rules{{{0, 0, 0}, {1, 1, 1}}};  // wide enough for its walls not to matter
   rules.orientation = o;
   dem::Orientations seen(up, 6);
-  seen.add(dem::fill({{chain, 4000}}, rules, {})[0].fibers);
+  seen.add(dem::random_insertion({{chain, 4000}}, rules, {})[0].fibers);
   return seen;
 }
 
@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(directions_are_spread_as_asked) {
   BOOST_TEST(std::abs(parallel.order_along_up() - 1) < 1e-12);
   // a curved fiber points from its first sphere to its last
   dem::InsertionRules rules{{{0, 0, 0}, {1, 1, 1}}, {dem::Alignment::near_axis, up, 0}};
-  const auto arcs = dem::fill({{arc_of(11, 1e-3, 0.2), 30}}, rules, {});
+  const auto arcs = dem::random_insertion({{arc_of(11, 1e-3, 0.2), 30}}, rules, {});
   for (const auto& state : arcs[0].fibers) {
     const V r = state.poses.back().position - state.poses.front().position;
     BOOST_TEST(std::abs(std::abs(dot(r, up)) - norm(r)) < 1e-12);
@@ -236,20 +236,22 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_in_is_said) {
   const auto mentions = [](const char* text) {
     return [text](const std::exception& e) { return std::string(e.what()).find(text) != std::string::npos; };
   };
-  BOOST_CHECK_EXCEPTION(dem::fill({{chain_of(20, 1e-3), 4000}}, rules, {}), dem::NoRoom, mentions("of 4000"));
-  BOOST_CHECK_EXCEPTION(dem::fill({{chain_of(20, 1e-3), 100000}}, rules, {}), dem::NoRoom, mentions("m^3"));
-  BOOST_CHECK_THROW(dem::fill({{chain_of(200, 1e-3), 1}}, rules, {}), dem::NoRoom);
+  BOOST_CHECK_EXCEPTION(dem::random_insertion({{chain_of(20, 1e-3), 4000}}, rules, {}), dem::NoRoom,
+                        mentions("of 4000"));
+  BOOST_CHECK_EXCEPTION(dem::random_insertion({{chain_of(20, 1e-3), 100000}}, rules, {}), dem::NoRoom,
+                        mentions("m^3"));
+  BOOST_CHECK_THROW(dem::random_insertion({{chain_of(200, 1e-3), 1}}, rules, {}), dem::NoRoom);
   const auto refused = [&](auto change) {
     dem::InsertionRules bad{room};
     change(bad);
-    BOOST_CHECK_THROW(dem::fill({{chain_of(3, 1e-3), 1}}, bad, {}), dem::InvalidInput);
+    BOOST_CHECK_THROW(dem::random_insertion({{chain_of(3, 1e-3), 1}}, bad, {}), dem::InvalidInput);
   };
   refused([](auto& r) { r.region.high[1] = r.region.low[1]; });
   refused([](auto& r) { r.gap = -1e-9; });
   refused([](auto& r) { r.attempts = 0; });
   refused([](auto& r) { r.orientation.angle = 1.6; });
   refused([](auto& r) { r.orientation.direction = {}; });
-  BOOST_CHECK_THROW(dem::fill({{chain_of(3, 1e-3), -1}}, rules, {}), dem::InvalidInput);
+  BOOST_CHECK_THROW(dem::random_insertion({{chain_of(3, 1e-3), -1}}, rules, {}), dem::InvalidInput);
   BOOST_CHECK_THROW(dem::placed(chain_of(3, 1e-3), dem::FiberStart{{}, {}, {}}), dem::InvalidInput);
 }
 

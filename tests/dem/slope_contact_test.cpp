@@ -134,8 +134,8 @@ BOOST_AUTO_TEST_CASE(a_fiber_down_a_slope_rests_without_creep_or_slides) {
   }
 }
 
-/// What a contact remembers stays when pairs are listed rebuilt, here at nearly every step for a fiber that
-/// flies by.
+/// What a contact remembers stays when the neighbor list is updated, here at nearly every step for a fiber
+/// that flies by.
 BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_listed_anew) {
   dem::Fiber fiber = ball;
   fiber.aspect_ratio = 3;
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_lis
   const auto upon = dem::placed(chain, {tilted(2.9 * R, 0.4 * R, -1e-3), tilted(0.02, 0.1, 1)});
   const auto flies = dem::placed(chain, {tilted(0.1, 0, 0), tilted(0, 1, 0), tilted(3, 40, -30)});
   const auto leaves = dem::placed(chain, {tilted(0.1, 0, 0), tilted(0, 1, 0)});
-  std::vector<V> position_radius[2];
+  std::vector<V> positions[2];
   for (const bool fast : {false, true}) {
     dem::Assembly assembly({{chain, {held, upon, fast ? flies : leaves}}}, around, {.step = 4e-6});
     assembly.march(6000);
@@ -157,11 +157,11 @@ BOOST_AUTO_TEST_CASE(a_fiber_held_by_friction_does_not_notice_that_pairs_are_lis
       tangential += is_facet(c.key.second) ? std::abs(untilted(c.force)[1]) : 0;
     BOOST_TEST(tangential > 1e-6);
     for (int f : {0, 1}) {
-      for (const auto& pose : assembly.state(0, f).poses) position_radius[fast].push_back(pose.position);
+      for (const auto& pose : assembly.state(0, f).poses) positions[fast].push_back(pose.position);
     }
   }
-  for (std::size_t i = 0; i < position_radius[0].size(); ++i)
-    BOOST_TEST(norm(position_radius[1][i] - position_radius[0][i]) < 1e-11 * R);
+  for (std::size_t i = 0; i < positions[0].size(); ++i)
+    BOOST_TEST(norm(positions[1][i] - positions[0][i]) < 1e-11 * R);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -33,9 +33,10 @@ inline SmallPacking small_packing(int first, int second, const dem::Box& room, d
   dem::InsertionRules rules{room};
   rules.velocity = {0.1, 0.05, -1.5};
   rules.seed = 5;
-  return {dem::fill({{dem::straight_chain<3>(one), first}, {curled(two, {0.02, 0.06, 0.09}), second}}, rules,
-                    around),
-          around};
+  return {
+      dem::random_insertion({{dem::straight_chain<3>(one), first}, {curled(two, {0.02, 0.06, 0.09}), second}},
+                            rules, around),
+      around};
 }
 
 inline dem::Wall side(const V& point, const V& normal) { return {dem::Plane{point, normal}}; }
@@ -58,7 +59,7 @@ inline SmallPacking packing_in_a_periodic_box(int first, int second) {
   around.period = period;
   around.walls = {side({0, 0, 0}, {0, 0, 1}), side({0, 0, height}, {0, 0, -1})};
   around.walls[1].velocity = {0, 0, -0.6};
-  around.walls[1].until = 0.4 * height / 0.6;
+  around.walls[1].active_until = 0.4 * height / 0.6;
   return small_packing(first, second, {{0, 0, 0}, {period[0], period[1], height}}, around);
 }
 

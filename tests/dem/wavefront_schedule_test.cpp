@@ -13,11 +13,11 @@ namespace dem = fiberchain::dem;
 
 namespace {
 
-/// Runs a wave and notes when each piece began and ended.
-struct Wave {
+/// Runs a wavefront and notes when each piece began and ended.
+struct TimedRun {
   std::vector<std::atomic<int>> first_begun, first_ended, second_begun, firsts, seconds;
 
-  Wave(dem::ThreadPool& pool, const std::vector<int>& reach)
+  TimedRun(dem::ThreadPool& pool, const std::vector<int>& reach)
       : first_begun(reach.size()),
         first_ended(reach.size()),
         second_begun(reach.size()),
@@ -51,12 +51,12 @@ BOOST_AUTO_TEST_CASE(every_piece_runs_once_and_second_pieces_wait_for_those_that
       std::vector<int> reach;
       for (int k = 0; k < parts; ++k)
         reach.push_back(std::min(parts - 1, k + (trial % 4 == 3 ? parts : (k * trial) % (trial % 4 + 1))));
-      const Wave wave(pool, reach);
+      const TimedRun run(pool, reach);
       for (int k = 0; k < parts; ++k) {
-        BOOST_TEST_REQUIRE(wave.firsts[k].load() == 1);
-        BOOST_TEST_REQUIRE(wave.seconds[k].load() == 1);
+        BOOST_TEST_REQUIRE(run.firsts[k].load() == 1);
+        BOOST_TEST_REQUIRE(run.seconds[k].load() == 1);
         for (int j = 0; j <= k; ++j) {
-          if (reach[j] >= k) BOOST_TEST_REQUIRE(wave.first_ended[j].load() < wave.second_begun[k].load());
+          if (reach[j] >= k) BOOST_TEST_REQUIRE(run.first_ended[j].load() < run.second_begun[k].load());
         }
       }
     }
@@ -64,21 +64,21 @@ BOOST_AUTO_TEST_CASE(every_piece_runs_once_and_second_pieces_wait_for_those_that
 }
 
 /// One thread works a part's second piece right behind its first: what it has read is still at hand.
-BOOST_AUTO_TEST_CASE(one_thread_goes_stripe_by_stripe) {
+BOOST_AUTO_TEST_CASE(one_thread_goes_part_by_part) {
   dem::ThreadPool pool(1);
   const std::vector<int> reach{0, 3, 3, 3, 4};
-  const Wave wave(pool, reach);
+  const TimedRun run(pool, reach);
   for (std::size_t k = 0; k < reach.size(); ++k)
-    BOOST_TEST(wave.first_begun[k].load() == static_cast<int>(3 * k + 1));
+    BOOST_TEST(run.first_begun[k].load() == static_cast<int>(3 * k + 1));
 }
 
-BOOST_AUTO_TEST_CASE(first_stripes_that_reach_others) {
+BOOST_AUTO_TEST_CASE(first_parts_that_reach_others) {
   const dem::PartDependencies reach({2, 1, 4, 3, 6, 5, 6});
   const std::vector<int> first{0, 0, 0, 2, 2, 4, 4};
   for (int k = 0; k < reach.count(); ++k) BOOST_TEST(reach.first_dependency(k) == first[k]);
 }
 
-BOOST_AUTO_TEST_CASE(stripes_hold_whole_pieces_and_every_sphere_once) {
+BOOST_AUTO_TEST_CASE(parts_hold_whole_pieces_and_every_sphere_once) {
   for (const int pieces : {1, 3, 16, 40, 3000}) {
     std::vector<std::int32_t> ends;
     for (int p = 0; p < pieces; ++p) ends.push_back((ends.empty() ? 0 : ends.back()) + 8 * (14 + p % 3));
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(stripes_hold_whole_pieces_and_every_sphere_once) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(even_stripes_differ_by_one_sphere) {
+BOOST_AUTO_TEST_CASE(even_parts_differ_by_one_sphere) {
   const dem::Partition parts = dem::even_partition(1003, 7);
   BOOST_TEST(parts.count() == 7);
   for (int k = 0; k < 7; ++k) BOOST_TEST(std::abs(parts.end(k) - parts.begin(k) - 143) <= 1);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Total energy of the bonds of model form with R = E I = 1, written rebuilt for finite displacements.
+/// Total energy of the bonds of model form with R = E I = 1, written anew for finite displacements.
 double energy(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& angle,
               double nu) {
   double sum = 0;

@@ -12,7 +12,7 @@
 // all.
 namespace fiberchain::dem {
 
-/// Room that arrays need behind their end, so that whole vectors can be read or written there.
+/// Reserve that arrays need behind their end, so that whole vectors can be read or written there.
 inline constexpr int lanes_beyond = 16;
 
 /// What a contact loop has. A template argument: what a scene lacks is not compiled into it.
@@ -20,7 +20,7 @@ struct ContactPhysics {
   bool uniform;    ///< one radius and one set of parameters for all spheres
   bool periodic;   ///< some side is periodic
   bool rolling;    ///< rolling friction
-  bool accounted;  ///< accumulators what each mechanism takes
+  bool accounted;  ///< sums of the energy that each mechanism dissipates
 };
 
 /// Every combination that is built, of each law.
@@ -36,14 +36,14 @@ constexpr int contact_index(const ContactPhysics& p, int law) {
 
 /// All spheres by number, behind them some that pad whole vectors ("slots"), and the pairs that are close.
 struct ContactView {
-  const double *position_radius, *motions;
+  const double *position_radius, *velocity_spin;
   const std::int32_t* kind;  ///< of each slot
   double radius;             ///< of all, where it is uniform
   const std::int32_t* first;
   const std::int32_t* second;
   std::int32_t* contact;     ///< of each pair that touched a step before: its number; 0 of others
   double* histories;         ///< a row a number
-  double* work;              ///< accounted: a row a number, what dissipated in the step before
+  double* work;              ///< accounted: a row a number, the powers of the step before
   const double* parameters;  ///< the law's Parameters of kinds a and b, number a * kinds + b
   std::int32_t kinds;
   PeriodicBox periods;
@@ -51,7 +51,7 @@ struct ContactView {
   double reach;  ///< gap up to which the law acts, where it acts beyond touch [m]
 };
 
-/// Pairs that may touch soon, padded to whole vectors.
+/// Pairs pruned from the neighbor list, padded to whole vectors.
 struct InnerPairs {
   std::int32_t *pair, *first, *second, *contact;
   std::uint8_t* touches;  ///< whether it has a number: 1 or 0
@@ -76,14 +76,14 @@ struct WallView {
 /// One part of slots, its pairs, and what came of them. A part is worked on by one thread; its results do not
 /// depend on which.
 struct ContactTask {
-  InnerPairs near;
-  std::int32_t near_count;  ///< padded to whole vectors
+  InnerPairs inner;
+  std::int32_t inner_count;  ///< padded to whole vectors
   std::int32_t slots_begin, slots_end;
   double* loads;           ///< of these slots
-  std::int32_t* touching;  ///< near pairs that touch; room for all and lanes_beyond
+  std::int32_t* touching;  ///< inner pairs that touch; capacity for all and lanes_beyond
   std::int32_t* free;      ///< numbers for contacts that begin, those that end give them back
   std::int32_t free_count;
-  HaloForce* halo;  ///< room for all near pairs with a sphere of a later part
+  HaloForce* halo;  ///< capacity for all inner pairs with a sphere of a later part
   std::int32_t halo_count;
   std::int64_t contacts;  ///< counted
   ContactAccount<double> account;
@@ -105,10 +105,10 @@ struct SlotRange {
   std::int32_t begin, end;
 };
 
-/// A sphere that asks who is near.
+/// A sphere whose neighbors are asked for.
 struct NeighborQuery {
   double x[3];
-  double reach;  ///< its radius and the gap up to which others are near
+  double reach;  ///< its radius and the largest gap of a neighbor
   std::int32_t sphere, fiber;
   PeriodicBox periods;
 };
@@ -117,14 +117,15 @@ struct ContactKernel {
   int width;
   /// Appends those of these pairs, whole vectors of them, that have a gap below `gap` [m] or touched the step
   /// before to the first `found`; how many then.
-  std::int32_t (*near)(const ContactView&, std::int32_t begin, std::int32_t end, double gap,
-                       const InnerPairs&, std::int32_t found);
+  std::int32_t (*prune)(const ContactView&, std::int32_t begin, std::int32_t end, double gap,
+                        const InnerPairs&, std::int32_t found);
   void (*pairs)(const ContactView&, ContactTask&);
   /// Of each shape of the kernels' list.
   void (*const* walls)(const ContactView&, const WallView&, ContactTask&);
-  /// Spheres in the runs that are near and not bonded to the asking one: written to `found`, counted.
-  std::int32_t (*search)(const SortedSpheres&, const SlotRange* runs, int count, const NeighborQuery&,
-                         std::int32_t* found);
+  /// Neighbors in these runs of sorted spheres, without those bonded to the asking one: written to `found`,
+  /// counted.
+  std::int32_t (*query_neighbors)(const SortedSpheres&, const SlotRange* runs, int count,
+                                  const NeighborQuery&, std::int32_t* found);
 };
 
 /// Kernels of one instruction set for a list of laws and one of wall shapes, in the order of contact_index().

@@ -4,7 +4,7 @@
 #include "dem/contact/periodic_box.hpp"
 #include "dem/simd/gather.hpp"
 
-// Who is near a sphere: distances to as many spheres at a time as there are lanes.
+// Neighbors of a sphere: distances to as many spheres at a time as there are lanes.
 namespace fiberchain::dem {
 
 template <bool periodic, class Real>

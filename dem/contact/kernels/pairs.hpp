@@ -10,7 +10,7 @@
 #include "dem/simd/gather.hpp"
 #include "dem/simd/transpose.hpp"
 
-// The contact loop: distances of the near pairs, then the law for those that touch, as many at a time as
+// The contact loop: distances of the inner pairs, then the law for those that touch, as many at a time as
 // there are lanes.
 namespace fiberchain::dem {
 
@@ -51,18 +51,18 @@ Balls<Real> balls_at(const ContactView& view, const std::int32_t* slots) {
 }
 
 template <class Real>
-struct Motions {
+struct VelocitySpin {
   Vec<Real, 3> velocity, spin;
 };
 
 template <class Real>
-Motions<Real> motions_at(const ContactView& view, const std::int32_t* slots) {
+VelocitySpin<Real> velocity_spin_at(const ContactView& view, const std::int32_t* slots) {
   Real n[velocity_spin_size];
-  load_rows<velocity_spin_size>(rows_at<velocity_spin_size, Real>(view.motions, slots), 0, n);
+  load_rows<velocity_spin_size>(rows_at<velocity_spin_size, Real>(view.velocity_spin, slots), 0, n);
   return {{n[0], n[1], n[2]}, {n[spin_offset], n[spin_offset + 1], n[spin_offset + 2]}};
 }
 
-/// From one to the other, the nearest image of it where the room repeats itself.
+/// From one to the other, the nearest image of it where the box is periodic.
 template <ContactPhysics P, class Real>
 Vec<Real, 3> separation(const ContactView& view, const Balls<Real>& a, const Balls<Real>& b) {
   const Vec<Real, 3> r = b.center - a.center;
@@ -70,11 +70,11 @@ Vec<Real, 3> separation(const ContactView& view, const Balls<Real>& a, const Bal
   return r;
 }
 
-/// Fetches a line extrapolation of its use: which rows pairs need is known long before, but not to the
+/// Fetches a cache line ahead of its use: which rows pairs need is known long before, but not to the
 /// processor.
 inline __attribute__((always_inline)) void fetch_line(const double* line) { __builtin_prefetch(line, 0, 3); }
 
-/// Numbers of pairs extrapolation that rows are fetched.
+/// Pairs ahead of which rows are fetched.
 inline constexpr int pairs_ahead = 48, touching_ahead = 24;
 
 /// Lanes in which spheres have a gap below `gap`.
@@ -88,7 +88,7 @@ unsigned closer_than(const ContactView& view, const Real& gap, const std::int32_
 }
 
 template <class Real>
-void fetch_places(const ContactView& view, const std::int32_t* slots, std::int32_t n, std::int32_t end) {
+void fetch_positions(const ContactView& view, const std::int32_t* slots, std::int32_t n, std::int32_t end) {
   if (n + pairs_ahead + lane_count < Real >> end) return;
   for (int k = 0; k < lane_count<Real>; ++k)
     fetch_line(view.position_radius +
@@ -105,19 +105,18 @@ unsigned touched_mask(const std::int32_t* contact) {
 
 template <ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN std::int32_t prune_pairs(const ContactView& view, std::int32_t begin, std::int32_t end,
-                                            double gap, const InnerPairs& near, std::int32_t found) {
+                                            double gap, const InnerPairs& inner, std::int32_t found) {
   constexpr int lanes = lane_count<Real>;
   for (std::int32_t p = begin; p < end; p += lanes) {
-    fetch_places<Real>(view, view.second, p, end);
-    const unsigned near_now = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p);
-    for (unsigned chosen = near_now | touched_mask<Real>(view.contact + p); chosen != 0;
-         chosen &= chosen - 1) {
+    fetch_positions<Real>(view, view.second, p, end);
+    const unsigned closer = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p);
+    for (unsigned chosen = closer | touched_mask<Real>(view.contact + p); chosen != 0; chosen &= chosen - 1) {
       const std::int32_t pair = p + __builtin_ctz(chosen);
-      near.pair[found] = pair;
-      near.first[found] = view.first[pair];
-      near.second[found] = view.second[pair];
-      near.contact[found] = view.contact[pair];
-      near.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
+      inner.pair[found] = pair;
+      inner.first[found] = view.first[pair];
+      inner.second[found] = view.second[pair];
+      inner.contact[found] = view.contact[pair];
+      inner.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
     }
   }
   return found;
@@ -151,23 +150,23 @@ Real contact_gap(const ContactView& view) {
   return Real(0.0);
 }
 
-/// Near pairs that touch go into the task's list; those that begin or end are marked.
+/// Inner pairs that touch go into the task's list; those that begin or end are marked.
 template <class Law, ContactPhysics P, class Real>
 int find_touching(const ContactView& view, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
-  const InnerPairs& near = task.near;
+  const InnerPairs& inner = task.inner;
   int count = 0;
-  for (std::int32_t n = 0; n < task.near_count; n += lanes) {
-    fetch_places<Real>(view, near.second, n, task.near_count);
+  for (std::int32_t n = 0; n < task.inner_count; n += lanes) {
+    fetch_positions<Real>(view, inner.second, n, task.inner_count);
     const unsigned touching =
-        closer_than<P, Real>(view, contact_gap<Law, Real>(view), near.first + n, near.second + n);
-    for (unsigned changed = flag_mask<Real>(near.touches + n) ^ touching; changed != 0;
+        closer_than<P, Real>(view, contact_gap<Law, Real>(view), inner.first + n, inner.second + n);
+    for (unsigned changed = flag_mask<Real>(inner.touches + n) ^ touching; changed != 0;
          changed &= changed - 1) {
       const int k = n + __builtin_ctz(changed);
-      near.touches[k] ^= 1;
-      near.contact[k] =
-          near.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(near.contact[k], task);
-      view.contact[near.pair[k]] = near.contact[k];
+      inner.touches[k] ^= 1;
+      inner.contact[k] =
+          inner.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(inner.contact[k], task);
+      view.contact[inner.pair[k]] = inner.contact[k];
     }
     append_lanes<Real>(touching, n, task.touching + count);
     count += __builtin_popcount(touching);
@@ -189,7 +188,8 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   using std::max, std::min;
   constexpr int lanes = lane_count<Real>;
   const Balls<Real> a = balls_at<Real>(view, i.at), b = balls_at<Real>(view, j.at);
-  const Motions<Real> motion_i = motions_at<Real>(view, i.at), motion_j = motions_at<Real>(view, j.at);
+  const VelocitySpin<Real> motion_i = velocity_spin_at<Real>(view, i.at),
+                           motion_j = velocity_spin_at<Real>(view, j.at);
   const Vec<Real, 3> r = separation<P>(view, a, b);
   const Real squared = dot(r, r), inverse_distance = inverse_sqrt(squared),
              distance = squared * inverse_distance;
@@ -284,10 +284,10 @@ void add_loads(const PairLoads<Real>& loads, const Slots<Real>& i, const Slots<R
 template <class Real>
 void fetch_touching(const ContactView& view, const ContactTask& task, int n, int touching) {
   for (int k = n; k < n + lane_count<Real> && k < touching; ++k) {
-    const std::int32_t n_k = task.touching[k], i = task.near.first[n_k], j = task.near.second[n_k];
-    fetch_line(view.histories + static_cast<std::ptrdiff_t>(task.near.contact[n_k]) * contact_history_size);
+    const std::int32_t n_k = task.touching[k], i = task.inner.first[n_k], j = task.inner.second[n_k];
+    fetch_line(view.histories + static_cast<std::ptrdiff_t>(task.inner.contact[n_k]) * contact_history_size);
     for (const std::int32_t sphere : {i, j}) {
-      const double* motion = view.motions + static_cast<std::ptrdiff_t>(sphere) * velocity_spin_size;
+      const double* motion = view.velocity_spin + static_cast<std::ptrdiff_t>(sphere) * velocity_spin_size;
       fetch_line(motion), fetch_line(motion + velocity_spin_size - 1);
     }
   }
@@ -305,9 +305,9 @@ FIBERCHAIN_FLATTEN void contact_pairs(const ContactView& view, ContactTask& task
     const int count = touching - n < lanes ? touching - n : lanes;
     for (int k = count; k < lanes; ++k) task.touching[n + k] = task.touching[n];
     const std::int32_t* chosen = task.touching + n;
-    const Slots<Real> contacts = slots_of<Real>(task.near.contact, chosen);
-    const Slots<Real> i = slots_of<Real>(task.near.first, chosen),
-                      j = slots_of<Real>(task.near.second, chosen);
+    const Slots<Real> contacts = slots_of<Real>(task.inner.contact, chosen);
+    const Slots<Real> i = slots_of<Real>(task.inner.first, chosen),
+                      j = slots_of<Real>(task.inner.second, chosen);
     add_loads(pair_loads<Law, P, Real>(view, contacts, i, j, count, task, deepest), i, j, count, task);
   }
   task.deepest = std::max(task.deepest, largest_lane(deepest));

@@ -12,7 +12,7 @@
 // writes the rows back.
 namespace fiberchain::dem {
 
-/// What the bonds of a step have taken, and what is needed to know it at the next one.
+/// Energy that the bonds of a step have dissipated, and what is needed to know it at the next one.
 struct BondAccount {
   double* previous;       ///< `bond_account_size` a bond, lane by lane
   double* bond_damping;   ///< sum [J], one a lane
@@ -26,7 +26,7 @@ struct PackingBlock {
   int bonds;
   const std::int64_t* first;  ///< row of the first sphere of each lane
   double* position_radius;
-  double* motions;
+  double* velocity_spin;
   double* loads;  ///< of the rows from `first_loaded` on
   std::int64_t first_loaded;
   double* orientation;         ///< null where it is not followed
@@ -34,14 +34,14 @@ struct PackingBlock {
   const double* natural;       ///< NaturalEnds, lane by lane (curved fibers)
   const double* parameters;    ///< MarchParameters, lane by lane
   double* workspace;           ///< `workspace` of the kernel
-  double* scratch;             ///< room for `scratch` doubles
+  double* scratch;             ///< capacity for `scratch` doubles
   double weight[3];            ///< of a sphere that is not an end [N]
   double end_share;            ///< mass of an end sphere over that of the others
   const double* gradient;      ///< fluid: A now, lane by lane
   const double* next_history;  ///< of the block that comes next, to be fetched ahead; null if none
-  std::int64_t rows_ahead;  ///< spheres from those of this block to those whose position_radius and motions
-                            ///< are fetched meanwhile
-  double previous_step;     ///< the step that previous_step here: dt, or 0 before the first [s]
+  std::int64_t rows_ahead;     ///< spheres from those of this block to those whose position_radius and
+                               ///< velocity_spin are fetched meanwhile
+  double previous_step;        ///< the step that led here: dt, or 0 before the first [s]
 };
 
 struct PackingKernel {
@@ -55,12 +55,12 @@ struct PackingKernel {
   /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history
   /// moves on.
   void (*snapshot)(const PackingBlock&);
-  /// Before a step: books what the one before took. Null where bonds take nothing.
+  /// Before a step: accounts the energy dissipated in the one before. Null where bonds dissipate none.
   void (*account)(const PackingBlock&, const BondAccount&);
 };
 
 /// Every combination built for fibers among others: three dimensions, nothing solved but rolling friction, no
-/// drag.
+/// settling damping.
 constexpr bool built_for_packings(const Physics& p) {
   return p.dimension == 3 && !p.settling_damping && !p.solved;
 }

@@ -33,7 +33,7 @@ class BlockStorage {
  public:
   explicit BlockStorage(const PackingBlock& block)
       : places_(starts_of<position_radius_size, Real>(block.position_radius, block)),
-        motions_(starts_of<velocity_spin_size, Real>(block.motions, block)),
+        velocity_spin_(starts_of<velocity_spin_size, Real>(block.velocity_spin, block)),
         loads_(starts_of<load_size, Real>(block.loads, block, block.first_loaded)),
         weight_{Real(block.weight[0]), Real(block.weight[1]), Real(block.weight[2])},
         end_share_(block.end_share),
@@ -51,7 +51,7 @@ class BlockStorage {
     Real n[velocity_spin_size];
     load_rows<position_radius_size>(places_, i * position_radius_size, n);
     s.pose.position = {n[0], n[1], n[2]};
-    load_rows<velocity_spin_size>(motions_, i * velocity_spin_size, n);
+    load_rows<velocity_spin_size>(velocity_spin_, i * velocity_spin_size, n);
     s.velocity = {n[0], n[1], n[2]};
     s.spin = {n[spin_offset], n[spin_offset + 1], n[spin_offset + 2]};
     s.pose.orientation = {Real(1.0), {Real(0.0), Real(0.0), Real(0.0)}};
@@ -79,7 +79,7 @@ class BlockStorage {
     const Vec<Real, 3>&x = s.pose.position, &v = s.velocity, &w = s.spin;
     const Real place[] = {x[0], x[1], x[2], radius_}, motion[] = {v[0], v[1], v[2], w[0], w[1], w[2]};
     store_rows<position_radius_size>(place, places_, i * position_radius_size);
-    store_rows<velocity_spin_size>(motion, motions_, i * velocity_spin_size);
+    store_rows<velocity_spin_size>(motion, velocity_spin_, i * velocity_spin_size);
     clear_rows<load_size>(loads_, i * load_size);
     if (oriented_) {
       const auto& q = s.pose.orientation;
@@ -89,7 +89,7 @@ class BlockStorage {
   }
 
  private:
-  RowStarts<Real> places_, motions_, loads_, orientation_{};
+  RowStarts<Real> places_, velocity_spin_, loads_, orientation_{};
   Vec<Real, 3> weight_;
   Real end_share_;
   std::ptrdiff_t bonds_;
@@ -111,7 +111,7 @@ inline __attribute__((always_inline)) void fetch_ahead(const PackingBlock& block
   if (block.rows_ahead == 0) return;
   const std::ptrdiff_t row = block.first[0] + block.rows_ahead + i * lanes;
   fetch_lines(block.position_radius + row * position_radius_size, lanes * position_radius_size);
-  fetch_lines(block.motions + row * velocity_spin_size, lanes * velocity_spin_size);
+  fetch_lines(block.velocity_spin + row * velocity_spin_size, lanes * velocity_spin_size);
   constexpr std::ptrdiff_t history = numbers_of<HistoryOf<P, Real>>;
   if (block.next_history != nullptr) fetch_lines(block.next_history + i * history, history);
 }
@@ -257,7 +257,7 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
                   const BondAccount& account) {
   PreviousLoads<Real>& previous = as_values<PreviousLoads<Real>>(account.previous)[bond];
   Real& damping = *as_values<Real>(account.bond_damping);
-  const auto book = [&](const BondConfiguration<Real, 3>& now) {
+  const auto add = [&](const BondConfiguration<Real, 3>& now) {
     if constexpr (P.damped) account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
     if constexpr (BondLaw<P>::dissipates) {
       const Real dt = Real(block.previous_step);
@@ -265,7 +265,7 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
     }
     account_rolling<P, Real>(block, chain, bond, now, previous, *as_values<Real>(account.bond_friction));
   };
-  with_configuration<P, Real>(chain, bond, a, b, book);
+  with_configuration<P, Real>(chain, bond, a, b, add);
 }
 
 template <Physics P, class Real>

@@ -201,8 +201,8 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_TEST((lid.point[2] == 0.16 && lid.normal[2] == -1));
   const auto& press = *around.walls[4].shape.get_if<dem::Plane>();
   BOOST_TEST((press.point[2] == 0.17 && press.normal[2] == -1));
-  BOOST_TEST(
-      (around.walls[4].velocity[2] == -5e-3 && around.walls[4].from == 0.1 && around.walls[4].until == 0.2));
+  BOOST_TEST((around.walls[4].velocity[2] == -5e-3 && around.walls[4].active_from == 0.1 &&
+              around.walls[4].active_until == 0.2));
   BOOST_TEST(around.walls[5].shape.get_if<dem::Cylinder>()->radius == 0.09);
   BOOST_TEST((around.period[0] == 0 && around.period[1] == 0.05 && around.period[2] == 0));
   BOOST_TEST(around.gravity[2] == -9.81);

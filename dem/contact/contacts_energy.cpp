@@ -1,0 +1,110 @@
+#include "dem/contact/contacts.hpp"
+
+// Energy that contacts store and dissipate, and the work of walls.
+namespace fiberchain::dem {
+namespace {
+
+void add_times(ContactAccount<double>& sum, double factor, const ContactAccount<double>& more) {
+  sum.normal_dashpot += factor * more.normal_dashpot;
+  sum.sliding += factor * more.sliding;
+  sum.rolling += factor * more.rolling;
+}
+
+}  // namespace
+
+ContactAccumulators& ContactAccumulators::operator+=(const ContactAccumulators& more) {
+  contacts += more.contacts;
+  add_times(account, 1, more.account);
+  add_times(power, 1, more.power);
+  wall_work += more.wall_work;
+  wall_power += more.wall_power;
+  return *this;
+}
+
+ContactAccount<double> Contacts::dissipated() const {
+  const double half = 0.5 * step_;
+  ContactAccount<double> sum{};
+  for (const Part& part : parts_) {
+    add_times(sum, 1, part.sums.account);
+    add_times(sum, -half, part.sums.power);
+  }
+  return sum;
+}
+
+double Contacts::wall_work() const {
+  double sum = 0;
+  for (const Part& part : parts_) sum += part.sums.wall_work - 0.5 * step_ * part.sums.wall_power;
+  return sum;
+}
+
+void Contacts::begin_accounts() {
+  const double half = 0.5 * step_;
+  for (Part& part : parts_) {
+    add_times(part.sums.account, -half, part.sums.power);
+    part.sums.wall_work -= half * part.sums.wall_power;
+  }
+}
+
+double Contacts::energy_of(const SavedContact& c) const {
+  return law_.stored_energy(parameters_of(c), c.history);
+}
+
+double Contacts::stored_energy() const {
+  double sum = 0;
+  for (const SavedContact& c : saved()) sum += energy_of(c);
+  return sum;
+}
+
+double Contacts::closing_power(const SavedContact& c) const {
+  return law_.closing_power(parameters_of(c), c.history);
+}
+
+double Contacts::brought_by(const WallNeighbors& neighbors, const Part& part) const {
+  double energy = 0;
+  for (std::size_t n = 0; n < neighbors.count; ++n) {
+    if (neighbors.contact[n] == 0) continue;
+    const SavedContact contact =
+        part.histories.at(neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(0)});
+    // tangential springs of the first step come out of the motion
+    energy +=
+        law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
+  }
+  return energy;
+}
+
+void Contacts::drop(WallNeighbors& neighbors, int wall, Part& part) const {
+  for (std::size_t n = 0; n < neighbors.count; ++n) {
+    if (neighbors.contact[n] == 0) continue;
+    if (accounted_) {
+      const SavedContact contact = part.histories.at(
+          neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
+      part.sums.wall_work -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
+    }
+    part.histories.give_back(neighbors.contact[n]);
+    neighbors.contact[n] = 0;
+  }
+}
+
+std::vector<double> Contacts::accumulators() const {
+  std::vector<double> all;
+  for (const Part& part : parts_) {
+    const ContactAccumulators& s = part.sums;
+    all.insert(all.end(), {static_cast<double>(s.contacts), s.account.normal_dashpot, s.account.sliding,
+                           s.account.rolling, s.wall_work, s.power.normal_dashpot, s.power.sliding,
+                           s.power.rolling, s.wall_power});
+  }
+  return all;
+}
+
+void Contacts::set_accumulators(const double* from) {
+  for (Part& part : parts_) {
+    part.sums = {.contacts = static_cast<std::int64_t>(from[0]),
+                 .account = {from[1], from[2], from[3]},
+                 .power = {from[5], from[6], from[7]},
+                 .wall_work = from[4],
+                 .wall_power = from[8]};
+    from += accumulators_per_part;
+  }
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dem/contact/contacts.hpp"
+
+// Forces and moments of all contacts at a step.
+namespace fiberchain::dem {
+
+std::size_t Contacts::most_new_contacts(const Part& part) const {
+  std::size_t sum = part.inner.count;
+  for (const WallNeighbors& neighbors : part.walls) sum += neighbors.count;
+  return sum;
+}
+
+ContactView Contacts::view(Part& part, const SphereStorage& rows) {
+  ContactView view{};
+  view.position_radius = rows.position_radius.data();
+  view.velocity_spin = rows.velocity_spin.data();
+  view.kind = kind_of_sphere_.data();
+  view.radius = radius_[0];
+  view.first = part.pairs.first.data();
+  view.second = part.pairs.second.data();
+  view.periods = periods_;
+  view.contact = part.pairs.contact.data();
+  view.histories = part.histories.rows.data();
+  view.work = part.histories.work.data();
+  view.parameters = pair_parameters_.data();
+  view.kinds = static_cast<std::int32_t>(bodies_.size());
+  view.step = step_;
+  view.reach = law_reach_;
+  return view;
+}
+
+WallView Contacts::wall_view(int w, WallNeighbors& neighbors, double time) const {
+  const Wall& wall = domain_.walls[w];
+  WallView view{};
+  wall.shape.numbers(time * wall.velocity, view.shape);
+  for (int c = 0; c < 3; ++c) view.velocity[c] = wall.velocity[c];
+  view.slots = neighbors.slots.data();
+  view.count = static_cast<std::int32_t>(neighbors.slots.size());
+  view.contact = neighbors.contact.data();
+  view.parameters = wall_parameters_.data();
+  return view;
+}
+
+void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange loads) {
+  Part& part = parts_[k];
+  const std::int32_t begin = parts().begin(k), end = parts().end(k);
+  if (part.inner.stale) prune(part, end, rows);
+  for (std::size_t w = 0; w < part.walls.size(); ++w) {
+    if (!is_active(domain_.walls[w], time)) drop(part.walls[w], static_cast<int>(w), part);
+  }
+  part.histories.reserve(most_new_contacts(part));
+  const double time_before = (std::round(time / step_) - 1) * step_;  // to the bit, as the step before had it
+  const ContactView contacts = view(part, rows);
+  ContactTask task{.inner = part.inner.view(),
+                   .inner_count = part.inner.count,
+                   .slots_begin = begin,
+                   .slots_end = end,
+                   .loads = loads.rows,
+                   .touching = part.touching.data(),
+                   .free = part.histories.free.data(),
+                   .free_count = part.histories.free_count,
+                   .halo = part.halo.data(),
+                   .halo_count = 0,
+                   .contacts = 0,
+                   .account = part.sums.account,
+                   .power = {},
+                   .wall_work = 0,
+                   .wall_power = 0,
+                   .deepest = part.deepest};
+  kernel_->pairs(contacts, task);
+  for (std::size_t w = 0; w < part.walls.size(); ++w) {
+    if (!is_active(domain_.walls[w], time)) continue;
+    kernel_->walls[shapes_[w]](contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
+    if (accounted_ && time > 0 && !is_active(domain_.walls[w], time_before))
+      task.wall_work += brought_by(part.walls[w], part);
+  }
+  part.histories.free_count = task.free_count;
+  part.deepest = task.deepest;
+  part.sums = {.contacts = task.contacts,
+               .account = task.account,
+               .power = task.power,
+               .wall_work = part.sums.wall_work + task.wall_work,
+               .wall_power = task.wall_power};
+  sort_halo(k, task.halo_count);
+}
+
+void Contacts::sort_halo(int k, std::int32_t count) {
+  Part& part = parts_[k];
+  for (int target = k; target <= reach_.last(k); ++target) part.halo_of_part[target].clear();
+  for (std::int32_t n = 0; n < count; ++n) part.halo_of_part[parts().of(part.halo[n].slot)].push_back(n);
+}
+
+void Contacts::work_out(const SphereStorage& rows, double time, ForceBuffers& loads, ThreadPool& pool) {
+  pool.parallel_for(parts().count(),
+                    [&](int k, int thread) { work_out(k, rows, time, loads.take(k, thread)); });
+  pool.parallel_for(parts().count(), [&](int k, int) { reduce_halo_forces(k, loads.of(k)); });
+}
+
+void Contacts::reduce_halo_forces(int k, LoadRange loads) {
+  for (int from = reach_.first_dependency(k); from < k; ++from) {
+    if (reach_.last(from) < k) continue;
+    const Part& other = parts_[from];
+    for (const std::int32_t n : other.halo_of_part[k]) {
+      const HaloForce& later = other.halo[n];
+      double* load = loads.rows + (later.slot - loads.first) * load_size;
+      for (int c = 0; c < 6; ++c) load[c] += later.load[c];
+    }
+  }
+}
+
+double Contacts::deepest() const { return std::ranges::max_element(parts_, {}, &Part::deepest)->deepest; }
+
+std::int64_t Contacts::touching() const {
+  std::int64_t sum = 0;
+  for (const Part& part : parts_) sum += part.sums.contacts;
+  return sum;
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <utility>
+
+#include "dem/contact/contacts.hpp"
+
+// Neighbor pairs, inner pairs and wall neighbors of all parts, kept up to date.
+namespace fiberchain::dem {
+namespace {
+
+/// Of the displacement that the Verlet criterion allows: with less left it pays to update the list, ...
+constexpr double kWorthwhile = 0.2;
+/// ... for all spheres displaced by more than this.
+constexpr double kStays = 0.4;
+
+/// Gap of the inner pairs over the skin: those are pruned again whenever one of the others might touch.
+constexpr double kInnerSkin = 0.18;
+
+}  // namespace
+
+void Contacts::rebuild_neighbor_list(const SphereStorage& rows, double time, ThreadPool& pool) {
+  std::vector<Vec<double, 3>> positions(spheres());
+  for (std::int64_t i = 0; i < spheres(); ++i) positions[i] = rows.position(i);
+  rebuild_neighbor_list(std::move(positions), time, pool);
+}
+
+void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, double time, ThreadPool& pool) {
+  const std::vector<SavedContact> contacts = saved();
+  for (Part& part : parts_) {
+    part.histories.reset();
+    part.pairs.clear();
+    for (WallNeighbors& neighbors : part.walls) neighbors.count = 0;
+  }
+  reference_time_ = time;
+  neighbors_.build(std::move(positions), pool);
+  update_parts(pool);
+  restore(contacts);
+}
+
+double Contacts::update_neighbor_list(const SphereStorage& rows, ThreadPool& pool) {
+  const double limit = 0.5 * skin_;
+  const double left = limit - neighbors_.farthest_moved(rows, pool);
+  if (left > kWorthwhile * limit) return left;
+  neighbors_.update(rows, kStays * limit, pool);
+  update_parts(pool);
+  return (1 - kStays) * limit;
+}
+
+void Contacts::update_parts(ThreadPool& pool) {
+  pool.parallel_for(parts().count(), [&](int k, int) { update_part(k); });
+  std::vector<int> last(parts_.size());
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    last[k] = std::max(static_cast<int>(k), parts_[k].pairs.last_part);
+  reach_ = PartDependencies(std::move(last));
+}
+
+void Contacts::update_part(int k) {
+  Part& part = parts_[k];
+  const auto pad = static_cast<std::int32_t>(spheres());
+  part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, part.next_pairs);
+  part.inner.stale = true;
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    const auto is_near = [&](std::int32_t i) {
+      return gap_to(domain_.walls[w], neighbors_.reference_positions()[i], reference_time_) <
+             radius_[i] + neighbors_.skin();
+    };
+    part.walls[w].update(neighbors_.rebuilt(k), is_near, part.histories, kernel_->width, pad + 2,
+                         part.next_wall);
+  }
+}
+
+double Contacts::inner_cutoff() const { return law_reach_ + kInnerSkin * skin_; }
+
+void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& rows) {
+  InnerPairList& inner = part.inner;
+  inner.prune(view(part, rows), static_cast<std::int32_t>(part.pairs.first.size()), inner_cutoff(), *kernel_,
+              static_cast<std::int32_t>(spheres()));
+  const std::size_t halo = inner.halo_count(part_end),
+                    touching = static_cast<std::size_t>(inner.count) + lanes_beyond;
+  if (part.halo.size() < halo) part.halo.resize(halo);
+  if (part.touching.size() < touching) part.touching.resize(touching);
+}
+
+void Contacts::add_displacements(const std::vector<double>& paths) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    InnerPairList& inner = parts_[k].inner;
+    const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
+    inner.displacement_since +=
+        *first + *std::max_element(first, paths.begin() + reach_.last(static_cast<int>(k)) + 1);
+    inner.stale = inner.stale || !(inner.displacement_since < (1 - 1e-9) * (inner_cutoff() - law_reach_));
+  }
+}
+
+bool Contacts::walls_moved_far(double time) const {
+  return std::ranges::any_of(domain_.walls, [&](const Wall& wall) {
+    return norm(wall.velocity) * (time - reference_time_) > 0.5 * skin_;
+  });
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,112 @@
+#include <algorithm>
+
+#include "dem/contact/contacts.hpp"
+
+// Contacts one by one: saved, restored, reported.
+namespace fiberchain::dem {
+
+std::vector<SavedContact> Contacts::saved() const {
+  std::vector<SavedContact> all;
+  for (const Part& part : parts_) {
+    const auto own = static_cast<std::ptrdiff_t>(all.size());
+    const PairList& pairs = part.pairs;
+    for (std::size_t p = 0; p < pairs.count; ++p) {
+      if (pairs.contact[p] != 0) {
+        all.push_back(part.histories.at(
+            pairs.contact[p], {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}));
+      }
+    }
+    for (std::size_t w = 0; w < part.walls.size(); ++w) {
+      const WallNeighbors& neighbors = part.walls[w];
+      for (std::size_t n = 0; n < neighbors.count; ++n) {
+        if (neighbors.contact[n] == 0) continue;
+        all.push_back(part.histories.at(
+            neighbors.contact[n],
+            {sphere_primitive(neighbors.slots[n]), facet_primitive(static_cast<std::int64_t>(w))}));
+      }
+    }
+    std::ranges::sort(all.begin() + own, all.end(), {}, &SavedContact::key);
+  }
+  return all;
+}
+
+void Contacts::clear() {
+  for (Part& part : parts_) {
+    part.inner.stale = true;
+    part.histories.reset();
+    std::ranges::fill(part.pairs.contact, 0);
+    for (WallNeighbors& neighbors : part.walls) std::ranges::fill(neighbors.contact, 0);
+  }
+}
+
+void Contacts::restore(const std::vector<SavedContact>& contacts) {
+  for (const SavedContact& contact : contacts) {
+    const std::int64_t first = contact.key.first.number, second = contact.key.second.number;
+    Part& part = parts_[neighbors_.parts().of(static_cast<std::int32_t>(first))];
+    part.inner.stale = true;
+    part.histories.reserve(1);
+    const auto put = [&](std::int32_t& number) {
+      number = part.histories.take();
+      part.histories.put(number, contact);
+    };
+    if (is_facet(contact.key.second)) {
+      WallNeighbors& neighbors = part.walls[second];
+      const auto end = neighbors.slots.begin() + static_cast<std::ptrdiff_t>(neighbors.count);
+      const auto at = std::lower_bound(neighbors.slots.begin(), end, first);
+      if (at != end && *at == first) put(neighbors.contact[at - neighbors.slots.begin()]);
+    } else {
+      PairList& pairs = part.pairs;
+      const auto own = std::equal_range(
+          pairs.first.begin(), pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), first);
+      for (auto p = own.first; p != own.second; ++p) {
+        const std::size_t n = p - pairs.first.begin();
+        if (pairs.second[n] == second) put(pairs.contact[n]);
+      }
+    }
+  }
+}
+
+const double* Contacts::parameters_of(const SavedContact& c) const {
+  const std::size_t kind = kind_of_sphere_[c.key.first.number], size = law_.parameters_size;
+  if (is_facet(c.key.second)) return wall_parameters_.data() + kind * size;
+  return pair_parameters_.data() + (kind * bodies_.size() + kind_of_sphere_[c.key.second.number]) * size;
+}
+
+TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorage& rows, double time,
+                                       double& arm) const {
+  const std::int64_t first = c.key.first.number, second = c.key.second.number;
+  const Vec<double, 3> x = rows.position(first), v = rows.velocity(first), w = rows.spin(first);
+  Vec<double, 3> other_velocity{}, other_spin{};
+  TouchingPair<double> pair{};
+  double other_arm = 0;
+  if (is_facet(c.key.second)) {
+    const Wall& wall = domain_.walls[second];
+    pair.normal = direction_to(wall, x, time);
+    arm = gap_to(wall, x, time);
+    other_velocity = wall.velocity;
+  } else {
+    const Vec<double, 3> r = nearest_image(periods_, rows.position(second) - x);
+    pair.normal = (1 / norm(r)) * r;
+    arm = norm(r) * radius_[first] / (radius_[first] + radius_[second]);
+    other_arm = norm(r) - arm;
+    other_velocity = rows.velocity(second);
+    other_spin = rows.spin(second);
+  }
+  pair.overlap = law_.overlap(c.history);
+  pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
+  pair.spin = other_spin - w;
+  return pair;
+}
+
+std::vector<ContactState> Contacts::states(const SphereStorage& rows, double time) const {
+  std::vector<ContactState> all;
+  for (const SavedContact& c : saved()) {
+    double arm;
+    const TouchingPair<double> pair = pair_at(c, rows, time, arm);
+    const ContactAction<double> action = law_.act(parameters_of(c), pair, c.history);
+    all.push_back({c.key, pair.overlap, rows.position(c.key.first.number) + arm * pair.normal, action.force});
+  }
+  return all;
+}
+
+}  // namespace fiberchain::dem
