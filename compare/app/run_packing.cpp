@@ -22,14 +22,22 @@ dem::EarlierRun earlier_run(const Arguments& arguments) {
   return force ? dem::EarlierRun::replace : dem::EarlierRun::refuse;
 }
 
-Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
-  Results results{
-      .name = job.files.name, .heading = "Packing of fibers", .table = compare::packing_run_table(job, end)};
+/// Figures of what the log holds.
+std::vector<dem::OutputFile> figures_of(const dem::PackingJob& job) {
   const dem::CsvDocument log = dem::read_csv(job.files.log());
-  for (auto& [ending, figure] : compare::packing_run_figures(job, log.table)) {
-    results.figures.emplace_back(job.files.name + ending, std::move(figure));
+  std::vector<dem::OutputFile> files;
+  for (const auto& [ending, figure] : compare::packing_run_figures(job, log.table)) {
+    for (auto& file : compare::figure_files(job.files.name + ending, figure, job.provenance))
+      files.push_back(std::move(file));
   }
-  return results;
+  return files;
+}
+
+Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
+  return {.name = job.files.name,
+          .heading = "Packing of fibers",
+          .table = compare::packing_run_table(job, end),
+          .pictures = {[&job] { return figures_of(job); }}};
 }
 
 }  // namespace
@@ -47,6 +55,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
                             .provenance = context.provenance};
   const auto say = [&](const std::string& words) { context.log->info(words); };
   dem::OpenedRun opened(job, earlier, ": --resume goes on with it, --force begins anew", say);
+  warn_without_gnuplot(context);
   const StopSignals signals;
   const dem::PackingEndState end = dem::run_packing_session(
       job, opened.begin(), {[&] { return signals.received() != 0; }, say, context.bar, context.watched});
