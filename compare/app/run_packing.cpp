@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+#include <limits>
 #include <utility>
 
 #include "compare/app/results.hpp"
@@ -40,6 +42,15 @@ Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) 
           .pictures = {[&job] { return figures_of(job); }}};
 }
 
+/// Run time of a run that had finished before, as its row has it; NaN if that is gone.
+double earlier_run_time(const dem::PackingJob& job) {
+  try {
+    return dem::read_csv(job.files.at(".csv")).table.number(0, "run_time");
+  } catch (const std::exception&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 }  // namespace
 
 int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, const Arguments& arguments,
@@ -57,7 +68,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
   dem::OpenedRun opened(job, earlier, ": --resume goes on with it, --force begins anew", say);
   warn_without_gnuplot(context);
   const StopSignals signals;
-  const dem::PackingEndState end = dem::run_packing_session(
+  dem::PackingEndState end = dem::run_packing_session(
       job, opened.begin(), {[&] { return signals.received() != 0; }, say, context.bar, context.watched});
   if (end.failure.empty() && !end.finished()) {
     context.log->info(
@@ -66,6 +77,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
         end.last.step, end.steps, end.last.time, path.string(), out.string());
     return kSignaled + signals.received();
   }
+  if (end.begun_at >= end.steps) end.run_time = earlier_run_time(job);
   const Results results = results_of(job, end);
   const dem::Table shown = results.table.select({"fibers", "time_step", "step_set_by", "simulated_time",
                                                  "contacts", "height", "bending_mean", "run_time", "status"});
