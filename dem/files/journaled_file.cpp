@@ -113,7 +113,21 @@ std::optional<FileHead> JournaledFile::head_on_disk() const {
   return parse_head(bytes);
 }
 
+// Without the lock, which is not waited for long, a commit may be seen in its middle: then it is looked
+// again.
 void JournaledFile::load() {
+  std::string fault = try_to_load();
+  for (int tries = 0; mode_ == Mode::read && !fault.empty() && tries < 3; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    fault = try_to_load();
+  }
+  if (!fault.empty()) throw ReadError(path_, fault);
+  // what a killed run wrote beyond the end belongs to nobody
+  if (mode_ == Mode::change && old_size_ > size_ && ::ftruncate(file_, static_cast<off_t>(size_)) == 0)
+    old_size_ = size_;
+}
+
+std::string JournaledFile::try_to_load() {
   const auto head = head_on_disk();
   const std::string journal = journal_content(journal_of(path_));
   const auto in_journal = head_in(journal);
@@ -123,19 +137,21 @@ void JournaledFile::load() {
   } else if (head) {
     head_ = *head;
     size_ = head->bytes;
+    changed_.clear();
   } else {
-    throw ReadError(path_, "is no trajectory of fibers of this program, or damaged: its head is not whole");
+    return "is no trajectory of fibers of this program, or damaged: its head is not whole";
   }
-  if (old_size_ < size_)
-    throw ReadError(path_,
-                    "is cut off: " + std::to_string(old_size_) + " of " + std::to_string(size_) + " bytes");
-  // what a killed run wrote beyond the end belongs to nobody
-  if (mode_ == Mode::change && old_size_ > size_ && ::ftruncate(file_, static_cast<off_t>(size_)) == 0)
-    old_size_ = size_;
+  struct stat facts {};
+  if (::fstat(file_, &facts) != 0) return std::strerror(errno);
+  old_size_ = static_cast<std::uint64_t>(facts.st_size);
+  return old_size_ >= size_
+             ? ""
+             : "is cut off: " + std::to_string(old_size_) + " of " + std::to_string(size_) + " bytes";
 }
 
 void JournaledFile::take_journal(const std::string& journal) {
   size_ = number_at(journal, 0);
+  changed_.clear();
   for (std::size_t at = 8; at + 8 + kPage <= journal.size(); at += 8 + kPage) {
     std::memcpy(changed_[number_at(journal, at)].data(), journal.data() + at + 8, kPage);
   }

@@ -64,6 +64,7 @@ class JournaledFile {
 
   void open();
   void load();
+  std::string try_to_load();  ///< "", or what is wrong
   std::optional<FileHead> head_on_disk() const;
   void take_journal(const std::string& journal);
   void set_head();
