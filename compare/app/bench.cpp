@@ -99,9 +99,12 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
   }
 }
 
-void add_packing(Report& report, const BenchOptions& options) {
+dem::PackingScene crossed_layers() {
   const auto path = compare::find_data_directory(std::nullopt) / "scenes" / "crossed-layers.yaml";
-  const auto scene = std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(path)));
+  return std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(path)));
+}
+
+void add_packing(Report& report, const dem::PackingScene& scene, const BenchOptions& options) {
   const dem::Table times = compare::packing_time_table(compare::packing_times(scene, options));
   report.add("bench-packing",
              "A sphere-step of a packing, on one thread and two, and of more and fewer spheres", times,
@@ -122,11 +125,13 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"packing", Case::packing}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
-  const auto directory = open_output(output);
+  std::optional<dem::PackingScene> packing;  // read now: a bench does not end for want of it
+  if (has(cases, Case::packing)) packing = crossed_layers();
+  const auto directory = open_output(output, context);
   Report report;
   add_problems(report, problems_of(cases, options, context));
   add_loops(report, cases, options);
-  if (has(cases, Case::packing)) add_packing(report, options);
+  if (packing) add_packing(report, *packing, options);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }

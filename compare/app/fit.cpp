@@ -50,7 +50,7 @@ compare::FitSweep fit_sweep(const Arguments& arguments) {
 int run_fit(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::FitSweep sweep = fit_sweep(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   const compare::FitStudy study = compare::fit_study(sweep, output.jobs);
   Results results{.name = "fit",
                   .heading = "Laws fitted to the damping of the fiber against its aspect ratio",

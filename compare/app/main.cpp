@@ -10,6 +10,7 @@
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/scene/scene_error.hpp"
+#include "dem/trajectory/h5md.hpp"
 #include "reference/errors.hpp"
 #include "reference/gsl_status.hpp"
 
@@ -48,6 +49,7 @@ int run(const std::vector<std::string>& command_line) {
 
 int main(int count, char** arguments) {
   reference::report_gsl_errors_by_status();
+  dem::leave_hdf5_as_it_is_at_exit();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit shall be an error of the write, not the end
   try {
     return run({arguments, arguments + count});

@@ -2,6 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
+#include "compare/figures/gnuplot.hpp"
 #include "compare/render/picture.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/record/output.hpp"
@@ -68,6 +69,9 @@ int run_render(const Arguments& arguments, Context& context) {
   const std::filesystem::path path = arguments.text("FILE");
   const dem::TrajectoryReader trajectory = open_trajectory(path);
   const std::int64_t n = frame_of(arguments, trajectory);
+  if (!compare::has_gnuplot())
+    throw compare::FigureError(
+        "gnuplot, which sets the texts, is not installed (Debian package gnuplot-nox)");
   const dem::OutputDirectory directory(output.out.value_or("results"));
   const dem::TrajectoryFrame frame = trajectory.read(n);
   const compare::Picture picture = compare::draw(frame, options, context.provenance);

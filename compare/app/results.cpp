@@ -1,5 +1,9 @@
 #include "compare/app/results.hpp"
 
+#include <algorithm>
+#include <exception>
+
+#include "compare/figures/gnuplot.hpp"
 #include "compare/study/json.hpp"
 #include "compare/study/markdown.hpp"
 #include "dem/record/csv.hpp"
@@ -22,34 +26,71 @@ nlohmann::ordered_json json_of(const Results& results, const dem::Provenance& pr
   return document;
 }
 
+std::vector<dem::OutputFile> table_files(const Results& results, const dem::Provenance& provenance) {
+  std::vector<dem::OutputFile> files = {
+      {results.name + ".csv", dem::to_csv(results.table, provenance)},
+      {results.name + ".md", dem::to_markdown(heading_of(results), results.table, provenance)}};
+  for (const auto& [name, table] : results.more_tables)
+    files.push_back({name + ".csv", dem::to_csv(table, provenance)});
+  return files;
+}
+
+void write_files(const dem::OutputDirectory& directory, const std::vector<dem::OutputFile>& files,
+                 const Context& context) {
+  directory.write(files);
+  for (const auto& file : files) context.log->info("wrote {}", (directory.path() / file.name).string());
+}
+
+/// Pictures each by itself: what one fails of, gnuplot or a full disk, is a warning.
+void draw_pictures(const Results& results, const dem::OutputDirectory& directory, const Context& context) {
+  std::vector<std::function<std::vector<dem::OutputFile>()>> drawings;
+  for (const auto& [name, figure] : results.figures) {
+    drawings.emplace_back([&] { return compare::figure_files(name, figure, context.provenance); });
+  }
+  drawings.insert(drawings.end(), results.pictures.begin(), results.pictures.end());
+  std::string reason;
+  std::size_t failed = 0;
+  for (const auto& draw : drawings) {
+    try {
+      write_files(directory, draw(), context);
+    } catch (const std::exception& error) {
+      reason = error.what();
+      ++failed;
+    }
+  }
+  if (failed == 0) return;
+  std::ranges::replace_if(
+      reason, [](unsigned char c) { return c < 0x20; }, ' ');
+  context.log->warn("warning: {} of {} pictures are missing, all tables are written: {}", failed,
+                    drawings.size(), reason);
+}
+
 }  // namespace
 
-std::optional<dem::OutputDirectory> open_output(const OutputOptions& options) {
+std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, const Context& context,
+                                                Draws draws) {
   if (options.json && !options.out) return std::nullopt;
-  return dem::OutputDirectory(options.out.value_or("results"));
+  dem::OutputDirectory directory(options.out.value_or("results"));
+  if (draws == Draws::yes) warn_without_gnuplot(context);
+  return directory;
+}
+
+void warn_without_gnuplot(const Context& context) {
+  if (compare::has_gnuplot()) return;
+  context.log->warn(
+      "warning: gnuplot is not installed (Debian package gnuplot-nox): tables will be written, no pictures");
 }
 
 void deliver(const Results& results, const dem::Table& shown, const OutputOptions& options,
              const std::optional<dem::OutputDirectory>& directory, Context& context) {
-  const dem::Provenance& provenance = context.provenance;
-  if (directory) {
-    std::vector<dem::OutputFile> files = {
-        {results.name + ".csv", dem::to_csv(results.table, provenance)},
-        {results.name + ".md", dem::to_markdown(heading_of(results), results.table, provenance)}};
-    for (const auto& [name, table] : results.more_tables)
-      files.push_back({name + ".csv", dem::to_csv(table, provenance)});
-    for (const auto& [name, figure] : results.figures) {
-      for (auto& file : figure_files(name, figure, provenance)) files.push_back(std::move(file));
-    }
-    files.insert(files.end(), results.more_files.begin(), results.more_files.end());
-    directory->write(files);
-    for (const auto& file : files) context.log->info("wrote {}", (directory->path() / file.name).string());
-  }
+  if (directory) write_files(*directory, table_files(results, context.provenance), context);
   if (options.json) {
-    context.out << dem::to_text(json_of(results, provenance));
+    context.out << dem::to_text(json_of(results, context.provenance));
   } else {
     context.out << dem::to_markdown(shown) << (results.notes.empty() ? "" : "\n" + results.notes);
   }
+  context.out.flush();
+  if (directory) draw_pictures(results, *directory, context);
 }
 
 }  // namespace fiberchain::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,17 +23,25 @@ struct Results {
   std::vector<std::pair<std::string, dem::Table>> more_tables =
       {};  ///< as NAME.csv and key of the JSON, by name
   std::vector<std::pair<std::string, compare::Figure>> figures = {};  ///< by name: NAME.svg, NAME.png
-  std::vector<dem::OutputFile> more_files = {};                       ///< pictures, as they are
+  /// Further pictures, by what draws them once the tables are safe.
+  std::vector<std::function<std::vector<dem::OutputFile>()>> pictures = {};
 };
 
-/// The directory the results will go to, made now so that a run does not end in vain; nothing if the
-/// options want no files: --json without --out.
-/// @throws dem::OutputError if it cannot be written to
-std::optional<dem::OutputDirectory> open_output(const OutputOptions& options);
+/// Whether a command's results have pictures.
+enum class Draws { no, yes };
 
-/// Writes the files (CSV, Markdown, SVG, PNG), all or none, and prints the rows: as JSON if asked for,
-/// else `shown` as Markdown.
-/// @throws dem::OutputError, compare::FigureError
+/// The directory the results will go to, made now so that a run does not end in vain; nothing if the
+/// options want no files: --json without --out. Pictures that cannot be drawn later are warned of now.
+/// @throws dem::OutputError if it cannot be written to
+std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, const Context& context,
+                                                Draws draws = Draws::yes);
+
+/// A warning if gnuplot is not installed.
+void warn_without_gnuplot(const Context& context);
+
+/// Writes the tables (CSV, Markdown), all or none, prints the rows (as JSON if asked for, else `shown` as
+/// Markdown), then draws: a picture that fails is a warning and costs nothing but itself.
+/// @throws dem::OutputError for tables
 void deliver(const Results& results, const dem::Table& shown, const OutputOptions& options,
              const std::optional<dem::OutputDirectory>& directory, Context& context);
 

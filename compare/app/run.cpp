@@ -88,7 +88,7 @@ int run_scene_file(const Arguments& arguments, Context& context) {
     if (arguments.has(option))
       throw compare::InputError(std::string(option) + ": is of use only with scene: packing");
   }
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   const Outcome outcome = outcome_of(scene, path.stem().string());
   deliver(outcome.results, outcome.shown, output, directory, context);
   if (!outcome.failure.empty()) throw dem::Diverged(outcome.failure);

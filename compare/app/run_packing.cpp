@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+#include <limits>
 #include <utility>
 
 #include "compare/app/results.hpp"
@@ -22,14 +24,31 @@ dem::EarlierRun earlier_run(const Arguments& arguments) {
   return force ? dem::EarlierRun::replace : dem::EarlierRun::refuse;
 }
 
-Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
-  Results results{
-      .name = job.files.name, .heading = "Packing of fibers", .table = compare::packing_run_table(job, end)};
+/// Figures of what the log holds.
+std::vector<dem::OutputFile> figures_of(const dem::PackingJob& job) {
   const dem::CsvDocument log = dem::read_csv(job.files.log());
-  for (auto& [ending, figure] : compare::packing_run_figures(job, log.table)) {
-    results.figures.emplace_back(job.files.name + ending, std::move(figure));
+  std::vector<dem::OutputFile> files;
+  for (const auto& [ending, figure] : compare::packing_run_figures(job, log.table)) {
+    for (auto& file : compare::figure_files(job.files.name + ending, figure, job.provenance))
+      files.push_back(std::move(file));
   }
-  return results;
+  return files;
+}
+
+Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
+  return {.name = job.files.name,
+          .heading = "Packing of fibers",
+          .table = compare::packing_run_table(job, end),
+          .pictures = {[&job] { return figures_of(job); }}};
+}
+
+/// Run time of a run that had finished before, as its row has it; NaN if that is gone.
+double earlier_run_time(const dem::PackingJob& job) {
+  try {
+    return dem::read_csv(job.files.at(".csv")).table.number(0, "run_time");
+  } catch (const std::exception&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 }  // namespace
@@ -47,8 +66,9 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
                             .provenance = context.provenance};
   const auto say = [&](const std::string& words) { context.log->info(words); };
   dem::OpenedRun opened(job, earlier, ": --resume goes on with it, --force begins anew", say);
+  warn_without_gnuplot(context);
   const StopSignals signals;
-  const dem::PackingEndState end = dem::run_packing_session(
+  dem::PackingEndState end = dem::run_packing_session(
       job, opened.begin(), {[&] { return signals.received() != 0; }, say, context.bar, context.watched});
   if (end.failure.empty() && !end.finished()) {
     context.log->info(
@@ -57,6 +77,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
         end.last.step, end.steps, end.last.time, path.string(), out.string());
     return kSignaled + signals.received();
   }
+  if (end.begun_at >= end.steps) end.run_time = earlier_run_time(job);
   const Results results = results_of(job, end);
   const dem::Table shown = results.table.select({"fibers", "time_step", "step_set_by", "simulated_time",
                                                  "contacts", "height", "bending_mean", "run_time", "status"});

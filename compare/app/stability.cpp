@@ -49,7 +49,7 @@ bool chose_stability_cases(const Arguments& arguments) {
 int run_stability(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::StabilitySweep sweep = stability_sweep(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   const auto cases =
       chose_stability_cases(arguments) ? compare::cases(sweep) : compare::stability_figure_cases();
   const auto points = measured(compare::stability_points, cases, output.jobs, context);

@@ -73,7 +73,7 @@ compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, in
 int run_tables_damping(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::DampingSweep sweep = tables_damping_sweep(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   DampingPoints points;
   Results results{.name = "damping",
                   .heading = "Damping of the fiber by dashpots in its bonds",

@@ -72,7 +72,7 @@ compare::RollingFigurePoints measure_figures(const compare::PeakRange& peaks, in
 int run_tables_friction(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::RollingSweep sweep = tables_friction_sweep(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   RollingPoints points;
   Results results{.name = "friction",
                   .heading = "Rolling friction of the bonds and the fiber's damping",

@@ -46,14 +46,20 @@ Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context)
 }
 
 /// What the paper says, judged by the runs of several seeds and the energy of the one that is booked.
-dem::Table statements_of(const Runs& runs, const Arguments& arguments) {
-  std::optional<std::filesystem::path> data;
-  if (arguments.has("--data")) data = arguments.text("--data");
+dem::Table statements_of(const Runs& runs, const std::vector<compare::Claim>& claims) {
   std::vector<PackingRun> judged = runs.spread;
   std::ranges::copy_if(runs.figures, std::back_inserter(judged),
                        [](const PackingRun& run) { return run.asked.booked; });
-  return to_table(compare::packing_statements(
-      {compare::read_all_published(compare::find_data_directory(data)), 1}, judged));
+  return to_table(compare::packing_statements({claims, 1}, judged));
+}
+
+/// Read and held against what is measured before the first run.
+std::vector<compare::Claim> claims_for(const Arguments& arguments) {
+  std::optional<std::filesystem::path> data;
+  if (arguments.has("--data")) data = arguments.text("--data");
+  auto claims = compare::read_all_published(compare::find_data_directory(data));
+  compare::check_complete(claims, "packing", compare::packing_checks());
+  return claims;
 }
 
 Results results_of(const Runs& runs) {
@@ -89,22 +95,32 @@ int status_of(const Runs& runs, const Context& context) {
   return kRunFailed;
 }
 
+/// Runs whose places were kept, which are many: those of the others stay without.
+std::vector<PackingRun> with_pictures(Runs& runs) {
+  std::vector<PackingRun> pictured;
+  for (PackingRun& run : runs.figures) {
+    if (run.pictures.empty()) continue;
+    pictured.push_back(run);
+    run.pictures.clear();
+  }
+  return pictured;
+}
+
 int run_tables_packing(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::PackingPlan plan = plan_of(arguments);
-  const auto directory = open_output(output);
+  const std::vector<compare::Claim> claims =
+      plan.seeds > 0 ? claims_for(arguments) : std::vector<compare::Claim>();
+  const auto directory = open_output(output, context);
   Runs runs = runs_of(plan, output.jobs, context);
-  std::vector<dem::OutputFile> pictures;
-  for (PackingRun& packing : runs.figures) {
-    if (directory && !packing.pictures.empty()) {
-      pictures = compare::stage_pictures(packing, output.jobs, context.provenance);
-    }
-    packing.pictures.clear();  // many, and runs are copied below
-  }
+  const std::vector<PackingRun> pictured = with_pictures(runs);
   Results results = results_of(runs);
-  results.more_files = std::move(pictures);
+  for (const PackingRun& run : pictured) {
+    results.pictures.emplace_back(
+        [&] { return compare::stage_pictures(run, output.jobs, context.provenance); });
+  }
   if (!runs.spread.empty())
-    results.more_tables.emplace_back("packing-statements", statements_of(runs, arguments));
+    results.more_tables.emplace_back("packing-statements", statements_of(runs, claims));
   const dem::Table shown = results.table.select(
       {"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
        "bending_trough", "bending_plateau", "height", "solid_fraction", "coordination", "run_time"});

@@ -67,7 +67,7 @@ std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& argum
 
 int run_tables_shear(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   auto studies = studies_of(arguments, {.jobs = output.jobs}, context);
   Results results{
       .name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};

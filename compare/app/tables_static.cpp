@@ -36,7 +36,7 @@ compare::StaticSweep tables_static_sweep(const Arguments& arguments) {
 int run_tables_static(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::StaticSweep sweep = tables_static_sweep(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context);
   const std::vector<compare::StaticPoint> points =
       measured(compare::static_points, compare::cases(sweep), output.jobs, context);
   Results results{.name = "static",

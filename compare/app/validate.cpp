@@ -48,7 +48,7 @@ int run_validate(const Arguments& arguments, Context& context) {
   const compare::ValidationInput input{compare::read_all_published(compare::find_data_directory(data)),
                                        output.jobs};
   const Subjects subjects = subjects_of(arguments);
-  const auto directory = open_output(output);
+  const auto directory = open_output(output, context, Draws::no);
   const std::vector<compare::MatrixRow> rows = rows_of(subjects, input, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};

@@ -9,8 +9,10 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sstream>
 
 #include "compare/study/errors.hpp"
 
@@ -64,6 +66,15 @@ int gnuplot_status(std::FILE* input, std::FILE* output, std::FILE* errors) {
 }
 
 }  // namespace
+
+bool has_gnuplot() {
+  const char* path = std::getenv("PATH");
+  std::istringstream places(path ? path : "/bin:/usr/bin");
+  for (std::string place; std::getline(places, place, ':');) {
+    if (::access(((place.empty() ? "." : place) + "/gnuplot").c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
 
 std::string run_gnuplot(const std::string& script) {
   const File input = temporary_file();

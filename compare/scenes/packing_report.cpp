@@ -45,7 +45,7 @@ dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndSt
                 {"height", end.last.height},
                 {"bending_mean", end.last.bending_mean},
                 {"kinetic_energy", end.last.energy.kinetic},
-                {"run_time", end.run_time},
+                {"run_time", dem::known(end.run_time)},
                 {"status", status_of(end)}});
   return table;
 }

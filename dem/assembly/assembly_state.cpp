@@ -153,13 +153,7 @@ std::int64_t Assembly::State::broken() const {
   return -1;
 }
 
-<<<<<<< HEAD
 std::string Assembly::State::place_of(std::int64_t sphere) const {
-=======
-void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
-  const bool walls_come = std::ranges::any_of(
-      domain.walls, [](const Wall& w) { return w.active_from > 0 || norm(w.velocity) > 0; });
->>>>>>> from-h1
   int fiber = 0;
   for (const FiberBlock& block : blocks) {
     for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
@@ -171,8 +165,8 @@ void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
 }
 
 void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
-  const bool walls_come =
-      std::ranges::any_of(domain.walls, [](const Wall& w) { return w.from > 0 || norm(w.velocity) > 0; });
+  const bool walls_come = std::ranges::any_of(
+      domain.walls, [](const Wall& w) { return w.active_from > 0 || norm(w.velocity) > 0; });
   throw Diverged(
       fmt::format("the run blew up: {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); likely cause: "
                   "a step too long "

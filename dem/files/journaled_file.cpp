@@ -1,15 +1,18 @@
 #include "dem/files/journaled_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "dem/files/atomic_file.hpp"
@@ -38,6 +41,20 @@ std::string journal_content(const std::filesystem::path& path) {
   return sha256(content) == all.substr(kJournal.size(), 64) ? content : "";
 }
 
+/// The head of the file that a journal's content is of: its first page is always among those changed.
+std::optional<FileHead> head_in(const std::string& journal) {
+  constexpr std::size_t first_page = 16;
+  if (journal.size() < first_page + FileHead::kBytes || number_at(journal, 8) != 0) return std::nullopt;
+  return parse_head(std::string_view(journal).substr(first_page, FileHead::kBytes));
+}
+
+/// Waits for a lock of the whole file, but not for long: a program that was stopped with it stops nobody.
+void lock(int file, int kind, std::chrono::milliseconds patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (::flock(file, kind | LOCK_NB) != 0 && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 /// Writes all bytes at their place; 0 or errno.
 int write_all(int file, std::uint64_t at, const char* bytes, std::uint64_t count) {
   while (count > 0) {
@@ -58,10 +75,12 @@ std::filesystem::path journal_of(const std::filesystem::path& path) {
 }
 
 JournaledFile::JournaledFile(std::filesystem::path path, Mode mode) : path_(std::move(path)), mode_(mode) {
+  head_.id = new_file_id();
   if (mode_ == Mode::create) return;
   open();
   try {
-    load_journal();
+    if (mode_ == Mode::read) lock(file_, LOCK_SH, std::chrono::seconds(2));
+    load();
   } catch (...) {
     ::close(file_);
     throw;
@@ -87,13 +106,70 @@ void JournaledFile::open() {
   old_size_ = size_ = static_cast<std::uint64_t>(facts.st_size);
 }
 
-void JournaledFile::load_journal() {
+std::optional<FileHead> JournaledFile::head_on_disk() const {
+  std::string bytes(FileHead::kBytes, '\0');
+  if (::pread(file_, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    return std::nullopt;
+  return parse_head(bytes);
+}
+
+// Without the lock, which is not waited for long, a commit may be seen in its middle: then it is looked
+// again.
+void JournaledFile::load() {
+  std::string fault = try_to_load();
+  for (int tries = 0; mode_ == Mode::read && !fault.empty() && tries < 3; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    fault = try_to_load();
+  }
+  if (!fault.empty()) throw ReadError(path_, fault);
+  // what a killed run wrote beyond the end belongs to nobody
+  if (mode_ == Mode::change && old_size_ > size_ && ::ftruncate(file_, static_cast<off_t>(size_)) == 0)
+    old_size_ = size_;
+}
+
+std::string JournaledFile::try_to_load() {
+  const auto head = head_on_disk();
   const std::string journal = journal_content(journal_of(path_));
-  if (journal.empty()) return;
+  const auto in_journal = head_in(journal);
+  if (in_journal && (!head || head->id == in_journal->id)) {
+    head_ = *in_journal;
+    take_journal(journal);
+  } else if (head) {
+    head_ = *head;
+    size_ = head->bytes;
+    changed_.clear();
+  } else {
+    return "is no trajectory of fibers of this program, or damaged: its head is not whole";
+  }
+  struct stat facts {};
+  if (::fstat(file_, &facts) != 0) return std::strerror(errno);
+  old_size_ = static_cast<std::uint64_t>(facts.st_size);
+  return old_size_ >= size_
+             ? ""
+             : "is cut off: " + std::to_string(old_size_) + " of " + std::to_string(size_) + " bytes";
+}
+
+void JournaledFile::take_journal(const std::string& journal) {
   size_ = number_at(journal, 0);
+  changed_.clear();
   for (std::size_t at = 8; at + 8 + kPage <= journal.size(); at += 8 + kPage) {
     std::memcpy(changed_[number_at(journal, at)].data(), journal.data() + at + 8, kPage);
   }
+}
+
+// A commit puts its journal in place before it changes a page, changes the first page, which holds the head,
+// last, and removes the journal then.
+bool JournaledFile::changed() const {
+  const auto in_journal = head_in(journal_content(journal_of(path_)));
+  if (in_journal && in_journal->id == head_.id) return *in_journal != head_;
+  return head_on_disk() != head_;
+}
+
+void JournaledFile::set_head() {
+  ++head_.commits;
+  head_.bytes = size_;
+  const std::string text = text_of(head_);
+  write(0, text.data(), text.size());
 }
 
 void JournaledFile::fill(std::uint64_t page, Page& content) const {
@@ -148,6 +224,7 @@ std::uint64_t JournaledFile::bytes_of(std::uint64_t page) const {
 }
 
 void JournaledFile::commit() {
+  set_head();
   if (file_ < 0) {
     create_whole();
   } else {
@@ -169,8 +246,8 @@ void JournaledFile::create_whole() {
   std::string content(size_, '\0');
   for (const auto& [page, bytes] : changed_)
     std::memcpy(content.data() + page * kPage, bytes.data(), bytes_of(page));
-  ::unlink(journal_of(path_).c_str());  // of another file that stood here
   replace_file(path_, content);
+  ::unlink(journal_of(path_).c_str());  // of another file that stood here
   mode_ = Mode::change;
   open();
 }
@@ -195,7 +272,7 @@ void JournaledFile::write_beyond() {
 
 void JournaledFile::write_journal() const {
   std::string content = number(size_);
-  for (const auto& [page, bytes] : changed_) {
+  for (const auto& [page, bytes] : changed_) {  // the first page first, which holds the head
     if (page * kPage >= old_size_) break;
     content += number(page);
     content.append(bytes.data(), kPage);
@@ -204,14 +281,15 @@ void JournaledFile::write_journal() const {
 }
 
 void JournaledFile::write_within() {
-  for (const auto& [page, bytes] : changed_) {
-    if (page * kPage >= old_size_) break;
-    put(page, bytes);
-  }
+  lock(file_, LOCK_EX, std::chrono::seconds(1));
+  for (auto at = std::next(changed_.begin()); at != changed_.end() && at->first * kPage < old_size_; ++at)
+    put(at->first, at->second);
+  put(0, changed_.at(0));
   if (size_ < old_size_ && ::ftruncate(file_, static_cast<off_t>(size_)) != 0)
     throw WriteError(path_, std::strerror(errno));
   if (::fdatasync(file_) != 0) throw WriteError(path_, std::strerror(errno));
   ::unlink(journal_of(path_).c_str());
+  ::flock(file_, LOCK_UN);
 }
 
 }  // namespace fiberchain::dem

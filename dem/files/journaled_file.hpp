@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <string>
+
+#include "dem/files/file_head.hpp"
 
 namespace fiberchain::dem {
 
@@ -15,6 +19,11 @@ namespace fiberchain::dem {
 /// change within the file go to a journal beside it, which is flushed and renamed to its place, then into the
 /// file. Opening a file with a journal sees the journal's pages, and the next commit finishes what the last
 /// one began.
+///
+/// The first FileHead::kBytes bytes are the file's own: who uses it leaves them alone. They count the
+/// commits, so that a reader of a file in use knows whether all it read was of one moment: `changed`. Readers
+/// share a lock while they have the file open, for which a commit waits, but not long: a reader that is
+/// stopped stops nobody.
 class JournaledFile {
  public:
   enum class Mode {
@@ -23,7 +32,7 @@ class JournaledFile {
     read
   };
 
-  /// @throws ReadError if it cannot be opened
+  /// @throws ReadError if it cannot be opened, has no head of its own or is cut off
   JournaledFile(std::filesystem::path path, Mode mode);
   JournaledFile(const JournaledFile&) = delete;
   JournaledFile& operator=(const JournaledFile&) = delete;
@@ -42,6 +51,9 @@ class JournaledFile {
 
   void resize(std::uint64_t size);
 
+  /// Whether somebody has committed, or begun to, since this was opened: what was read may be of two moments.
+  bool changed() const;
+
   /// Brings all of it to the disk. The file must be open for changes.
   /// @throws WriteError; the file is then as it was after the last commit
   void commit();
@@ -51,7 +63,11 @@ class JournaledFile {
   using Page = std::array<char, kPage>;
 
   void open();
-  void load_journal();
+  void load();
+  std::string try_to_load();  ///< "", or what is wrong
+  std::optional<FileHead> head_on_disk() const;
+  void take_journal(const std::string& journal);
+  void set_head();
   void fill(std::uint64_t page, Page& content) const;
   std::uint64_t bytes_of(std::uint64_t page) const;
   void create_whole();
@@ -63,6 +79,7 @@ class JournaledFile {
   std::filesystem::path path_;
   Mode mode_;
   int file_ = -1;
+  FileHead head_;               ///< as of opening, or of the last commit
   std::uint64_t old_size_ = 0;  ///< on the disk
   std::uint64_t size_ = 0;
   std::map<std::uint64_t, Page> changed_;  ///< by number

@@ -14,7 +14,8 @@ OutputDirectory::OutputDirectory(std::filesystem::path path) : path_(std::move(p
   if (!error && !std::filesystem::is_directory(path_))
     error = std::make_error_code(std::errc::not_a_directory);
   if (error) throw OutputError(path_.string(), error.message());
-  AtomicFile probe(path_ / "probe", "");  // the one sure way to know that files can be made here
+  // the one sure way to know that files can be made here and have some room
+  AtomicFile probe(path_ / "probe", std::string(4096, '.'));
 }
 
 void OutputDirectory::write(const std::vector<OutputFile>& files) const {

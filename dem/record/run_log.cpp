@@ -1,12 +1,15 @@
 #include "dem/record/run_log.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "dem/files/atomic_file.hpp"
@@ -24,19 +27,43 @@ std::string header_line(const Table& empty) {
   return text.substr(text.rfind('\n', text.size() - 2) + 1);
 }
 
-/// The text as far as it belongs to steps up to `last_step`.
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path)) throw InputError(path.string() + ": cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The text as far as it belongs to steps up to `last_step`, without a line that a kill cut off.
 std::string kept(const std::filesystem::path& path, const std::string& text, const std::string& header,
                  std::int64_t last_step) {
-  const std::size_t at = text.find(header);
-  if (at == std::string::npos) throw InputError(path.string() + ": is no log of a run");
+  const std::size_t at = text.starts_with(header) ? 0 : text.find("\n" + header) + 1;
+  if (at == 0 && !text.starts_with(header)) throw InputError(path.string() + ": is no log of this run");
   std::size_t end = at + header.size();
   while (true) {
     const std::size_t line_end = text.find('\n', end);
     if (line_end == std::string::npos) return text.substr(0, end);
     const auto step = parse_integer(std::string_view(text).substr(end, text.find(',', end) - end));
-    if (!step || *step > last_step) return text.substr(0, end);
+    if (!step) {
+      throw InputError(fmt::format("{}:{}: begins with no step", path.string(),
+                                   1 + std::ranges::count(text.substr(0, end), '\n')));
+    }
+    if (*step > last_step) return text.substr(0, end);
     end = line_end + 1;
   }
+}
+
+/// Reads every number, and gives the last step.
+std::optional<std::int64_t> last_step_in(const std::filesystem::path& path, const std::string& text) {
+  std::istringstream stream(text);
+  const CsvDocument document = read_csv(stream, path.string());
+  std::optional<std::int64_t> last;
+  for (std::size_t n = 0; n < document.table.rows().size(); ++n) {
+    const auto* step = std::get_if<std::int64_t>(&document.table.rows()[n].front());
+    if (!step || (last && *step <= *last))
+      throw InputError(fmt::format("{}:{}: its step does not rise", path.string(), document.lines[n]));
+    last = *step;
+  }
+  return last;
 }
 
 }  // namespace
@@ -52,11 +79,16 @@ RunLog::RunLog(const std::filesystem::path& path, const Table& empty, const Prov
 
 RunLog RunLog::resume(const std::filesystem::path& path, const Table& empty, const Provenance& provenance,
                       std::int64_t last_step) {
-  std::ifstream before(path, std::ios::binary);
-  if (!before) return RunLog(path, empty, provenance);
-  const std::string text{std::istreambuf_iterator<char>(before), {}};
-  replace_file(path, kept(path, text, header_line(empty), last_step));
+  if (!std::filesystem::exists(path)) return RunLog(path, empty, provenance);
+  const std::string text = kept(path, content_of(path), header_line(empty), last_step);
+  last_step_in(path, text);
+  replace_file(path, text);
   return RunLog(path, empty.columns());
+}
+
+std::optional<std::int64_t> RunLog::last_step(const std::filesystem::path& path, const Table& empty,
+                                              std::int64_t done) {
+  return last_step_in(path, kept(path, content_of(path), header_line(empty), done));
 }
 
 RunLog::RunLog(RunLog&& other) noexcept

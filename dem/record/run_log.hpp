@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,14 @@ class RunLog {
 
   /// Goes on with a log of such a table without its lines later than `last_step` and without one that a kill
   /// cut off; begins it if there is none.
-  /// @throws OutputError, InputError if what stands there is no log of ours
+  /// @throws OutputError, InputError if what stands there is no log of ours or damaged
   static RunLog resume(const std::filesystem::path& path, const Table& empty, const Provenance& provenance,
                        std::int64_t last_step);
+
+  /// The last step up to `done` in a log of such a table; nothing if there is none.
+  /// @throws InputError naming file and line of what cannot be read
+  static std::optional<std::int64_t> last_step(const std::filesystem::path& path, const Table& empty,
+                                               std::int64_t done);
 
   RunLog(RunLog&& other) noexcept;
   ~RunLog();

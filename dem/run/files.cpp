@@ -53,10 +53,17 @@ Checkpoint ours(Checkpoint checkpoint, const fs::path& path, const std::string& 
 
 }  // namespace
 
+fs::path broken_name(const fs::path& path, int n) {
+  return path.string() + (n == 1 ? ".bad" : fmt::format(".bad.{}", n));
+}
+
 std::vector<fs::path> files_there(const RunFiles& files) {
   std::vector<fs::path> there;
   for (const fs::path& path : all_files(files)) {
     if (fs::exists(path)) there.push_back(path);
+  }
+  for (const fs::path& path : {files.trajectory(), files.log(), files.at(".pvd")}) {
+    for (int n = 1; fs::exists(broken_name(path, n)); ++n) there.push_back(broken_name(path, n));
   }
   const std::vector<fs::path> parts = vtk_parts(files.at(""));
   there.insert(there.end(), parts.begin(), parts.end());

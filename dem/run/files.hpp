@@ -24,6 +24,9 @@ struct RunFiles {
   std::filesystem::path checkpoint() const { return at(".checkpoint"); }
 };
 
+/// Under which name a broken file is kept; n = 1 unless that is taken.
+std::filesystem::path broken_name(const std::filesystem::path& path, int n);
+
 /// Existing files of a run, which a new run would overwrite.
 std::vector<std::filesystem::path> files_there(const RunFiles& files);
 

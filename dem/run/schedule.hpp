@@ -13,6 +13,7 @@ class EvenSteps {
   EvenSteps(std::int64_t steps, int intervals)
       : steps_(steps), intervals_(std::min<std::int64_t>(intervals, steps)) {}
 
+  std::int64_t at_or_before(std::int64_t step) const { return at(index_of(step)); }
   bool holds(std::int64_t step) const { return at(index_of(step)) == step; }
   /// The first after this one; none after the last.
   std::int64_t after(std::int64_t step) const { return step >= steps_ ? steps_ : at(index_of(step) + 1); }

@@ -8,12 +8,10 @@
 
 #include "dem/model/errors.hpp"
 #include "dem/record/errors.hpp"
-#include "dem/record/run_log.hpp"
 #include "dem/record/run_status.hpp"
+#include "dem/run/companions.hpp"
 #include "dem/run/insertion_queue.hpp"
 #include "dem/run/schedule.hpp"
-#include "dem/trajectory/h5md.hpp"
-#include "dem/trajectory/vtk.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -54,34 +52,40 @@ std::string mass_words(const PackingScene& scene) {
   return fmt::format("{:.4g} kg, {:.3g} of the fibers' own", mass, mass / cylinders);
 }
 
+CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule) {
+  return {
+      .files = job.files,
+      .log = run_log_table(job.scene),
+      .provenance = job.provenance,
+      .header = {"fiberchain", job.provenance.version, entries(job.provenance), job.scene.batches.number > 1},
+      .vtk = job.scene.output.vtk,
+      .schedule = schedule};
+}
+
 /// The files of a run as they grow.
 class RunWriter {
  public:
   /// Goes on behind what was written up to `done` steps, or begins.
-  RunWriter(const PackingJob& job, std::int64_t done, bool resumed)
+  RunWriter(const PackingJob& job, const RunSchedule& schedule, std::int64_t done, bool resumed,
+            const Say& say)
       : job_(job),
-        log_(resumed ? RunLog::resume(job.files.log(), run_log_table(job.scene), job.provenance, done)
-                     : RunLog(job.files.log(), run_log_table(job.scene), job.provenance)),
-        trajectory_(resumed ? TrajectoryWriter::resume(job.files.trajectory(), header(job), done)
-                            : TrajectoryWriter(job.files.trajectory(), header(job))) {
-    if (!job.scene.output.vtk) return;
-    vtk_ = resumed ? VtkSeries::resume(job.files.directory, job.files.name, entries(job.provenance), done)
-                   : VtkSeries(job.files.directory, job.files.name, entries(job.provenance));
-  }
+        files_(resumed ? resume_companions(companions_of(job, schedule), done, say)
+                       : begin_companions(companions_of(job, schedule))) {}
 
   void write_line(const RunMoment& moment, const Pace& pace) {
-    log_.append(run_log_row(moment, job_.scene, pace.step_rate(moment.step), pace.time_left(moment.step)));
+    files_.log.append(
+        run_log_row(moment, job_.scene, pace.step_rate(moment.step), pace.time_left(moment.step)));
   }
 
   void write_frame(const Assembly& assembly) {
     const TrajectoryFrame frame = frame_of(assembly, job_.scene);
     const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
-    trajectory_.append(frame, scalars);
-    if (vtk_) vtk_->append(frame);
+    files_.trajectory.append(frame, scalars);
+    if (files_.vtk) files_.vtk->append(frame);
   }
 
   void write_checkpoint(const Assembly& assembly) const {
-    log_.flush();
+    files_.log.flush();
     dem::write_checkpoint(job_.files.checkpoint(), {.program = program_of(job_.provenance),
                                                     .threads = job_.threads,
                                                     .scene_sha256 = scene_fingerprint(job_.text, job_.scene),
@@ -92,14 +96,8 @@ class RunWriter {
   }
 
  private:
-  static TrajectoryHeader header(const PackingJob& job) {
-    return {"fiberchain", job.provenance.version, entries(job.provenance), job.scene.batches.number > 1};
-  }
-
   const PackingJob& job_;
-  RunLog log_;
-  TrajectoryWriter trajectory_;
-  std::optional<VtkSeries> vtk_;
+  Companions files_;
 };
 
 /// Marches and writes until the end, or until asked to stop.
@@ -113,7 +111,7 @@ class Session {
         schedule_(job.scene.output, begin.steps),
         batches_(job.scene, assembly_),
         pace_(assembly_.steps(), begin.steps),
-        writer_(job, assembly_.steps(), begin.resumed),
+        writer_(job, schedule_, assembly_.steps(), begin.resumed, watchers.say),
         last_(measure(assembly_, job.scene)),
         checkpointed_(assembly_.steps()) {
     if (!begin.resumed) write_due();
@@ -226,6 +224,7 @@ PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const
   if (end.begun_at >= end.steps) {  // finished before: its files stay as they are
     end.last = measure(begin.assembly, job.scene);
     end.coordination = coordination(begin.assembly);
+    look_at_companions(companions_of(job, RunSchedule(job.scene.output, end.steps)), end.steps, watchers.say);
   } else {
     run_to_end(job, std::move(begin), watchers, end);
   }

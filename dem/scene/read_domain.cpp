@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "dem/scene/build_packing.hpp"
 #include "dem/scene/read_common.hpp"
 
 namespace fiberchain::dem {
@@ -41,13 +43,42 @@ void store_fluid(const StrictMapping& mapping, const FluidKeys& keys, PackingSce
   scene.domain.fluid = fluid_of(mapping, keys, Dimension::spatial).fluid;
 }
 
-/// Position of the wall across this axis that bounds it from below, where there is one.
-double floor_below(const std::vector<Wall>& walls, int axis, double position) {
+/// What the spheres of files take along an axis.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double lowest_center = low;
+};
+
+Extent extent_of_starts(const PackingScene& scene, int axis) {
+  Extent extent;
+  for (const PackingFiberKind& kind : scene.kinds) {
+    const Chain<3> chain = chain_of(kind);
+    const double radius = sphere_radius(kind.fiber);
+    for (const FiberStart& start : kind.starts) {
+      for (const auto& pose : placed(chain, start).poses) {
+        const double center = pose.position[axis];
+        extent.low = std::min(extent.low, center - radius);
+        extent.high = std::max(extent.high, center + radius);
+        extent.lowest_center = std::min(extent.lowest_center, center);
+      }
+    }
+  }
+  return extent;
+}
+
+/// Position of the wall across this axis on which spheres come to lie: of those below them the highest one
+/// that stays; else the highest at the start.
+std::optional<double> floor_below(const std::vector<Wall>& walls, int axis, double spheres) {
+  std::optional<double> at_start, stays;
   for (const Wall& wall : walls) {
     const auto* plane = wall.shape.get_if<Plane>();
-    if (plane && plane->normal[axis] == 1 && plane->point[axis] < position) return plane->point[axis];
+    if (!plane || plane->normal[axis] != 1 || plane->point[axis] > spheres) continue;
+    const double position = plane->point[axis];
+    if (wall.from <= 0) at_start = std::max(at_start.value_or(position), position);
+    const bool for_good = wall.until == std::numeric_limits<double>::infinity() && norm(wall.velocity) == 0;
+    if (for_good) stays = std::max(stays.value_or(position), position);
   }
-  return position;
+  return stays ? stays : at_start;
 }
 
 }  // namespace
@@ -76,16 +107,14 @@ void complete_scene_box(PackingScene& scene) {
     const double period = scene.domain.period[a];
     if (period > 0 && filled) low = region.low[a], high = low + period;
     if (high > low) continue;
-    low = filled ? region.low[a] : std::numeric_limits<double>::infinity();
-    high = filled ? region.high[a] : -low;
-    for (const PackingFiberKind& kind : scene.kinds) {
-      const double reach = fiber_length(kind.fiber) + sphere_radius(kind.fiber);
-      for (const FiberStart& start : kind.starts) {
-        low = std::min(low, start.position[a] - reach);
-        high = std::max(high, start.position[a] + reach);
-      }
+    Extent extent = extent_of_starts(scene, a);
+    if (filled) {
+      extent.low = std::min(extent.low, region.low[a]);
+      extent.high = std::max(extent.high, region.high[a]);
+      extent.lowest_center = std::min(extent.lowest_center, region.low[a]);
     }
-    low = floor_below(scene.domain.walls, a, low);
+    low = floor_below(scene.domain.walls, a, extent.lowest_center).value_or(extent.low);
+    high = extent.high;
   }
 }
 

@@ -21,10 +21,17 @@
 //   /parameters/runs/N                       provenance of the run that began the file, and of those that
 //   resumed it
 //
+// The file begins with 512 bytes of text of its own (dem/files/file_head.hpp), which HDF5 passes over. Its
+// metadata and data have checksums (HDF5 1.10's format, Fletcher32): what is damaged is an error.
+//
 // All have the same steps and times, which are one dataset. Positions are rounded to 2^-37 of their value
 // (7e-12), what else moves to floats: digits beyond these compress to nothing and mean nothing. Checkpoints
 // have them all. Units stand as H5MD's attribute "unit" except on lengths: MDAnalysis refuses the meter.
 namespace fiberchain::dem {
+
+/// Has HDF5 not tidy up when the program ends, where it complains of damaged files it could not close. For
+/// programs that use it through this library alone: before the first file.
+void leave_hdf5_as_it_is_at_exit();
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 using Scalars = std::vector<std::pair<std::string, double>>;

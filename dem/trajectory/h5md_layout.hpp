@@ -2,7 +2,9 @@
 
 #include <hdf5.h>
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -15,6 +17,7 @@
 namespace fiberchain::dem::h5md {
 
 inline constexpr const char* kPosition = "particles/fibers/position";
+inline constexpr const char* kSteps = "particles/fibers/position/step";
 inline constexpr const char* kEdges = "particles/fibers/box/edges";
 inline constexpr const char* kOrigin = "particles/fibers/box/origin";
 inline constexpr const char* kId = "particles/fibers/id";
@@ -58,13 +61,29 @@ inline bool has_growing_id(hid_t file) { return hdf5::has(file, value_of(kId)); 
 
 enum class Access { create, change, read };
 
+/// Earlier versions of HDF5's metadata have no checksums, and one changed byte ends the program.
+/// @throws hdf5::Failure
+inline void require_checksums(const JournaledFile& journaled) {
+  std::array<char, 9> start{};
+  journaled.read(FileHead::kBytes, start.data(), start.size());
+  constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+  if (std::string_view(start.data(), 8) != signature || start[8] != 3)
+    throw hdf5::Failure("no HDF5 with checksums of its metadata");
+}
+
 /// The HDF5 file within a journaled file. Closing it leaves all that was written in the journaled file.
 inline hdf5::Handle open_in(JournaledFile& journaled, Access access) {
   const hdf5::Handle by(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose, "make a property list");
   if (!use_journaled_file(by, journaled)) throw hdf5::Failure("HDF5 cannot use our files");
   const char* name = journaled.path().c_str();
-  if (access == Access::create)
-    return {H5Fcreate(name, H5F_ACC_TRUNC, H5P_DEFAULT, by), &H5Fclose, "make this file"};
+  // metadata of this version have checksums: a damaged file is an error, not a crash of HDF5
+  hdf5::check(H5Pset_libver_bounds(by, H5F_LIBVER_V110, H5F_LIBVER_V110), "choose a version");
+  if (access == Access::create) {
+    const hdf5::Handle head(H5Pcreate(H5P_FILE_CREATE), &H5Pclose, "make a property list");
+    hdf5::check(H5Pset_userblock(head, FileHead::kBytes), "leave room for the head");
+    return {H5Fcreate(name, H5F_ACC_TRUNC, head, by), &H5Fclose, "make this file"};
+  }
+  require_checksums(journaled);
   return {H5Fopen(name, access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, by), &H5Fclose,
           "open this file"};
 }

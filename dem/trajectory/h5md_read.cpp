@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
 #include <utility>
 
 #include "dem/files/file_error.hpp"
@@ -12,17 +15,36 @@ namespace {
 using namespace h5md;
 using hdf5::Handle;
 
-/// Runs an action on the open file, and names the file in what goes wrong.
+/// What an action finds in the open file, and whether all of it was of one moment; names the file in what
+/// goes wrong.
+template <class Action>
+auto read_once(const std::filesystem::path& path, const Action& action) {
+  JournaledFile journaled(path, JournaledFile::Mode::read);
+  std::optional<decltype(action(hid_t{}))> found;
+  std::string fault;
+  try {
+    const Handle file = open_in(journaled, Access::read);
+    found = action(file);
+  } catch (const hdf5::Failure& failure) {
+    fault = failure.what();
+  }
+  if (journaled.changed())
+    found.reset();
+  else if (!found)
+    throw ReadError(path, fmt::format("is no trajectory of fibers, or damaged: {}", fault));
+  return found;
+}
+
+/// Reads until no run has changed the file meanwhile.
 template <class Action>
 auto reading_file(const std::filesystem::path& path, const Action& action) {
   const hdf5::Quiet quiet;
-  JournaledFile journaled(path, JournaledFile::Mode::read);
-  try {
-    const Handle file = open_in(journaled, Access::read);
-    return action(file);
-  } catch (const hdf5::Failure& failure) {
-    throw ReadError(path, fmt::format("is no trajectory of fibers: {}", failure.what()));
+  constexpr int tries = 200;
+  for (int i = 0; i < tries; ++i) {
+    if (auto found = read_once(path, action)) return *std::move(found);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5 + i));
   }
+  throw ReadError(path, "changes faster than it can be read");
 }
 
 /// A dataset, and the number of its elements after the first index where it is a series.
@@ -91,6 +113,8 @@ void read_bonds(hid_t file, std::int64_t n, TrajectoryFrame& frame) {
 
 }  // namespace
 
+void leave_hdf5_as_it_is_at_exit() { H5dont_atexit(); }
+
 TrajectoryFrame present_part(TrajectoryFrame frame) {
   if (frame.absent == 0) return frame;
   const std::size_t present = frame.position.size() - static_cast<std::size_t>(frame.absent);
@@ -110,11 +134,12 @@ TrajectoryFrame present_part(TrajectoryFrame frame) {
 
 TrajectoryReader::TrajectoryReader(std::filesystem::path path) : path_(std::move(path)) {
   reading_file(path_, [&](hid_t file) {
-    steps_ = whole<std::int64_t>(file, "particles/fibers/position/step", H5T_NATIVE_INT64, 1);
+    steps_ = whole<std::int64_t>(file, kSteps, H5T_NATIVE_INT64, 1);
     times_ = whole<double>(file, "particles/fibers/position/time", H5T_NATIVE_DOUBLE, 1);
     if (steps_.size() != times_.size()) throw hdf5::Failure("as many steps as times are wanted");
     if (hdf5::has(file, "parameters") && hdf5::has(file, "parameters/runs/0"))
       provenance_ = hdf5::text_attributes(hdf5::open_group(file, "parameters/runs/0"));
+    return true;
   });
 }
 
@@ -124,6 +149,10 @@ TrajectoryFrame TrajectoryReader::read(std::int64_t n) const {
     TrajectoryFrame frame{};
     frame.time = times_[static_cast<std::size_t>(n)];
     frame.step = steps_[static_cast<std::size_t>(n)];
+    const auto steps = whole<std::int64_t>(file, kSteps, H5T_NATIVE_INT64, 1);
+    if (static_cast<std::int64_t>(steps.size()) <= n || steps[static_cast<std::size_t>(n)] != frame.step)
+      throw hdf5::Failure(
+          fmt::format("frame {} is no more of step {}: another run has begun", n, frame.step));
     frame.radius = whole<double>(file, "particles/fibers/radius", H5T_NATIVE_DOUBLE, 1);
     frame.fiber = whole<std::int32_t>(file, "particles/fibers/fiber", H5T_NATIVE_INT32, 1);
     const hsize_t spheres = frame.radius.size();

@@ -18,8 +18,9 @@ namespace {
 using namespace h5md;
 using hdf5::Handle;
 
-const hdf5::Stored kDouble{H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
-const hdf5::Stored kInteger{H5T_NATIVE_INT64, H5T_STD_I64LE};
+// Functions: these names open HDF5, which is not to be before main.
+hdf5::Stored stored_double() { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }
+hdf5::Stored stored_integer() { return {H5T_NATIVE_INT64, H5T_STD_I64LE}; }
 
 /// Runs what uses HDF5, and names the file in what goes wrong.
 template <class Action>
@@ -37,11 +38,11 @@ void make_element(hid_t file, const std::string& name, hid_t type, const std::ve
                   const std::string& unit, bool compressed) {
   const Handle group = hdf5::make_group(file, name.c_str());
   const Handle value = hdf5::make_series(group, "value", type, size, compressed);
-  if (!unit.empty()) hdf5::set_attribute(value, "unit", unit);
+  if (!unit.empty()) hdf5::set_text_for_python(value, "unit", unit);
   if (name == kPosition) {
     hdf5::make_series(group, "step", H5T_STD_I64LE, {}, false);
     const Handle time = hdf5::make_series(group, "time", H5T_IEEE_F64LE, {}, false);
-    hdf5::set_attribute(time, "unit", "s");
+    hdf5::set_text_for_python(time, "unit", "s");
     return;
   }
   for (const char* shared : {"step", "time"}) {
@@ -54,10 +55,10 @@ void make_element(hid_t file, const std::string& name, hid_t type, const std::ve
 void write_head(hid_t file, const TrajectoryHeader& header) {
   const Handle head = hdf5::make_group(file, "h5md");
   hdf5::set_attribute(head, "version", std::vector<std::int32_t>{1, 1});
-  hdf5::set_attribute(hdf5::make_group(head, "author"), "name", header.author);
+  hdf5::set_text_for_python(hdf5::make_group(head, "author"), "name", header.author);
   const Handle creator = hdf5::make_group(head, "creator");
-  hdf5::set_attribute(creator, "name", "fiberchain");
-  hdf5::set_attribute(creator, "version", header.creator_version);
+  hdf5::set_text_for_python(creator, "name", "fiberchain");
+  hdf5::set_text_for_python(creator, "version", header.creator_version);
   const Handle modules = hdf5::make_group(head, "modules");
   hdf5::set_attribute(hdf5::make_group(modules, "units"), "version", std::vector<std::int32_t>{1, 0});
 }
@@ -90,7 +91,7 @@ std::vector<std::int32_t> ids(const TrajectoryFrame& frame) {
 void write_fixed(hid_t file, hid_t group, const TrajectoryFrame& frame, bool growing) {
   const hsize_t spheres = frame.position.size();
   const hdf5::Stored integer{H5T_NATIVE_INT32, H5T_STD_I32LE};
-  hdf5::write_array(group, "radius", kDouble, {spheres}, frame.radius.data(), true);
+  hdf5::write_array(group, "radius", stored_double(), {spheres}, frame.radius.data(), true);
   hdf5::write_array(group, "fiber", integer, {spheres}, frame.fiber.data(), true);
   if (!growing) hdf5::write_array(group, "id", integer, {spheres}, ids(frame).data(), true);
   std::vector<std::int64_t> pairs;
@@ -100,7 +101,7 @@ void write_fixed(hid_t file, hid_t group, const TrajectoryFrame& frame, bool gro
   }
   const Handle connectivity = hdf5::make_group(file, "connectivity");
   const Handle bonds =
-      hdf5::write_array(connectivity, "bonds", kInteger, {frame.bonds.size(), 2}, pairs.data(), true);
+      hdf5::write_array(connectivity, "bonds", stored_integer(), {frame.bonds.size(), 2}, pairs.data(), true);
   hobj_ref_t reference;
   hdf5::check(H5Rcreate(&reference, file, "particles/fibers", H5R_OBJECT, -1), "refer to a group");
   const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");

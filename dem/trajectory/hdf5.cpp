@@ -133,9 +133,12 @@ std::vector<std::string> names_in(hid_t group) {
   return names;
 }
 
-// Of variable length: those h5py gives as str, the others as bytes, which readers of H5MD in Python do not
-// expect.
 void set_attribute(hid_t object, const char* name, const std::string& text) {
+  const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");
+  write_attribute(object, name, text_type(text.size() + 1), space, text.c_str());
+}
+
+void set_text_for_python(hid_t object, const char* name, const std::string& text) {
   const Handle type = text_type(H5T_VARIABLE);
   const Handle space(H5Screate(H5S_SCALAR), &H5Sclose, "make a dataspace");
   const char* const value = text.c_str();
@@ -161,13 +164,12 @@ std::optional<std::string> text_attribute(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose, "open an attribute");
   const Handle type(H5Aget_type(attribute), &H5Tclose, "find an attribute's type");
   const Handle space(H5Aget_space(attribute), &H5Sclose, "find an attribute's size");
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 ||
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
       H5Sget_simple_extent_npoints(space) != 1)
     return std::nullopt;
-  char* value = nullptr;
-  check(H5Aread(attribute, type, &value), "read an attribute");
-  const std::string text = value ? value : "";
-  check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &value), "free an attribute");
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), "read an attribute");
+  text.resize(std::min(text.find('\0'), text.size()));
   return text;
 }
 
@@ -201,11 +203,12 @@ Handle write_array(hid_t parent, const char* name, const Stored& type, const std
   const Handle space = space_of(size);
   const Handle properties = creation();
   const hsize_t all = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
-  if (compressed && all > 64) {
+  if (compressed && all > 0) {
     std::vector<hsize_t> chunk = size;
     chunk[0] = rows_of_chunk(size, H5Tget_size(type.file));
     check(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), "choose chunks");
     compress(properties);
+    check(H5Pset_fletcher32(properties), "add checksums");
   }
   Handle array(H5Dcreate2(parent, name, type.file, space, H5P_DEFAULT, properties, H5P_DEFAULT), &H5Dclose,
                "make a dataset");
@@ -229,6 +232,7 @@ Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector
     chunk[0] = 128;  // changed in place from entry to entry
   }
   check(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), "choose chunks");
+  check(H5Pset_fletcher32(properties), "add checksums");
   return {
       H5Dcreate2(parent, name, type, space_of(extent, largest.data()), H5P_DEFAULT, properties, H5P_DEFAULT),
       &H5Dclose, "make a dataset"};

@@ -66,14 +66,18 @@ bool has(hid_t parent, const std::string& name);
 /// Names of what is in a group.
 std::vector<std::string> names_in(hid_t group);
 
+/// A text of fixed length, to be read back: its bytes stand with the object, under its checksum.
 void set_attribute(hid_t object, const char* name, const std::string& text);
+/// A text of variable length, for others only: h5py gives it as str, where it gives fixed ones as bytes,
+/// which readers of H5MD in Python do not expect. It has no checksum, and HDF5 falls over a damaged one.
+void set_text_for_python(hid_t object, const char* name, const std::string& text);
 void set_attribute(hid_t object, const char* name, const std::vector<std::int32_t>& numbers);
 void set_attribute(hid_t object, const char* name, const std::vector<std::string>& texts);
-/// Text of an attribute; nothing if there is none or it is no text.
+/// Text of an attribute; nothing if there is none or it is no text of fixed length.
 std::optional<std::string> text_attribute(hid_t object, const char* name);
 /// The integer of an attribute; nothing if there is none or it is no single integer.
 std::optional<std::int32_t> integer_attribute(hid_t object, const char* name);
-/// Text of every attribute that is text, by name.
+/// Text of every attribute that is one of fixed length, by name.
 std::vector<std::pair<std::string, std::string>> text_attributes(hid_t object);
 
 /// How the elements of a C++ array are stored.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,14 @@ class VtkSeries {
   static VtkSeries resume(std::filesystem::path directory, std::string name, Entries provenance,
                           std::int64_t last_step);
 
+  /// The series as it stands up to `last_step`; nothing is written.
+  /// @throws ReadError
+  static VtkSeries read(std::filesystem::path directory, std::string name, Entries provenance,
+                        std::int64_t last_step);
+
+  std::optional<std::int64_t> last_step() const;              ///< of its frames; nothing without any
+  std::optional<std::filesystem::path> missing_part() const;  ///< a file of its frames that is not there
+
   /// @throws InvalidInput if the step is not later than the last, WriteError
   void append(const TrajectoryFrame& frame);
 
@@ -50,6 +59,7 @@ class VtkSeries {
     std::int64_t step;
     double time;
   };
+  std::string line_of(const Entry& entry, const char* kind) const;
   void write_series() const;
   void read_series(std::int64_t last_step);
 

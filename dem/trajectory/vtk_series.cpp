@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "dem/files/atomic_file.hpp"
@@ -21,10 +22,34 @@ std::string file_name(const char* kind, std::int64_t step) {
 }
 
 constexpr const char* kKinds[] = {"spheres", "lines"};
+constexpr const char* kSeriesHead =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+    "<Collection>\n";
+constexpr const char* kSeriesTail = "</Collection>\n</VTKFile>\n";
 
 bool is_part(const std::string& name) {
-  static const std::regex pattern("(spheres|lines)-[0-9]{12,}\\.vtp");
-  return std::regex_match(name, pattern);
+  return std::ranges::any_of(kKinds, [&](const char* kind) {
+    const std::size_t head = std::string_view(kind).size() + 1;
+    if (!name.starts_with(kind) || !name.ends_with(".vtp") || name.size() < head + 12 + 4) return false;
+    const auto step = parse_integer(std::string_view(name).substr(head, name.size() - head - 4));
+    return step && *step >= 0 && name == file_name(kind, *step);
+  });
+}
+
+/// Takes a text off the front of another; false if it does not begin so.
+bool take(std::string_view& rest, std::string_view text) {
+  if (!rest.starts_with(text)) return false;
+  rest.remove_prefix(text.size());
+  return true;
+}
+
+/// What stands before the next such mark, which is taken too; nothing without one on this line.
+std::optional<std::string_view> take_until(std::string_view& rest, std::string_view mark) {
+  const std::size_t end = rest.substr(0, rest.find('\n')).find(mark);
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::string_view before = rest.substr(0, end);
+  rest.remove_prefix(end + mark.size());
+  return before;
 }
 
 }  // namespace
@@ -44,10 +69,31 @@ VtkSeries::VtkSeries(std::filesystem::path directory, std::string name, Entries 
 
 VtkSeries VtkSeries::resume(std::filesystem::path directory, std::string name, Entries provenance,
                             std::int64_t last_step) {
-  VtkSeries series(std::move(directory), std::move(name), std::move(provenance));
-  series.read_series(last_step);
+  VtkSeries series = read(std::move(directory), std::move(name), std::move(provenance), last_step);
   if (!series.entries_.empty()) series.write_series();
   return series;
+}
+
+VtkSeries VtkSeries::read(std::filesystem::path directory, std::string name, Entries provenance,
+                          std::int64_t last_step) {
+  VtkSeries series(std::move(directory), std::move(name), std::move(provenance));
+  series.read_series(last_step);
+  return series;
+}
+
+std::optional<std::int64_t> VtkSeries::last_step() const {
+  if (entries_.empty()) return std::nullopt;
+  return entries_.back().step;
+}
+
+std::optional<std::filesystem::path> VtkSeries::missing_part() const {
+  for (const Entry& entry : entries_) {
+    for (const char* kind : kKinds) {
+      std::filesystem::path part = directory_ / name_ / file_name(kind, entry.step);
+      if (!std::filesystem::exists(part)) return part;
+    }
+  }
+  return std::nullopt;
 }
 
 void VtkSeries::append(const TrajectoryFrame& frame) {
@@ -70,35 +116,45 @@ void VtkSeries::append(const TrajectoryFrame& frame) {
   }
 }
 
+std::string VtkSeries::line_of(const Entry& entry, const char* kind) const {
+  return fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", entry.time, xml_escaped(name_),
+                     file_name(kind, entry.step));
+}
+
 void VtkSeries::write_series() const {
   for (const char* kind : kKinds) {
-    std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
-        "byte_order=\"LittleEndian\">\n<Collection>\n";
-    for (const Entry& entry : entries_) {
-      text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", entry.time,
-                          xml_escaped(name_), file_name(kind, entry.step));
-    }
+    std::string text = kSeriesHead;
+    for (const Entry& entry : entries_) text += line_of(entry, kind);
     const bool lines = kind == kKinds[1];
-    replace_file(directory_ / (name_ + (lines ? "-lines.pvd" : ".pvd")),
-                 text + "</Collection>\n</VTKFile>\n");
+    replace_file(directory_ / (name_ + (lines ? "-lines.pvd" : ".pvd")), text + kSeriesTail);
   }
 }
 
+// Every line must be as this program writes it: one that was changed is an error, not left out.
 void VtkSeries::read_series(std::int64_t last_step) {
   const std::filesystem::path path = directory_ / (name_ + ".pvd");
   std::ifstream file(path, std::ios::binary);
   if (!file) return;
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.find("type=\"Collection\"") == std::string::npos || text.find("</VTKFile>") == std::string::npos)
-    throw ReadError(path, "is no series of VTK files");
-  const std::regex pattern(
-      "<DataSet timestep=\"([^\"]*)\" part=\"0\" file=\"[^\"]*/spheres-([0-9]+).vtp\"/>");
-  for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
-    const auto time = parse_number((*at)[1].str());
-    const auto step = parse_integer((*at)[2].str());
-    if (!time || !step) throw ReadError(path, "is no series of VTK files that this program wrote");
-    if (*step <= last_step) entries_.push_back({*step, *time});
+  std::string_view rest = text;
+  std::size_t line = 4;
+  const auto fail = [&] {
+    throw ReadError(path, fmt::format("line {} is not as this program wrote it", line));
+  };
+  if (!take(rest, kSeriesHead)) throw ReadError(path, "is no series of VTK files of this program");
+  for (; rest != kSeriesTail; ++line) {
+    std::string_view at = rest;
+    if (!take(at, "<DataSet timestep=\"")) fail();
+    const auto time = take_until(at, "\""), before = take_until(at, "/spheres-"),
+               step = take_until(at, ".vtp");
+    if (!time || !before || !step) fail();
+    const auto seconds = parse_number(*time);
+    const auto number = parse_integer(*step);
+    if (!seconds || !number) fail();
+    const Entry entry{*number, *seconds};
+    if (!take(rest, line_of(entry, kKinds[0])) || (!entries_.empty() && entry.step <= entries_.back().step))
+      fail();
+    if (entry.step <= last_step) entries_.push_back(entry);
   }
 }
 

@@ -18,7 +18,7 @@ inline constexpr Column benchmark[] = {
      "potential (moments in space)"},
     {"iterations", integer, "1", "Newton iterations, all load steps together"},
     {"steps", integer, "1", "time steps of the march"},
-    {"run_time", number, "s", "wall-clock time of the run"},
+    {"run_time", number, "s", "wall-clock time of the run; of its last part where it was resumed"},
 
     // Run time against error.
     {"problem", text, "", "what is asked, with its load or aspect ratio"},

@@ -334,6 +334,33 @@ BOOST_AUTO_TEST_CASE(starts_come_from_a_file_beside_the_scene) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(the_room_of_fibers_from_a_file_stands_on_its_floor) {
+  const fiberchain::test::Scratch scratch;
+  const auto room = [&](const std::string& walls, const char* starts) {
+    std::ofstream(scratch.path / "starts.csv") << "x,y,z,ux,uy,uz\n" << starts;
+    return parse(fmt::format(
+                     "scene: packing\nfibers: [{{diameter: 2 mm, aspect_ratio: 15, youngs_modulus: 2.6 MPa, "
+                     "poisson_ratio: 0.3, density: 1000, starts: starts.csv}}]\nwalls: {{{}}}\nsteps: 10\n",
+                     walls),
+                 (scratch.path / "s.yaml").string())
+        .scene_box;
+  };
+  const std::string box = "box: {x: 50 mm, y: 50 mm, lid: open}";
+  BOOST_TEST(room(box, "0.025,0.025,0.001,0,0,1\n").low[2] == 0);  // upright on the floor
+  BOOST_CHECK_CLOSE(room(box, "0.025,0.025,0.001,0,0,1\n").high[2], 0.032, 1e-9);
+  BOOST_TEST(room(box, "0.01,0.025,0.02,1,0,0\n").low[2] == 0);  // lying above it
+  BOOST_TEST(room(box, "0.01,0.025,0.2,0,0,-1\n").low[2] == 0);  // upside down
+  const std::string gate =
+      "planes: [{point: [0, 0, -1], normal: [0, 0, 1]}, {point: [0, 0, 0.1], normal: [0, 0, 1], until: 1 s}]";
+  BOOST_TEST(room(gate, "0,0,0.2,1,0,0\n").low[2] == -1);
+  const std::string plates =
+      "planes: [{point: [0, 0, -1], normal: [0, 0, 1]}, {point: [0, 0, 0], normal: [0, 0, 1]}]";
+  BOOST_TEST(room(plates, "0,0,0.2,1,0,0\n").low[2] == 0);
+  const auto none = room("planes: [{point: [0, 0, 0], normal: [1, 0, 0]}]", "0.01,0,0.2,0,0,1\n");
+  BOOST_CHECK_CLOSE(none.low[2], 0.199, 1e-9);  // without a floor from the lowest sphere on
+  BOOST_TEST(none.low[0] == 0);
+}
+
 BOOST_AUTO_TEST_CASE(scenes_of_the_data_directory_are_right) {
   const std::filesystem::path scenes = std::filesystem::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes";
   const dem::PackingScene layers =

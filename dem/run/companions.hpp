@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "dem/record/run_log.hpp"
+#include "dem/run/files.hpp"
+#include "dem/run/schedule.hpp"
+#include "dem/trajectory/h5md.hpp"
+#include "dem/trajectory/vtk.hpp"
+
+// The files that grow beside the checkpoint of a run: log, trajectory and VTK series. A run goes on whatever
+// has become of them: one that is missing or damaged is said, kept under another name and begun anew.
+namespace fiberchain::dem {
+
+/// What they are opened for.
+struct CompanionsOf {
+  RunFiles files;
+  Table log;  ///< empty, with its columns
+  Provenance provenance;
+  TrajectoryHeader header;
+  bool vtk;
+  RunSchedule schedule;
+};
+
+struct Companions {
+  RunLog log;
+  TrajectoryWriter trajectory;
+  std::optional<VtkSeries> vtk;
+};
+
+/// Those of a new run.
+/// @throws OutputError
+Companions begin_companions(const CompanionsOf& run);
+
+/// Those of a run that goes on behind step `done`.
+/// @throws OutputError
+Companions resume_companions(const CompanionsOf& run, std::int64_t done, const Say& say);
+
+/// Says which of them are missing or damaged, of a run that has ended, and changes none.
+void look_at_companions(const CompanionsOf& run, std::int64_t done, const Say& say);
+
+}  // namespace fiberchain::dem
