@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "compare/static/case.hpp"
+#include "compare/static/paper_checks.hpp"
 #include "compare/static/table.hpp"
 #include "compare/static/tip.hpp"
 #include "compare/study/validation.hpp"
@@ -13,44 +14,6 @@ namespace {
 
 StaticPoint point(const StaticCase& asked, int jobs) {
   return static_points({asked}, {.jobs = jobs}).front();
-}
-
-double departure_percent(int aspect_ratio, double load, int jobs) {
-  return 100 * point({.aspect_ratio = aspect_ratio, .load = load}, jobs).departure.y;
-}
-
-/// Load at which the departure of the deflection reaches `percent`, by bisection: it grows with the load.
-double load_of_departure(int aspect_ratio, double percent, int jobs) {
-  double low = 1e-3, high = 10;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = (low + high) / 2;
-    (departure_percent(aspect_ratio, middle, jobs) < percent ? low : high) = middle;
-  }
-  return low;
-}
-
-std::vector<Measured> figure_4(const ValidationInput& in) {
-  const double least = 100 * small_load_departure(nominal_fiber(10, 0.3, dem::BondModel::paper));
-  const double quarter = load_of_departure(10, 0.25, in.jobs), one = load_of_departure(6, 1.0, in.jobs);
-  const double y_quarter = point({.aspect_ratio = 10, .load = quarter}, in.jobs).tip.y;
-  const double y_one = point({.aspect_ratio = 6, .load = one}, in.jobs).tip.y;
-  const double six_small = 100 * small_load_departure(nominal_fiber(6, 0.3, dem::BondModel::paper));
-  const double rise_1 = departure_percent(6, 1.0, in.jobs), rise_25 = departure_percent(6, 2.5, in.jobs);
-  return {{least},
-          {departure_percent(10, 6, in.jobs)},
-          {y_quarter, {y_quarter, quarter}},
-          {six_small, {six_small, one, y_one}},
-          {rise_25 - rise_1, {rise_1, rise_25}}};
-}
-
-std::vector<Measured> increments(const ValidationInput& in) {
-  const StaticPoint total = point({.load = 6}, in.jobs);
-  const StaticPoint increments =
-      point({.load = 6, .method = StaticMethod::march, .form = dem::BondForm::incremental}, in.jobs);
-  const double difference = std::abs(increments.departure.y) - std::abs(total.departure.y);
-  return {{difference,
-           {100 * increments.departure.y, 100 * total.departure.y, std::abs(difference),
-            std::abs(total.departure.y / difference)}}};
 }
 
 /// Largest relative error of the small-load departure against its formula over odd materials.
@@ -126,12 +89,8 @@ const Checks& static_checks() {
   using In = ValidationInput;
   using Found = std::vector<Measured>;
   using dem::BondModel;
-  static const Checks checks{
-      {{"paper-fig4-rf10-least", "paper-fig4-rf10-most", "paper-fig4-rf10-small", "paper-fig4-rf6-small",
-        "paper-fig4-rf6-rise"},
-       figure_4},
+  const Checks own{
       {{"paper-bond-time-step"}, [](const In&) -> Found { return {{bond_time_step_factor()}}; }},
-      {{"paper-incremental-superior"}, increments},
       {{"small-load-departure"}, [](const In&) -> Found { return {{worst_small_load_error()}}; }},
       {{"small-load-departure-corrected"},
        [](const In&) -> Found {
@@ -149,6 +108,7 @@ const Checks& static_checks() {
       {{"corrected-distance"}, [](const In& in) -> Found { return {{worst_corrected_distance(in.jobs)}}; }},
       {{"corner-path"}, [](const In&) -> Found { return {{corner_gap()}}; }},
       {{"march-solve"}, [](const In& in) -> Found { return {{march_less_solve(in.jobs)}}; }}};
+  static const Checks checks = merged(paper_static_checks(), own);
   return checks;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "compare/study/errors.hpp"
@@ -23,9 +24,6 @@ constexpr Words<ReferenceKind, 4> kKinds = {{"exact", ReferenceKind::exact},
                                             {"regression", ReferenceKind::regression}};
 constexpr Words<ToleranceScale, 3> kScales = {
     {"unit", ToleranceScale::unit}, {"value", ToleranceScale::value}, {"spread", ToleranceScale::spread}};
-constexpr Words<VerdictRule, 3> kRules = {{"must hold", VerdictRule::must_hold},
-                                          {"disputed", VerdictRule::disputed},
-                                          {"either", VerdictRule::either}};
 
 /// One row of a file, with the place that error messages name.
 struct Line {
@@ -47,7 +45,29 @@ struct Line {
     }
     throw InputError(fmt::format("{}: column {}: '{}' is none of its words", where, column, cell));
   }
+
+  double number(const char* column) const { return table.number(row, column); }
+
+  [[noreturn]] void refuse(const char* column, const std::string& why) const {
+    throw InputError(fmt::format("{}: column {} {}", where, column, why));
+  }
 };
+
+std::optional<ClaimedRange> range_of(const Line& line) {
+  const std::string& text = line.text("claim");
+  if (text == "-") return std::nullopt;
+  try {
+    return ClaimedRange(text);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: column claim: {}", line.where, error.what()));
+  }
+}
+
+std::optional<Otherwise> otherwise_of(const Line& line) {
+  const Otherwise found{line.number("otherwise_expected"), line.number("otherwise_tolerance")};
+  if (std::isnan(found.value) && std::isnan(found.tolerance)) return std::nullopt;
+  return found;
+}
 
 Claim read_claim(const Line& line, const std::string& subject) {
   return {.id = line.text("id"),
@@ -55,24 +75,37 @@ Claim read_claim(const Line& line, const std::string& subject) {
           .feature = line.text("feature"),
           .kind = line.choice("reference_kind", kKinds),
           .quantity = line.text("quantity"),
-          .value = line.table.number(line.row, "value"),
-          .tolerance = line.table.number(line.row, "tolerance"),
+          .value = line.number("value"),
+          .tolerance = line.number("tolerance"),
           .scale = line.choice("tolerance_scale", kScales),
-          .rule = line.choice("rule", kRules),
+          .basis = line.text("basis"),
+          .range = range_of(line),
+          .reading = line.text("reading"),
+          .condition = line.text("condition"),
+          .otherwise = otherwise_of(line),
           .unit = line.text("unit"),
           .source = line.text("source"),
           .page_or_figure = line.text("page_or_figure"),
           .statement = line.text("statement"),
-          .evidence = line.text("evidence"),
-          .dispute = line.text("dispute")};
+          .evidence = line.text("evidence")};
 }
 
-void check_claim(const Claim& claim, const std::string& where) {
-  if (claim.rule != VerdictRule::must_hold && claim.kind != ReferenceKind::published) {
-    throw InputError(fmt::format("{}: column rule: only a published claim can be disputed", where));
+bool is_tolerance(double value) { return value > 0 && std::isfinite(value); }
+
+/// A row whose verdict could not follow from what is measured, or does not say what it rests on, is refused.
+void check_claim(const Claim& claim, const Line& line) {
+  if (!is_tolerance(claim.tolerance)) line.refuse("tolerance", "must be above 0 and finite");
+  if (claim.range && claim.kind != ReferenceKind::published) {
+    line.refuse("claim", "is for published rows only");
   }
-  if (claim.rule != VerdictRule::disputed && !(claim.tolerance >= 0)) {
-    throw InputError(fmt::format("{}: column tolerance must be at least 0", where));
+  if (claim.range && claim.reading == "-") line.refuse("reading", "must say how the words became the claim");
+  if (claim.range && claim.basis == "-") line.refuse("basis", "must say where the expected value is from");
+  if (claim.condition != "-" && !claim.range) line.refuse("condition", "is for rows with a claim only");
+  if (!claim.otherwise) return;
+  if (claim.condition == "-") line.refuse("otherwise_expected", "needs a condition");
+  if (!std::isfinite(claim.otherwise->value)) line.refuse("otherwise_expected", "must be a number");
+  if (!is_tolerance(claim.otherwise->tolerance)) {
+    line.refuse("otherwise_tolerance", "must be above 0 and finite");
   }
 }
 
@@ -80,8 +113,9 @@ void read_into(std::vector<Claim>& claims, const fs::path& file) {
   const dem::CsvDocument document = dem::read_csv(file);
   const dem::Table& table = document.table;
   for (const char* column :
-       {"id", "feature", "reference_kind", "quantity", "value", "tolerance", "tolerance_scale", "rule",
-        "unit", "source", "page_or_figure", "statement", "evidence", "dispute"}) {
+       {"id", "feature", "reference_kind", "quantity", "value", "tolerance", "tolerance_scale", "basis",
+        "claim", "reading", "condition", "otherwise_expected", "otherwise_tolerance", "unit", "source",
+        "page_or_figure", "statement", "evidence"}) {
     if (std::ranges::find(table.columns(), column) == table.columns().end()) {
       throw InputError(fmt::format("{}: column {} is missing", file.string(), column));
     }
@@ -92,7 +126,7 @@ void read_into(std::vector<Claim>& claims, const fs::path& file) {
     if (std::ranges::find(claims, claim.id, &Claim::id) != claims.end()) {
       throw InputError(fmt::format("{}: column id: '{}' comes twice", line.where, claim.id));
     }
-    check_claim(claim, line.where);
+    check_claim(claim, line);
     claims.push_back(std::move(claim));
   }
 }

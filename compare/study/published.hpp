@@ -6,7 +6,10 @@
 #include <string_view>
 #include <vector>
 
-/// Claims the program is held against, published and of its own: data/published/*.csv, a file a subject.
+#include "compare/study/claimed_range.hpp"
+
+/// Claims the program is held against, published and of its own: data/published/*.csv, a file a subject. What
+/// each column is for: data/published/README.md.
 namespace fiberchain::compare {
 
 enum class ReferenceKind { exact, published, independent_method, regression };
@@ -18,10 +21,9 @@ enum class ToleranceScale {
   spread  ///< spread of the runs, measured with the value
 };
 
-enum class VerdictRule {
-  must_hold,  ///< holds or fails by the tolerance
-  disputed,   ///< disputed, whatever the difference
-  either      ///< holds by the tolerance, else disputed
+/// What is expected here of the same quantity where the claim's condition does not hold.
+struct Otherwise {
+  double value, tolerance;  ///< in the unit of the row
 };
 
 struct Claim {
@@ -29,17 +31,20 @@ struct Claim {
   std::string subject;  ///< file the claim stands in, without its extension
   std::string feature;  ///< what it tests
   ReferenceKind kind;
-  std::string quantity;  ///< what is expected
-  double value;          ///< in `unit`; NaN where the source gives no number or the reference is computed
-  double tolerance;      ///< in units of `scale`; NaN for a disputed claim
+  std::string quantity;  ///< what is measured
+  double value;          ///< expected here, in `unit`; NaN where the measure computes its reference
+  double tolerance;      ///< above 0, in units of `scale`
   ToleranceScale scale;
-  VerdictRule rule;
+  std::string basis;                  ///< where `value` is from, if it is not from `source`; else "-"
+  std::optional<ClaimedRange> range;  ///< for which `statement` is true; none: it is true of `value`
+  std::string reading;                ///< how the words became that range; "-" without one
+  std::string condition;              ///< under which `value` is measured and the source does not name; "-"
+  std::optional<Otherwise> otherwise;
   std::string unit;            ///< "1" where dimensionless
   std::string source;          ///< publication, or derivation
   std::string page_or_figure;  ///< page, figure, table or equation; "-" where there is none
   std::string statement;       ///< the source's words, or what the number stands for; "-" likewise
   std::string evidence;        ///< how it is measured, with {fmt} fields for measured numbers
-  std::string dispute;         ///< reason given where a claim of rule `either` does not hold
 };
 
 /// The data directory: `asked` if given, else the environment's FIBERCHAIN_DATA, else the one installed

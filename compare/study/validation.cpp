@@ -35,16 +35,54 @@ double tolerance_of(const Claim& claim, double expected, double spread) {
   return claim.tolerance;
 }
 
-/// Row of a claim of rule `either`, which holds or is disputed for the claim's reason.
-MatrixRow held_or_disputed(MatrixRow row, const Claim& claim) {
-  row = judged(std::move(row));
-  if (row.verdict == Verdict::holds) return row;
-  row.tolerance = nan;
-  row.evidence += ". " + claim.dispute;
-  return disputed(std::move(row));
+[[noreturn]] void refuse(const Claim& claim, const char* why) {
+  throw InputError(fmt::format("claim '{}': {}", claim.id, why));
+}
+
+/// The one value that is expected: the claim's, or that of a reference computed with the measure.
+double expected_of(const Claim& claim, const Measured& measured) {
+  if (std::isnan(claim.value) != measured.expected.has_value()) {
+    refuse(claim, "give an expected value in column value or by its measure, not both or none");
+  }
+  return measured.expected.value_or(claim.value);
+}
+
+std::optional<MeasuredOtherwise> otherwise_of(const Claim& claim, const Measured& measured) {
+  if (claim.otherwise.has_value() != measured.otherwise.has_value()) {
+    refuse(claim, "otherwise must be expected and measured, or neither");
+  }
+  if (!claim.otherwise) return std::nullopt;
+  return MeasuredOtherwise{claim.otherwise->value, *measured.otherwise, claim.otherwise->tolerance};
+}
+
+/// The row before it is judged.
+MatrixRow unjudged(const Claim& claim, const Measured& measured) {
+  const double expected = expected_of(claim, measured);
+  return {.id = claim.id,
+          .feature = claim.feature,
+          .reference_kind = claim.kind,
+          .quantity = claim.quantity,
+          .expected = expected,
+          .measured = measured.value,
+          .tolerance = tolerance_of(claim, expected, measured.spread),
+          .unit = claim.unit,
+          .claim = claim.range,
+          .condition = claim.condition,
+          .otherwise = otherwise_of(claim, measured),
+          .as_expected = std::nullopt,
+          .verdict = Verdict::fails,
+          .reading = claim.reading,
+          .basis = claim.basis,
+          .source = source_of(claim),
+          .evidence = evidence_of(claim, measured.evidence)};
 }
 
 }  // namespace
+
+Checks merged(Checks first, const Checks& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
 
 const std::vector<ValidationSubject>& validation_subjects() {
   static const std::vector<ValidationSubject> subjects{
@@ -54,20 +92,16 @@ const std::vector<ValidationSubject>& validation_subjects() {
   return subjects;
 }
 
-MatrixRow row_of(const Claim& claim, const Measured& measured) {
-  const double expected = measured.expected.value_or(claim.value);
-  MatrixRow row{.id = claim.id,
-                .feature = claim.feature,
-                .reference_kind = claim.kind,
-                .expected = expected,
-                .measured = measured.value,
-                .tolerance = tolerance_of(claim, expected, measured.spread),
-                .unit = claim.unit,
-                .verdict = Verdict::fails,
-                .source = source_of(claim),
-                .evidence = evidence_of(claim, measured.evidence)};
-  if (claim.rule == VerdictRule::disputed) return disputed(std::move(row));
-  return claim.rule == VerdictRule::either ? held_or_disputed(std::move(row), claim) : judged(std::move(row));
+MatrixRow row_of(const Claim& claim, const Measured& measured) { return judged(unjudged(claim, measured)); }
+
+MatrixRow row_by_claim(const Claim& claim, const Measured& measured) {
+  if (!claim.range) return row_of(claim, measured);
+  MatrixRow row = unjudged(claim, measured);
+  row.expected = row.tolerance = nan;
+  row.basis = "-";
+  row.otherwise.reset();
+  if (row.condition != "-") row.condition = "the runs at hand (evidence)";
+  return judged_by_claim(std::move(row));
 }
 
 void check_complete(const std::vector<Claim>& claims, std::string_view subject, const Checks& checks) {

@@ -26,6 +26,7 @@ struct Measured {
   std::vector<EvidenceField> evidence{};  ///< fields of the claim's text, in order
   std::optional<double> expected{};       ///< value of a reference that is computed, not published
   double spread = 0;                      ///< of the runs, where the claim's tolerance is a multiple of it
+  std::optional<double> otherwise{};      ///< value where the claim's condition does not hold
 };
 
 /// Measurement of claims that share their runs.
@@ -36,18 +37,21 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
+/// Both, one after the other.
+Checks merged(Checks first, const Checks& second);
+
 /// Elastica and Reissner beam: against published values and against each other.
 const Checks& beam_checks();
 
-/// The chain's statics: the paper's statements on Figs 3 and 4, exact results, marching against solving.
+/// The chain's statics: the paper's statements on Figs 3 and 4 and the aspect ratios it recommends, exact
+/// results, marching against solving.
 const Checks& static_checks();
 
 /// Damped vibration: the paper's statements on Figs 7 to 9 and Eq 20, the march against linear modes, the
 /// closed form.
 const Checks& damping_checks();
 
-/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch; the recommended aspect
-/// ratio.
+/// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch.
 const Checks& friction_checks();
 
 /// The largest stable step: theory against runs, the paper's rules for the time step.
@@ -77,8 +81,13 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
 ///   or does not fill the claim's evidence text
 std::vector<MatrixRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
 
-/// The claim's row, its verdict set by the claim's rule.
-/// @throws InputError if the evidence text has more fields than were measured
+/// The claim's row, judged.
+/// @throws InputError if the evidence text has more fields than were measured, or if what is expected and
+///   what is measured do not belong together
 MatrixRow row_of(const Claim& claim, const Measured& measured);
+
+/// The same for runs that are not those of the matrix: of a published claim nothing is expected, its verdict
+/// follows from the measured value alone, and these runs are its condition if it has one.
+MatrixRow row_by_claim(const Claim& claim, const Measured& measured);
 
 }  // namespace fiberchain::compare

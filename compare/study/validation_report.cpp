@@ -7,51 +7,100 @@
 #include "compare/study/errors.hpp"
 
 namespace fiberchain::compare {
+namespace {
+
+bool within(double measured, double expected, double tolerance) {
+  return std::abs(measured - expected) <= tolerance;
+}
+
+/// A condition that makes no difference to the claim is none.
+Verdict verdict_by_claim(const MatrixRow& row) {
+  if (!row.claim->contains(row.measured)) return Verdict::disputed;
+  if (row.condition == "-") return Verdict::holds;
+  const bool holds_without = row.otherwise && row.claim->contains(row.otherwise->measured);
+  return holds_without ? Verdict::holds : Verdict::holds_only_if;
+}
+
+std::string yes_or_no(std::optional<bool> value) { return !value ? "-" : *value ? "yes" : "no"; }
+
+}  // namespace
 
 MatrixRow judged(MatrixRow row) {
-  const bool within = std::abs(row.measured - row.expected) <= row.tolerance;
-  row.verdict = within ? Verdict::holds : Verdict::fails;
+  const auto& other = row.otherwise;
+  row.as_expected = within(row.measured, row.expected, row.tolerance) &&
+                    (!other || within(other->measured, other->expected, other->tolerance));
+  row.verdict = row.claim ? verdict_by_claim(row) : *row.as_expected ? Verdict::holds : Verdict::fails;
   return row;
 }
 
-MatrixRow disputed(MatrixRow row) {
-  if (row.reference_kind != ReferenceKind::published || row.evidence.empty()) {
-    throw dem::TableError("row '" + row.id +
-                          "': only a published claim can be disputed, and only with evidence");
-  }
-  row.verdict = Verdict::disputed;
+MatrixRow judged_by_claim(MatrixRow row) {
+  if (!row.claim) throw dem::TableError("row '" + row.id + "' has no claim to be judged by");
+  row.as_expected.reset();
+  row.verdict = verdict_by_claim(row);
   return row;
 }
 
 dem::Table to_table(const std::vector<MatrixRow>& rows) {
-  dem::Table table({"id", "feature", "reference_kind", "expected", "measured", "difference", "tolerance",
-                    "unit", "verdict", "source", "evidence"});
+  dem::Table table({"id",
+                    "feature",
+                    "reference_kind",
+                    "quantity",
+                    "claim",
+                    "expected",
+                    "measured",
+                    "difference",
+                    "tolerance",
+                    "unit",
+                    "as_expected",
+                    "verdict",
+                    "condition",
+                    "otherwise",
+                    "otherwise_expected",
+                    "otherwise_tolerance",
+                    "reading",
+                    "basis",
+                    "source",
+                    "evidence"});
   std::set<std::string> ids;
   for (const MatrixRow& row : rows) {
     if (!ids.insert(row.id).second) throw dem::TableError("row '" + row.id + "' comes twice");
+    const auto other = [&](double MeasuredOtherwise::*part) {
+      return row.otherwise ? dem::Cell{*row.otherwise.*part} : dem::Cell{};
+    };
     table.append({{"id", row.id},
                   {"feature", row.feature},
                   {"reference_kind", to_string(row.reference_kind)},
+                  {"quantity", row.quantity},
+                  {"claim", row.claim ? row.claim->text() : "-"},
                   {"expected", row.expected},
                   {"measured", row.measured},
                   {"difference", row.measured - row.expected},
                   {"tolerance", row.tolerance},
                   {"unit", row.unit},
+                  {"as_expected", yes_or_no(row.as_expected)},
                   {"verdict", to_string(row.verdict)},
+                  {"condition", row.condition},
+                  {"otherwise", other(&MeasuredOtherwise::measured)},
+                  {"otherwise_expected", other(&MeasuredOtherwise::expected)},
+                  {"otherwise_tolerance", other(&MeasuredOtherwise::tolerance)},
+                  {"reading", row.reading},
+                  {"basis", row.basis},
                   {"source", row.source},
                   {"evidence", row.evidence}});
   }
   return table;
 }
 
-bool all_hold(const std::vector<MatrixRow>& rows) {
-  return std::ranges::none_of(rows, [](const MatrixRow& row) { return row.verdict == Verdict::fails; });
+bool all_as_expected(const std::vector<MatrixRow>& rows) {
+  return std::ranges::none_of(rows, [](const MatrixRow& row) { return row.as_expected == false; });
 }
 
 std::string to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::holds:
       return "holds";
+    case Verdict::holds_only_if:
+      return "holds only if";
     case Verdict::disputed:
       return "disputed";
     case Verdict::fails:

@@ -149,27 +149,28 @@ BOOST_AUTO_TEST_CASE(runs_are_compared_seed_by_seed) {
 BOOST_AUTO_TEST_CASE(verdicts_follow_the_runs) {
   using enum compare::Verdict;
   const auto lower = compare::packing_statements(input(), made_up_runs(0.008, 0.0085, 0.045));
-  BOOST_TEST((verdict_of(lower, "paper-fig12-course") == holds));
-  BOOST_TEST((verdict_of(lower, "paper-fig12-damping") == holds));
-  BOOST_TEST((verdict_of(lower, "paper-fig12-damping-peak") == holds));
-  BOOST_TEST((verdict_of(lower, "paper-fig12-friction") == holds));
-  BOOST_TEST((verdict_of(lower, "paper-fig11-rods") == holds));
-  BOOST_TEST((verdict_of(lower, "packing-half-step") == holds));
+  for (const char* id : {"paper-fig12-fall", "paper-fig12-rise", "paper-fig12-plateau", "paper-fig12-damping",
+                         "paper-fig11-expansion", "paper-fig11-rods", "packing-half-step"}) {
+    BOOST_TEST((verdict_of(lower, id) == holds), id);
+  }
+  BOOST_TEST((verdict_of(lower, "paper-fig12-damping-peak") == holds_only_if));
+  BOOST_TEST((verdict_of(lower, "paper-fig12-friction") == holds_only_if));
+  BOOST_TEST((verdict_of(lower, "paper-fig12-friction-peak") == disputed));  // it changes nothing there
   const auto alike = compare::packing_statements(input(), made_up_runs(0.01, 0.007, 0.07));
   BOOST_TEST((verdict_of(alike, "paper-fig12-damping") == disputed));
-  BOOST_TEST((verdict_of(alike, "paper-fig12-damping-peak") == holds));
-  BOOST_TEST((verdict_of(alike, "paper-fig12-friction") == fails));
-  BOOST_TEST((verdict_of(alike, "paper-fig11-rods") == fails));
+  BOOST_TEST((verdict_of(alike, "paper-fig12-damping-peak") == holds_only_if));
+  BOOST_TEST((verdict_of(alike, "paper-fig12-friction") == disputed));
+  BOOST_TEST((verdict_of(alike, "paper-fig11-rods") == disputed));
 }
 
-BOOST_AUTO_TEST_CASE(a_history_without_a_trough_or_a_step_that_matters_fails) {
+BOOST_AUTO_TEST_CASE(a_history_without_a_trough_or_a_step_that_matters_is_noticed) {
   std::vector<PackingRun> runs = made_up_runs(0.008, 0.01, 0.05);
   for (PackingRun& run : runs) {
-    if (run.asked.seed != 3) continue;
     for (auto& s : run.history) s.bending_angle = 0.01 * s.time;  // its largest is its last
   }
   const auto rows = compare::packing_statements(input(), runs);
-  BOOST_TEST((verdict_of(rows, "paper-fig12-course") == compare::Verdict::fails));
+  BOOST_TEST((verdict_of(rows, "paper-fig12-fall") == compare::Verdict::disputed));
+  BOOST_TEST((verdict_of(rows, "paper-fig12-rise") == compare::Verdict::disputed));
   std::vector<PackingRun> coarse = made_up_runs(0.008, 0.01, 0.05);
   for (PackingRun& run : coarse) {
     if (run.asked.step_ratio == 0.5) {

@@ -17,15 +17,17 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kHeader =
-    "id,feature,reference_kind,quantity,value,tolerance,tolerance_scale,rule,unit,source,page_or_figure,"
-    "statement,"
-    "evidence,dispute\n";
+    "id,feature,reference_kind,quantity,value,tolerance,tolerance_scale,basis,claim,reading,condition,"
+    "otherwise_expected,otherwise_tolerance,unit,source,page_or_figure,statement,evidence\n";
 
 /// A row of these, the rest of which is well formed.
-std::string row(const std::string& id, const std::string& value = "1", const std::string& kind = "published",
-                const std::string& rule = "must hold", const std::string& tolerance = "0.5") {
-  return id + ",f," + kind + ",q," + value + "," + tolerance + ",unit," + rule +
-         ",1,\"S, 2015\",Fig 4,says so,seen,-\n";
+struct Row {
+  std::string id, value = "1", kind = "published", tolerance = "0.5", basis = "theory", claim = "0.5..1.5",
+                  reading = "as printed", condition = "-", otherwise = "nan,nan";
+};
+std::string text(const Row& r) {
+  return r.id + ",f," + r.kind + ",q," + r.value + "," + r.tolerance + ",unit," + r.basis + "," + r.claim +
+         "," + r.reading + "," + r.condition + "," + r.otherwise + ",1,\"S, 2015\",Fig 4,says so,seen\n";
 }
 
 /// A data directory with one file of published values; it goes when the test ends.
@@ -54,35 +56,63 @@ std::string error_of(const std::string& rows) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(claims_are_read_with_all_they_say) {
-  const Data data(kHeader + row("x", "0.25") + row("y", "nan", "published", "disputed", "nan"));
+  const Data data(
+      kHeader + text({.id = "x", .value = "0.25", .condition = "by night", .otherwise = "2,0.125"}) +
+      text({.id = "y", .value = "nan", .kind = "exact", .basis = "-", .claim = "-", .reading = "-"}));
   const auto claims = read_all_published(data.path);
   BOOST_TEST(claims.size() == 2);
   BOOST_TEST(claims[0].source == "S, 2015");
   BOOST_TEST(claims[0].subject == "a");
   BOOST_TEST(claims[0].tolerance == 0.5);
-  BOOST_TEST((claims[1].rule == VerdictRule::disputed));
+  BOOST_TEST(claims[0].range->text() == "0.5..1.5");
+  BOOST_TEST(claims[0].condition == "by night");
+  BOOST_TEST(claims[0].otherwise->value == 2);
+  BOOST_TEST(claims[0].otherwise->tolerance == 0.125);
+  BOOST_TEST(!claims[1].range.has_value());
+  BOOST_TEST(!claims[1].otherwise.has_value());
   BOOST_TEST(find_claim(claims, "x").value == 0.25);
   BOOST_TEST(std::isnan(find_claim(claims, "y").value));
   BOOST_CHECK_THROW(find_claim(claims, "z"), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(faults_are_named_by_file_line_and_column) {
-  BOOST_TEST(error_of(kHeader + row("x", "a")) == "a.csv:2: column value: 'a' is no number");
-  BOOST_TEST(error_of(kHeader + row("x") + row("x")) == "a.csv:3: column id: 'x' comes twice");
-  BOOST_TEST(error_of(kHeader + row("")) == "a.csv:2: column id is empty");
-  BOOST_TEST(error_of(kHeader + row("x", "1", "guessed")) ==
+  const auto error = [](const Row& row) { return error_of(kHeader + text(row)); };
+  BOOST_TEST(error({.id = "x", .value = "a"}) == "a.csv:2: column value: 'a' is no number");
+  BOOST_TEST(error_of(kHeader + text({.id = "x"}) + text({.id = "x"})) ==
+             "a.csv:3: column id: 'x' comes twice");
+  BOOST_TEST(error({.id = ""}) == "a.csv:2: column id is empty");
+  BOOST_TEST(error({.id = "x", .kind = "guessed"}) ==
              "a.csv:2: column reference_kind: 'guessed' is none of its words");
-  BOOST_TEST(error_of(kHeader + row("x", "1", "exact", "disputed")) ==
-             "a.csv:2: column rule: only a published claim can be disputed");
-  BOOST_TEST(error_of(kHeader + row("x", "1", "exact", "must hold", "-1")) ==
-             "a.csv:2: column tolerance must be at least 0");
-  BOOST_TEST(error_of(kHeader + row("x", "1", "exact", "must hold", "nan")) ==
-             "a.csv:2: column tolerance must be at least 0");
   BOOST_TEST(error_of("id,feature\nx,f\n") == "a.csv: column reference_kind is missing");
 }
 
+// A row that could say nothing, or the same whatever is measured, is none.
+BOOST_AUTO_TEST_CASE(a_row_whose_verdict_does_not_follow_is_refused) {
+  const auto error = [](const Row& row) { return error_of(kHeader + text(row)); };
+  for (const char* tolerance : {"0", "-1", "nan", "inf"}) {
+    BOOST_TEST(error({.id = "x", .tolerance = tolerance}) ==
+               "a.csv:2: column tolerance must be above 0 and finite");
+  }
+  BOOST_TEST(error({.id = "x", .claim = "about 1"}) ==
+             "a.csv:2: column claim: 'about 1' is no claim: give LOW..HIGH, < X, <= X, > X, >= X, not "
+             "LOW..HIGH, or -");
+  BOOST_TEST(error({.id = "x", .kind = "exact"}) == "a.csv:2: column claim is for published rows only");
+  BOOST_TEST(error({.id = "x", .reading = "-"}) ==
+             "a.csv:2: column reading must say how the words became the claim");
+  BOOST_TEST(error({.id = "x", .basis = "-"}) ==
+             "a.csv:2: column basis must say where the expected value is from");
+  BOOST_TEST(error({.id = "x", .claim = "-", .condition = "by night"}) ==
+             "a.csv:2: column condition is for rows with a claim only");
+  BOOST_TEST(error({.id = "x", .otherwise = "2,0.1"}) ==
+             "a.csv:2: column otherwise_expected needs a condition");
+  BOOST_TEST(error({.id = "x", .condition = "by night", .otherwise = "nan,0.1"}) ==
+             "a.csv:2: column otherwise_expected must be a number");
+  BOOST_TEST(error({.id = "x", .condition = "by night", .otherwise = "2,0"}) ==
+             "a.csv:2: column otherwise_tolerance must be above 0 and finite");
+}
+
 BOOST_AUTO_TEST_CASE(an_id_in_two_files_is_refused) {
-  const Data data(kHeader + row("x"));
+  const Data data(kHeader + text({.id = "x"}));
   fs::copy(data.path / "published/a.csv", data.path / "published/b.csv");
   BOOST_CHECK_THROW(read_all_published(data.path), InputError);
 }

@@ -249,7 +249,33 @@ BOOST_AUTO_TEST_CASE(the_validation_matrix_holds) {
   const Outcome outcome = run({"validate"}, {.directory = scratch.path});
   BOOST_TEST(outcome.status == 0, outcome.out);
   BOOST_TEST(outcome.error.find(" 0 fail\n") != std::string::npos, outcome.error);
-  BOOST_TEST(content(scratch.path / "results/validation.csv").find("disputed") != std::string::npos);
+  for (const char* verdict : {",holds,", ",holds only if,", ",disputed,"}) {
+    BOOST_TEST(content(scratch.path / "results/validation.csv").find(verdict) != std::string::npos, verdict);
+  }
+}
+
+// What a row expects, changed by twice its tolerance, and what a paper claims: the one fails, the other flips
+// the verdict.
+BOOST_AUTO_TEST_CASE(a_planted_expectation_fails_and_a_planted_claim_flips_its_verdict) {
+  const Scratch scratch;
+  std::filesystem::copy(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/published", scratch.path / "published");
+  const auto plant = [&](const std::string& from, const std::string& to) {
+    std::string rows = content(scratch.path / "published/static.csv");
+    const auto at = rows.find(from);
+    BOOST_REQUIRE(at != std::string::npos);
+    scratch.file("published/static.csv", rows.replace(at, from.size(), to));
+    const Outcome outcome = run({"validate", "--json", "--part", "static", "--data", scratch.path.string()});
+    return std::pair{outcome.status, json::parse(outcome.out)};
+  };
+  const auto row = [](const json& document, const std::string& id) {
+    return *std::ranges::find_if(document["rows"], [&](const json& r) { return r["id"] == id; });
+  };
+  const auto [flipped, claimed] = plant("> 1,\"as printed, at vanishing load\"", "> 0.6,\"as printed\"");
+  BOOST_TEST(flipped == 0);
+  BOOST_TEST(row(claimed, "paper-fig4-rf6-small")["verdict"] == "holds");
+  const auto [status, expected] = plant("0.659722,1e-05", "0.659742,1e-05");
+  BOOST_TEST(status == 1);
+  BOOST_TEST(row(expected, "paper-fig4-rf6-small")["as_expected"] == "no");
 }
 
 // A published value changed in its fourth digit must be noticed.
