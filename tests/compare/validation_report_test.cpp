@@ -5,7 +5,7 @@
 
 #include "compare/study/errors.hpp"
 
-BOOST_AUTO_TEST_SUITE(matrix_test)
+BOOST_AUTO_TEST_SUITE(validation_report_test)
 
 namespace dem = fiberchain::dem;
 using namespace fiberchain::compare;

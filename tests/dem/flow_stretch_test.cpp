@@ -23,7 +23,7 @@ dem::FlowRecord followed(dem::FlowMethod method, double part) {
   for (auto& pose : flow.start) pose.position[0] -= half;
   std::vector<double> times;
   for (int n = 0; n <= 60; ++n) times.push_back(n / (2 * rate));
-  return dem::follow<3>(flow, times, {.method = method}, [](double, const dem::ChainState<3>&) {});
+  return dem::integrate_in_flow<3>(flow, times, {.method = method}, [](double, const dem::ChainState<3>&) {});
 }
 
 }  // namespace
