@@ -2,6 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/options.hpp"
+#include "compare/app/results.hpp"
 #include "compare/scenes/scene_check.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/json.hpp"
@@ -48,6 +49,7 @@ int run_check(const Arguments& arguments, Context& context) {
   const dem::SceneText text = dem::read_scene_text(path);
   const dem::Table table = compare::scene_check_table(dem::parse_scene(text), output.jobs);
   context.provenance = dem::with_scene(context.provenance, path, text.text);
+  warn_of_values(text, context);
   if (output.json) {
     context.out << dem::to_text(dem::to_json(table, context.provenance));
   } else {

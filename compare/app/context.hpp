@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 
+#include "compare/app/stop_signals.hpp"
 #include "dem/record/progress.hpp"
 #include "dem/record/provenance.hpp"
 
@@ -17,6 +18,8 @@ struct Context {
   std::ostream& bar;                    ///< standard error, for progress bars
   std::shared_ptr<spdlog::logger> log;  ///< messages, to standard error
   bool watched;                         ///< whether someone watches standard error: progress bars make sense
+  mutable int stopped = 0;              ///< the signal that ended measuring before its end; 0 if none did
+  mutable std::shared_ptr<LeaveNothing> leaving = nullptr;  ///< until results are delivered
 
   /// A bar of `total` units if someone watches.
   std::unique_ptr<dem::Progress> progress(std::size_t total) const {

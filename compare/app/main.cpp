@@ -5,10 +5,13 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
+#include <stdexcept>
 
 #include "compare/app/command_line.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/run/memory.hpp"
 #include "dem/scene/scene_error.hpp"
 #include "dem/trajectory/h5md.hpp"
 #include "reference/errors.hpp"
@@ -50,6 +53,7 @@ int run(const std::vector<std::string>& command_line) {
 int main(int count, char** arguments) {
   reference::report_gsl_errors_by_status();
   dem::leave_hdf5_as_it_is_at_exit();
+  std::signal(SIGPIPE, SIG_IGN);  // who reads the messages may leave: the run goes on
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit shall be an error of the write, not the end
   try {
     return run({arguments, arguments + count});
@@ -61,6 +65,8 @@ int main(int count, char** arguments) {
     return report(error, kBadInput);
   } catch (const reference::InvalidArgument& error) {
     return report(error, kBadInput);
+  } catch (const std::bad_alloc&) {
+    return report(std::runtime_error("out of memory" + dem::memory_in_words()), kRunFailed);
   } catch (const std::exception& error) {
     return report(error, kRunFailed);
   }

@@ -7,6 +7,7 @@
 #include "compare/study/json.hpp"
 #include "compare/study/markdown.hpp"
 #include "dem/record/csv.hpp"
+#include "dem/scene/implausible_values.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -72,7 +73,12 @@ std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, co
   if (options.json && !options.out) return std::nullopt;
   dem::OutputDirectory directory(options.out.value_or("results"));
   if (draws == Draws::yes) warn_without_gnuplot(context);
+  context.leaving = std::make_shared<LeaveNothing>(directory.made() ? directory.path().string() : "");
   return directory;
+}
+
+void warn_of_values(const dem::SceneText& text, const Context& context) {
+  for (const std::string& warning : dem::implausible_values(text)) context.log->warn("warning: {}", warning);
 }
 
 void warn_without_gnuplot(const Context& context) {
@@ -83,6 +89,7 @@ void warn_without_gnuplot(const Context& context) {
 
 void deliver(const Results& results, const dem::Table& shown, const OutputOptions& options,
              const std::optional<dem::OutputDirectory>& directory, Context& context) {
+  context.leaving.reset();
   if (directory) write_files(*directory, table_files(results, context.provenance), context);
   if (options.json) {
     context.out << dem::to_text(json_of(results, context.provenance));
@@ -90,6 +97,10 @@ void deliver(const Results& results, const dem::Table& shown, const OutputOption
     context.out << dem::to_markdown(shown) << (results.notes.empty() ? "" : "\n" + results.notes);
   }
   context.out.flush();
+  if (context.stopped != 0) {
+    context.log->info("stopped: the rows measured are kept{}", directory ? ", no pictures are drawn" : "");
+    return;
+  }
   if (directory) draw_pictures(results, *directory, context);
 }
 

@@ -11,6 +11,7 @@
 #include "compare/figures/figure.hpp"
 #include "dem/record/output.hpp"
 #include "dem/record/table.hpp"
+#include "dem/scene/scene_text.hpp"
 
 namespace fiberchain::app {
 
@@ -35,6 +36,9 @@ enum class Draws { no, yes };
 /// @throws dem::OutputError if it cannot be written to
 std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, const Context& context,
                                                 Draws draws = Draws::yes);
+
+/// A warning for every value of a scene that no material or fiber has.
+void warn_of_values(const dem::SceneText& text, const Context& context);
 
 /// A warning if gnuplot is not installed.
 void warn_without_gnuplot(const Context& context);

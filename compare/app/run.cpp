@@ -1,3 +1,8 @@
+#include <fmt/format.h>
+
+#include <new>
+#include <stdexcept>
+
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/run_packing.hpp"
@@ -7,6 +12,8 @@
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/record/csv.hpp"
+#include "dem/run/memory.hpp"
+#include "dem/run/packing_estimate.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -75,24 +82,45 @@ Outcome outcome_of(const dem::Scene& scene, const std::string& name) {
   return outcome_of(std::get<dem::FlowScene>(scene), name);
 }
 
-int run_scene_file(const Arguments& arguments, Context& context) {
-  const OutputOptions output = output_options(arguments);
-  const std::filesystem::path path = arguments.text("SCENE");
-  const dem::SceneText text = dem::read_scene_text(path);
-  const dem::Scene scene = dem::parse_scene(text);
-  context.provenance = dem::with_scene(context.provenance, path, text.text);
+/// What a scene wanted memory for.
+std::string wants_of(const dem::Scene& scene) {
+  if (const auto* packing = std::get_if<dem::PackingScene>(&scene)) {
+    return fmt::format("{} spheres want about {}", dem::spheres_in(*packing),
+                       dem::bytes_in_words(dem::peak(dem::memory_of(*packing))));
+  }
+  return "the fiber, its samples and its matrices want more than there is";
+}
+
+int run_scene(const dem::SceneText& text, const dem::Scene& scene, const Arguments& arguments,
+              Context& context) {
   if (const auto* packing = std::get_if<dem::PackingScene>(&scene)) {
     return run_packing(text, *packing, arguments, context);
   }
-  for (const char* option : {"--resume", "--force"}) {
+  for (const char* option : {"--resume", "--force", "--instruction-set"}) {
     if (arguments.has(option))
       throw compare::InputError(std::string(option) + ": is of use only with scene: packing");
   }
+  const OutputOptions output = output_options(arguments);
+  const std::filesystem::path path = text.name;
   const auto directory = open_output(output, context);
   const Outcome outcome = outcome_of(scene, path.stem().string());
   deliver(outcome.results, outcome.shown, output, directory, context);
   if (!outcome.failure.empty()) throw dem::Diverged(outcome.failure);
   return kSuccess;
+}
+
+int run_scene_file(const Arguments& arguments, Context& context) {
+  output_options(arguments);
+  const std::filesystem::path path = arguments.text("SCENE");
+  const dem::SceneText text = dem::read_scene_text(path);
+  const dem::Scene scene = dem::parse_scene(text);
+  context.provenance = dem::with_scene(context.provenance, path, text.text);
+  warn_of_values(text, context);
+  try {
+    return run_scene(text, scene, arguments, context);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("out of memory: " + wants_of(scene) + dem::memory_in_words());
+  }
 }
 
 }  // namespace
@@ -111,7 +139,10 @@ Command run_command() {
       .options = with_output(
           {{"SCENE", "", "scene file (YAML)", OptionKind::required},
            {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
-           {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag}}),
+           {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag},
+           {"--instruction-set", "NAME",
+            "packings: inner loops of scalar, sse2, avx2 or avx512 [a resumed run's own, else the widest "
+            "here]"}}),
       .run = &run_scene_file};
 }
 

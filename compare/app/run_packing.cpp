@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "compare/app/results.hpp"
@@ -12,6 +13,7 @@
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/record/csv.hpp"
+#include "dem/run/filling_watch.hpp"
 #include "dem/run/run_packing.hpp"
 
 namespace fiberchain::app {
@@ -33,6 +35,19 @@ std::vector<dem::OutputFile> figures_of(const dem::PackingJob& job) {
       files.push_back(std::move(file));
   }
   return files;
+}
+
+std::optional<dem::InstructionSet> instruction_set_of(const Arguments& arguments) {
+  using dem::InstructionSet;
+  std::vector<InstructionSet> sets;
+  std::vector<std::pair<std::string, InstructionSet>> words;
+  for (const auto set :
+       {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512})
+    words.emplace_back(dem::name(set), set);
+  read_choices(arguments, "--instruction-set", sets, words);
+  if (sets.empty()) return std::nullopt;
+  if (sets.size() > 1) throw compare::InputError("--instruction-set: give one");
+  return sets.front();
 }
 
 Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
@@ -63,25 +78,36 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
                             .files = {out, path.stem().string()},
                             .threads = output.jobs,
                             .resume = earlier == dem::EarlierRun::resume,
-                            .provenance = context.provenance};
+                            .provenance = context.provenance,
+                            .instruction_set = instruction_set_of(arguments)};
   const auto say = [&](const std::string& words) { context.log->info(words); };
-  dem::OpenedRun opened(job, earlier, ": --resume goes on with it, --force begins anew", say);
   warn_without_gnuplot(context);
   const StopSignals signals;
-  dem::PackingEndState end = dem::run_packing_session(
-      job, opened.begin(), {[&] { return signals.received() != 0; }, say, context.bar, context.watched});
+  const auto asked_to_stop = [&] { return signals.received() != 0; };
+  std::optional<dem::OpenedRun> opened;
+  try {
+    opened.emplace(job, earlier, ": --resume goes on with it, --force begins anew", say,
+                   dem::filling_watch(asked_to_stop, say, context.bar, context.watched));
+  } catch (const dem::Interrupted& stop) {
+    context.log->info("{}; nothing is kept of it: a run begins behind its filling", stop.what());
+    return kSignaled + signals.received();
+  }
+  dem::PackingEndState end =
+      dem::run_packing_session(job, opened->begin(), {asked_to_stop, say, context.bar, context.watched});
   if (end.failure.empty() && !end.finished()) {
     context.log->info(
-        "stopped at step {} of {}, t = {:.6g} s, with a checkpoint; to go on: fiberchain run {} --out {} "
+        "stopped at step {} of {}, t = {:.6g} s, with a checkpoint{}; to go on: fiberchain run {} --out {} "
         "--resume",
-        end.last.step, end.steps, end.last.time, path.string(), out.string());
+        end.last.step, end.steps, end.last.time,
+        end.checkpointed == end.last.step ? "" : fmt::format(" of step {}", end.checkpointed), path.string(),
+        out.string());
     return kSignaled + signals.received();
   }
   if (end.begun_at >= end.steps) end.run_time = earlier_run_time(job);
   const Results results = results_of(job, end);
   const dem::Table shown = results.table.select({"fibers", "time_step", "step_set_by", "simulated_time",
                                                  "contacts", "height", "bending_mean", "run_time", "status"});
-  deliver(results, shown, output, opened.directory(), context);
+  deliver(results, shown, output, opened->directory(), context);
   if (!end.failure.empty()) throw dem::Diverged(end.failure);
   return kSuccess;
 }

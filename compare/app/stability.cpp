@@ -57,9 +57,9 @@ int run_stability(const Arguments& arguments, Context& context) {
                   .heading = "Largest stable time step of a chain",
                   .table = compare::stability_table(points),
                   .notes = compare::stability_notes(points)};
-  if (directory) results.figures = compare::stability_figures(points);
+  if (directory && context.stopped == 0) results.figures = compare::stability_figures(points);
   deliver(results, results.table.select(stability_shown), output, directory, context);
-  return kSuccess;
+  return context.stopped != 0 ? kSignaled + context.stopped : kSuccess;
 }
 
 }  // namespace

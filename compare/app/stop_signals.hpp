@@ -2,6 +2,8 @@
 
 #include <array>
 #include <csignal>
+#include <cstddef>
+#include <string>
 
 namespace fiberchain::app {
 
@@ -9,6 +11,9 @@ namespace fiberchain::app {
 /// ends it at once. Only one at a time.
 class StopSignals {
  public:
+  static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::size_t count = signals.size();
+
   StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
@@ -18,8 +23,21 @@ class StopSignals {
   int received() const;
 
  private:
-  static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, signals.size()> before_{};
+  std::array<struct sigaction, count> before_{};
+};
+
+/// While it lives, the same signals end the program at once, as they would by themselves, but first remove an
+/// empty directory that was made for results and say that nothing is kept. Only one at a time.
+class LeaveNothing {
+ public:
+  /// @param directory "" if there is none to remove
+  explicit LeaveNothing(const std::string& directory);
+  LeaveNothing(const LeaveNothing&) = delete;
+  LeaveNothing& operator=(const LeaveNothing&) = delete;
+  ~LeaveNothing();
+
+ private:
+  std::array<struct sigaction, StopSignals::count> before_{};
 };
 
 }  // namespace fiberchain::app

@@ -82,9 +82,11 @@ int run_tables_damping(const Arguments& arguments, Context& context) {
     points = measured(compare::damping_points, compare::cases(sweep), output.jobs, context);
   } else {
     const compare::DampingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
-    const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
-    results.more_tables = {{"fig-6", ring_down}, {"damping-dashpots", compare::dashpot_table(10, 0.3)}};
-    results.figures = compare::damping_figures(figures, ring_down);
+    if (context.stopped == 0) {
+      const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
+      results.more_tables = {{"fig-6", ring_down}, {"damping-dashpots", compare::dashpot_table(10, 0.3)}};
+      results.figures = compare::damping_figures(figures, ring_down);
+    }
   }
   results.table = compare::damping_table(points);
   deliver(results, results.table.select(tables_damping_shown), output, directory, context);

@@ -83,7 +83,7 @@ int run_tables_friction(const Arguments& arguments, Context& context) {
   } else {
     const compare::RollingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
     results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(figures.decay)}};
-    results.figures = compare::rolling_figures(figures);
+    if (context.stopped == 0) results.figures = compare::rolling_figures(figures);
   }
   results.table = compare::rolling_table(points);
   deliver(results, results.table.select(tables_friction_shown), output, directory, context);

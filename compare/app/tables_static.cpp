@@ -42,7 +42,7 @@ int run_tables_static(const Arguments& arguments, Context& context) {
   Results results{.name = "static",
                   .heading = "Departure of the chain's free end from the Elastica",
                   .table = compare::static_table(points)};
-  if (directory) {
+  if (directory && context.stopped == 0) {
     const dem::Table orders = compare::static_order_table(sweep.poisson_ratio.front(), output.jobs);
     results.more_tables = {{"static-order", orders}};
     results.figures = compare::static_figures(points, orders);
@@ -50,6 +50,7 @@ int run_tables_static(const Arguments& arguments, Context& context) {
   deliver(results, results.table.select(tables_static_shown), output, directory, context);
   const auto failed =
       std::ranges::count_if(points, [](const auto& point) { return point.status != "converged"; });
+  if (context.stopped != 0) return kSignaled + context.stopped;
   if (failed == 0) return kSuccess;
   context.log->error("error: {} of {} cases did not converge, see column status", failed, points.size());
   return kRunFailed;

@@ -26,7 +26,12 @@ std::vector<compare::MatrixRow> rows_of(const Subjects& subjects, const compare:
   for (const auto& subject : subjects) compare::check_complete(input.claims, subject.name, subject.checks());
   const auto progress = context.progress(subjects.size());
   std::vector<compare::MatrixRow> all;
+  const StopSignals signals;
   for (const compare::ValidationSubject& subject : subjects) {
+    if ((context.stopped = signals.received()) != 0) {
+      context.log->info("stopped before part {}: the rows of those before it are kept", subject.name);
+      break;
+    }
     for (compare::MatrixRow& row : compare::validation_rows(input, subject)) all.push_back(std::move(row));
     progress->advance();
   }
@@ -60,6 +65,7 @@ int run_validate(const Arguments& arguments, Context& context) {
                             "tolerance", "as_expected", "verdict", "condition"});
   deliver(results, shown, output, directory, context);
   log_summary(rows, context);
+  if (context.stopped != 0) return kSignaled + context.stopped;
   return compare::all_as_expected(rows) ? kSuccess : kCheckFailed;
 }
 

@@ -14,9 +14,11 @@
 namespace fiberchain::compare {
 namespace {
 
-// Okabe and Ito's colors, told apart with every kind of color vision.
-constexpr std::array kDistinct = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                  "#e69f00", "#56b4e9", "#7f7f7f", "#000000"};
+// Okabe and Ito's colors, told apart with every kind of color vision; more than these are dashed, too.
+constexpr std::array kDistinct = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                  "#56b4e9", "#7f7f7f", "#000000", "#7a3b10", "#6a3d9a",
+                                  "#a1c520", "#e0218a", "#004d40", "#b8a0e8"};
+constexpr std::size_t kOkabeIto = 8;
 // Steps of viridis without its palest end, which white paper swallows.
 constexpr std::array kOrdered = {"#440154", "#46327e", "#365c8d", "#277f8e",
                                  "#1fa187", "#4ac16d", "#8bc83f", "#d0bb1e"};
@@ -63,6 +65,11 @@ std::string_view dash_type(Dash dash) {
       return "(2,5)";
   }
   throw FigureError("no such dash");
+}
+
+Dash dash_of(const Figure& figure, std::size_t i) {
+  const Dash given = figure.series[i].dash;
+  return given == Dash::solid && !figure.ordered && place_of(figure, i) >= kOkabeIto ? Dash::dashed : given;
 }
 
 std::string data_of(const Series& series) {
@@ -155,7 +162,7 @@ std::string plot_command(const Figure& figure) {
     const Series& series = figure.series[i];
     const std::string title = series.label.empty() ? "notitle" : "title " + quoted(series.label);
     curves.push_back(fmt::format("$d{} with {} lc rgb '{}' lw 1.8 dt {} pt {} ps 0.75 {}", i,
-                                 with(series.mark), color_of(figure, i), dash_type(series.dash),
+                                 with(series.mark), color_of(figure, i), dash_type(dash_of(figure, i)),
                                  kPointTypes[place_of(figure, i) % kPointTypes.size()], title));
   }
   return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));

@@ -80,6 +80,11 @@ Image trace(const dem::TrajectoryFrame& frame, const PictureOptions& options,
 
 std::string time_words(const dem::TrajectoryFrame& frame) { return fmt::format("t = {:.4g} s", frame.time); }
 
+/// Letters as large as goes with the height of an image and the room beside it for the numbers of the scale.
+double font_scale(const PictureOptions& options, int rows) {
+  return 1.3 * std::min(options.height / rows / 800.0, options.width / 1000.0);
+}
+
 /// Gnuplot's commands for the whole picture: its size and its color scale.
 std::string sheet_commands(const PictureOptions& options, const std::pair<double, double>& range, int rows) {
   std::vector<std::string> colors;
@@ -87,10 +92,11 @@ std::string sheet_commands(const PictureOptions& options, const std::pair<double
     colors.push_back(fmt::format("{} {} {} {}", i, kScale[i].red, kScale[i].green, kScale[i].blue));
   return fmt::format(
       "set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,12' fontscale {} background rgb 'white'\n"
-      "set output\nset multiplot\nunset border\nunset tics\nset cbtics\nset palette defined ({})\n"
-      "set palette maxcolors {}\nset cbrange [{}:{}]\nset cblabel '{}'\n",
-      options.width, options.height, 1.3 * options.height / rows / 800, fmt::join(colors, ", "), kColors,
-      range.first, range.second, label_of(options.shade));
+      "set output\nset multiplot\nunset border\nunset tics\nset cbtics\nset format cb '%.3g'\n"
+      "set palette defined ({})\nset palette maxcolors {}\nset cbrange [{}:{}]\n"
+      "set label 2 '{}' at screen 0.985,0.47 center rotate by 90 front\n",
+      options.width, options.height, font_scale(options, rows), fmt::join(colors, ", "), kColors, range.first,
+      range.second, label_of(options.shade));
 }
 
 /// And for one image in it, with the image itself.

@@ -1,5 +1,7 @@
 #include "compare/scenes/packing_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,7 @@ void add_line(Figure& figure, std::string_view label, const std::vector<double>&
 
 std::string status_of(const dem::PackingEndState& end) {
   if (!end.failure.empty()) return end.failure;
+  if (end.next_batch > 0) return fmt::format("finished; no room for batches from {} on", end.next_batch + 1);
   return end.finished() ? "finished" : "stopped";
 }
 
@@ -33,8 +36,8 @@ dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndSt
   dem::Table table({"fibers", "spheres", "seed", "time_step", "step_set_by", "steps", "simulated_time",
                     "contacts", "coordination", "height", "bending_mean", "kinetic_energy", "run_time",
                     "status"});
-  table.append({{"fibers", dem::fibers_in(job.scene)},
-                {"spheres", dem::spheres_in(job.scene)},
+  table.append({{"fibers", end.fibers},
+                {"spheres", end.spheres},
                 {"seed", static_cast<std::int64_t>(job.scene.filling.seed)},
                 {"time_step", end.step},
                 {"step_set_by", job.scene.step ? std::string("scene") : std::string(end.choice.set_by)},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "compare/flow/setup.hpp"
 #include "compare/scenes/release_report.hpp"
 #include "dem/flow/flow_batch.hpp"
+#include "dem/run/memory.hpp"
 #include "dem/run/packing_estimate.hpp"
 
 namespace fiberchain::compare {
@@ -27,14 +27,10 @@ const std::vector<std::string> kColumns = {
 /// [s].
 constexpr double kPlanarBondStep = 13e-9, kSpatialBondStep = 37e-9;
 
-/// Memory available without swapping [bytes]; missing where the system does not say.
+/// Memory available [bytes]; missing where the system does not say.
 dem::Cell free_memory() {
-  std::ifstream file("/proc/meminfo");
-  std::string key, unit;
-  for (double kibibytes = 0; file >> key >> kibibytes; std::getline(file, unit)) {
-    if (key == "MemAvailable:") return 1024 * kibibytes;
-  }
-  return dem::Missing{};
+  const auto free = dem::available_memory();
+  return free ? dem::Cell(free->bytes) : dem::Cell(dem::Missing{});
 }
 
 /// Steps of one fiber, as far as they are known beforehand.

@@ -24,7 +24,7 @@ double sphere_volume(double radius) { return 4.0 / 3 * pi * radius * radius * ra
 
 void check(const std::vector<InsertionCount>& counts, const InsertionRules& rules) {
   const auto refuse = [](const std::string& what) { throw InvalidInput(what); };
-  double needed = 0, available = 1;
+  double needed = 0, available = 1, diameter = 0;
   for (int a = 0; a < 3; ++a) {
     const double length = rules.region.high[a] - rules.region.low[a];
     if (!(length > 0 && std::isfinite(length)))
@@ -34,12 +34,15 @@ void check(const std::vector<InsertionCount>& counts, const InsertionRules& rule
   for (const InsertionCount& c : counts) {
     check(c.chain.fiber);
     if (c.count < 0) refuse(fmt::format("count = {} is not allowed: it must be at least 0", c.count));
+    diameter = std::max(diameter, c.chain.fiber.diameter);
     needed += static_cast<double>(c.count * (c.chain.fiber.aspect_ratio + 1)) *
               sphere_volume(sphere_radius(c.chain.fiber));
   }
   if (needed > available) {
-    throw NoRoom(
-        fmt::format("fibers of {:.3g} m^3 do not go into a region of {:.3g} m^3", needed, available));
+    throw NoRoom(fmt::format(
+        "fibers of {:.3g} m^3 do not go into a region of {:.3g} m^3: look at their diameter, {:g} m "
+        "at most, their aspect_ratio and count, and at filling.region",
+        needed, available, diameter));
   }
   const InsertionOrientation& o = rules.orientation;
   if (!(o.angle >= 0 && o.angle <= pi / 2))
@@ -85,9 +88,11 @@ class Inserter {
   void add(const V& center, double radius) { grid_.add(center, radius); }
 
   /// Nothing if the fiber finds no place within the attempts.
-  std::optional<ChainState<3>> insert(const Chain<3>& chain, std::uint64_t number) {
+  std::optional<ChainState<3>> insert(const Chain<3>& chain, std::uint64_t number,
+                                      const std::function<void(std::int64_t)>& watch) {
     const double radius = sphere_radius(chain.fiber);
     for (std::int64_t attempt = 0; attempt < rules_.attempts; ++attempt) {
+      if (attempt % 64 == 0) watch(attempt);
       const auto t = static_cast<std::uint64_t>(attempt);
       const Quaternion<double> turn =
           rotation_for(chain, rules_.orientation, uniform_numbers(rules_.seed, {number, t, 0}));
@@ -192,9 +197,9 @@ PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups) {
   return spheres;
 }
 
-std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts,
-                                         const InsertionRules& rules, const Domain& domain,
-                                         const PlacedSpheres& present) {
+std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
+                             const Domain& domain, const PlacedSpheres& present, const InsertionWatch& watch,
+                             Shortfall shortfall) {
   check(counts, rules);
   double largest = 0;
   auto spheres = static_cast<std::int64_t>(present.radius.size());
@@ -219,7 +224,11 @@ std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& coun
   std::int64_t done = 0;
   for (const std::size_t g : order) {
     for (std::int64_t i = 0; i < counts[g].count; ++i, ++done) {
-      auto state = filler.insert(counts[g].chain, static_cast<std::uint64_t>(first[g] + i));
+      const auto tell = [&](std::int64_t attempt) {
+        if (watch) watch({done, fibers, attempt});
+      };
+      auto state = filler.insert(counts[g].chain, static_cast<std::uint64_t>(first[g] + i), tell);
+      if (!state && shortfall == Shortfall::accept) break;
       if (!state) {
         throw NoRoom(
             fmt::format("fiber {} of {} found no place in {} attempts: between walls and other fibers, the "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "dem/chain/fiber_group.hpp"
@@ -37,6 +38,21 @@ struct InsertionRules {
       0;  ///< fibers drawn before from this seed: later batches go on with new random numbers
 };
 
+/// How far a filling is.
+struct InsertionProgress {
+  std::int64_t placed, fibers;  ///< so many of so many
+  std::int64_t attempts;        ///< for the fiber that is looked for now
+};
+
+/// Is told every few attempts; to stop the filling it throws.
+using InsertionWatch = std::function<void(const InsertionProgress&)>;
+
+/// What becomes of a fiber that finds no place.
+enum class Shortfall {
+  refuse,  ///< NoRoom
+  accept   ///< it and those of its kind after it are left out
+};
+
 /// So many fibers in the chain's rest shape.
 struct InsertionCount {
   Chain<3> chain;
@@ -48,10 +64,10 @@ struct InsertionCount {
 /// in its way; the largest chains come first. What is in the way favors aligned neighbors, as for any random
 /// insertion: a dense filling is not quite as isotropic as asked. Fibers of a group are numbered in the order
 /// of their middles along the region's longest side. Throws InvalidInput for rules that make no sense, NoRoom
-/// when a fiber finds no place.
-std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts,
-                                         const InsertionRules& rules, const Domain& domain,
-                                         const PlacedSpheres& present = {});
+/// when a fiber finds no place and that is not accepted.
+std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
+                             const Domain& domain, const PlacedSpheres& present = {},
+                             const InsertionWatch& watch = {}, Shortfall shortfall = Shortfall::refuse);
 
 /// All spheres of fibers, to fill in more beside them.
 PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups);

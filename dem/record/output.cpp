@@ -10,7 +10,7 @@ namespace fiberchain::dem {
 
 OutputDirectory::OutputDirectory(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
-  std::filesystem::create_directories(path_, error);
+  made_ = std::filesystem::create_directories(path_, error);
   if (!error && !std::filesystem::is_directory(path_))
     error = std::make_error_code(std::errc::not_a_directory);
   if (error) throw OutputError(path_.string(), error.message());

@@ -21,6 +21,7 @@ class OutputDirectory {
   explicit OutputDirectory(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
+  bool made() const { return made_; }  ///< it was not there before
 
   /// Writes all the files: none is renamed to its place before every one is safely on the disk.
   /// @throws OutputError naming the file and the reason
@@ -28,6 +29,7 @@ class OutputDirectory {
 
  private:
   std::filesystem::path path_;
+  bool made_ = false;
 };
 
 }  // namespace fiberchain::dem

@@ -1,5 +1,6 @@
 #include "dem/record/progress.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace fiberchain::dem {
@@ -15,6 +16,12 @@ void Progress::advance() {
   if (!bar_) return;
   const std::scoped_lock lock(mutex_);
   ++*bar_;
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  constexpr std::size_t usual = 80;
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
 bool someone_watches() { return ::isatty(STDERR_FILENO) == 1; }

@@ -29,6 +29,9 @@ class Progress {
   std::unique_ptr<boost::timer::progress_display> bar_;
 };
 
+/// Columns of the terminal at standard error; 80 where it does not say.
+std::size_t terminal_width();
+
 /// Whether standard error is a terminal, so that someone watches.
 bool someone_watches();
 

@@ -35,6 +35,9 @@ class Pace {
 /// One line for people: "step 1200 of 20000, t = 0.0048 s, 5321 contacts, ...".
 std::string status_line(const RunStatus& status, std::int64_t steps);
 
+/// The same in less than so many columns: what matters least is left out.
+std::string status_line(const RunStatus& status, std::int64_t steps, std::size_t columns);
+
 /// Rewrites one line of a terminal; writes nothing where nobody watches.
 class StatusDisplay {
  public:

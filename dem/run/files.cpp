@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -43,12 +44,12 @@ Checkpoint checkpoint_of(const fs::path& path, const std::string& scene_sha256) 
   return read_checkpoint(path, scene_sha256);
 }
 
-/// A checkpoint of this very program. @throws InputError
-Checkpoint ours(Checkpoint checkpoint, const fs::path& path, const std::string& program) {
-  if (checkpoint.program == program) return checkpoint;
+/// A checkpoint of one of these programs. @throws InputError
+Checkpoint ours(Checkpoint checkpoint, const fs::path& path, const std::vector<std::string>& programs) {
+  if (std::ranges::find(programs, checkpoint.program) != programs.end()) return checkpoint;
   throw InputError(
       fmt::format("{}: was written by another program ({}; this is {}), which need not end in the same bits",
-                  path.string(), checkpoint.program, program));
+                  path.string(), checkpoint.program, programs.front()));
 }
 
 }  // namespace
@@ -86,17 +87,17 @@ void remove_leftovers(const RunFiles& files) {
 }
 
 std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
-                                          const std::string& program, const Say& say) {
+                                          const std::vector<std::string>& programs, const Say& say) {
   const fs::path last = files.checkpoint(), previous = previous_checkpoint(last);
   if (!fs::exists(last) && !fs::exists(previous)) return std::nullopt;
   std::string reason;
   try {
-    return ours(checkpoint_of(last, scene_sha256), last, program);
+    return ours(checkpoint_of(last, scene_sha256), last, programs);
   } catch (const ReadError& error) {
     reason = error.what();
   }
   try {
-    Checkpoint before = ours(checkpoint_of(previous, scene_sha256), previous, program);
+    Checkpoint before = ours(checkpoint_of(previous, scene_sha256), previous, programs);
     say(fmt::format("{}; going on from the one before, of step {}", reason, before.step));
     std::error_code ignored;  // absent: nothing to put aside
     fs::rename(last, files.at(".checkpoint.bad"), ignored);

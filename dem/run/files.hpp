@@ -39,9 +39,10 @@ void remove_leftovers(const RunFiles& files);
 
 /// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside
 /// as NAME.checkpoint.bad; nothing if there is none at all.
+/// @param programs whose checkpoints may be used: this one, with each instruction set that this processor has
 /// @throws InputError if no checkpoint can be used, or it belongs to another scene or program
 std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
-                                          const std::string& program, const Say& say);
+                                          const std::vector<std::string>& programs, const Say& say);
 
 /// Exclusive lock of a directory by one run; the system releases it at the end of the process, a kill
 /// included.

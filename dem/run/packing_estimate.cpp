@@ -60,7 +60,8 @@ PackingMemory memory_of(const PackingScene& scene) {
   // list, four and a flag
   constexpr double pair = 2 * 3 * kIndex + 4 * kIndex + 1;
   const double history = kDouble * (contact_history_size + (scene.account_energy ? contact_account_size : 0));
-  constexpr double state = sizeof(Pose<double, 3>) + 2 * kVector;
+  // with the cells that filling looks up, eight a sphere, and its own positions and radii
+  constexpr double state = sizeof(Pose<double, 3>) + 2 * kVector + 9 * kIndex + kVector + kDouble;
   constexpr double frame = 2 * kVector + kDouble + kIndex + sizeof(FrameBond);
   return {.spheres = spheres * storage_of(scene),
           .bonds = bonds * bond_of(scene),

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "dem/record/errors.hpp"
+#include "dem/run/filling_watch.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -21,8 +22,9 @@ PackingJob job_of(const SceneText& text, const PackingScene& scene, const RunOpt
 
 }  // namespace
 
-OpenedRun::OpenedRun(const PackingJob& job, EarlierRun earlier, std::string_view advice, const Say& say) {
-  if (!job.resume) begin_.emplace(begin_run(job, say));
+OpenedRun::OpenedRun(const PackingJob& job, EarlierRun earlier, std::string_view advice, const Say& say,
+                     const InsertionWatch& watch) {
+  if (!job.resume) begin_.emplace(begin_run(job, say, watch));
   directory_.emplace(job.files.directory);
   lock_.emplace(job.files.directory);
   remove_leftovers(job.files);
@@ -32,12 +34,13 @@ OpenedRun::OpenedRun(const PackingJob& job, EarlierRun earlier, std::string_view
       throw InputError(fmt::format("{} is there already, of a run before{}", there.front().string(), advice));
     }
   }
-  if (job.resume) begin_.emplace(begin_run(job, say));
+  if (job.resume) begin_.emplace(begin_run(job, say, watch));
 }
 
 PackingEndState run_scene(const SceneText& text, const PackingScene& scene, const RunOptions& options) {
   const PackingJob job = job_of(text, scene, options);
-  OpenedRun opened(job, options.earlier, ", which is neither to be resumed nor replaced", options.say);
+  OpenedRun opened(job, options.earlier, ", which is neither to be resumed nor replaced", options.say,
+                   filling_watch(options.asked_to_stop, options.say, std::cerr, false));
   return run_packing_session(job, opened.begin(),
                              {.asked_to_stop = options.asked_to_stop,
                               .say = options.say,

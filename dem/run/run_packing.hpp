@@ -22,7 +22,8 @@ class OpenedRun {
   /// that is refused. A scene that cannot begin leaves no files.
   /// @throws InvalidInput, NoRoom; InputError for an earlier run that is refused or a checkpoint that cannot
   /// be used; OutputError
-  OpenedRun(const PackingJob& job, EarlierRun earlier, std::string_view advice, const Say& say);
+  OpenedRun(const PackingJob& job, EarlierRun earlier, std::string_view advice, const Say& say,
+            const InsertionWatch& watch = {});
 
   RunBegin begin() { return std::move(*begin_); }  ///< to be taken once
   const OutputDirectory& directory() const { return *directory_; }

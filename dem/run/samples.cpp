@@ -40,8 +40,8 @@ std::vector<EnergyMechanism> known_terms(bool accounted) {
   return terms;
 }
 
-/// A fiber to be inserted later: all spheres at one point, at rest.
-void add_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
+/// A fiber that is not there: all spheres at one point, at rest.
+void add_nobody(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
   const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
   for (int i = 0; i <= fiber.aspect_ratio; ++i) {
     if (i > 0) frame.bonds.push_back({static_cast<std::int64_t>(frame.position.size()) - 1, {}, 0});
@@ -50,7 +50,19 @@ void add_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
     frame.radius.push_back(sphere_radius(fiber));
     frame.fiber.push_back(number);
   }
+}
+
+/// One to be inserted later.
+void add_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
+  add_nobody(frame, fiber, place);
   frame.absent += fiber.aspect_ratio + 1;
+}
+
+/// One that found no room.
+void add_missing(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
+  for (int i = 0; i <= fiber.aspect_ratio; ++i)
+    frame.missing.push_back(static_cast<std::int64_t>(frame.position.size()) + i);
+  add_nobody(frame, fiber, place);
 }
 
 void add_fiber(TrajectoryFrame& frame, const ChainState<3>& state, const std::vector<BondState>& bonds,
@@ -118,7 +130,8 @@ Table run_log_row(const RunMoment& moment, const PackingScene& scene, double ste
   return table;
 }
 
-TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene) {
+TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,
+                         const std::vector<std::int64_t>& inserted) {
   TrajectoryFrame frame{};
   frame.time = assembly.time();
   frame.step = assembly.steps();
@@ -128,17 +141,24 @@ TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene) {
   const auto spheres = static_cast<std::size_t>(assembly.spheres());
   frame.position.reserve(spheres), frame.velocity.reserve(spheres), frame.radius.reserve(spheres);
   frame.fiber.reserve(spheres), frame.bonds.reserve(spheres);
-  for (int g = 0; g < assembly.groups(); ++g) {
-    const double radius = sphere_radius(assembly.chain(g).fiber);
-    assembly.visit(g, [&](const ChainState<3>& state, const std::vector<BondState>& bonds) {
+  int group = 0;
+  const auto add_group = [&] {
+    const double radius = sphere_radius(assembly.chain(group).fiber);
+    assembly.visit(group++, [&](const ChainState<3>& state, const std::vector<BondState>& bonds) {
       add_fiber(frame, state, bonds, radius);
     });
-  }
-  int group = groups_at_start(scene);
+  };
+  while (group < groups_at_start(scene)) add_group();
+  std::size_t later = 0;
   for (int n = 1; n < scene.batches.number; ++n) {
     for (const auto& [chain, count] : batch_counts(scene, n)) {
-      if (group++ < assembly.groups()) continue;
-      for (std::int64_t f = 0; f < count; ++f) add_absent(frame, chain.fiber, scene.scene_box.low);
+      const bool is_in = later < inserted.size();
+      const std::int64_t fibers = is_in ? inserted[later++] : 0;
+      if (fibers > 0) add_group();
+      for (std::int64_t f = fibers; f < count; ++f) {
+        is_in ? add_missing(frame, chain.fiber, scene.scene_box.low)
+              : add_absent(frame, chain.fiber, scene.scene_box.low);
+      }
     }
   }
   return frame;

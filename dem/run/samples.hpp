@@ -32,7 +32,9 @@ Table run_log_table(const PackingScene& scene);
 /// A line of it.
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left);
 
-/// All spheres; those of batches to come are reserved as absent.
-TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene);
+/// All spheres; those of batches to come are reserved as absent, those that found no room are missing.
+/// `inserted` has the fibers of each group that came after the start.
+TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,
+                         const std::vector<std::int64_t>& inserted = {});
 
 }  // namespace fiberchain::dem

@@ -10,6 +10,7 @@
 #include "dem/record/errors.hpp"
 #include "dem/record/run_status.hpp"
 #include "dem/run/companions.hpp"
+#include "dem/run/filling_watch.hpp"
 #include "dem/run/insertion_queue.hpp"
 #include "dem/run/schedule.hpp"
 
@@ -66,9 +67,10 @@ CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule) {
 class RunWriter {
  public:
   /// Goes on behind what was written up to `done` steps, or begins.
-  RunWriter(const PackingJob& job, const RunSchedule& schedule, std::int64_t done, bool resumed,
-            const Say& say)
+  RunWriter(const PackingJob& job, const RunSchedule& schedule, InstructionSet set, std::int64_t done,
+            bool resumed, const Say& say)
       : job_(job),
+        set_(set),
         files_(resumed ? resume_companions(companions_of(job, schedule), done, say)
                        : begin_companions(companions_of(job, schedule))) {}
 
@@ -77,26 +79,28 @@ class RunWriter {
         run_log_row(moment, job_.scene, pace.step_rate(moment.step), pace.time_left(moment.step)));
   }
 
-  void write_frame(const Assembly& assembly) {
-    const TrajectoryFrame frame = frame_of(assembly, job_.scene);
+  void write_frame(const Assembly& assembly, const std::vector<std::int64_t>& inserted) {
+    const TrajectoryFrame frame = frame_of(assembly, job_.scene, inserted);
     const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
     files_.trajectory.append(frame, scalars);
     if (files_.vtk) files_.vtk->append(frame);
   }
 
-  void write_checkpoint(const Assembly& assembly) const {
+  void write_checkpoint(const Assembly& assembly, const std::vector<std::int64_t>& inserted) const {
     files_.log.flush();
-    dem::write_checkpoint(job_.files.checkpoint(), {.program = program_of(job_.provenance),
+    dem::write_checkpoint(job_.files.checkpoint(), {.program = program_of(job_.provenance, set_),
                                                     .threads = job_.threads,
                                                     .scene_sha256 = scene_fingerprint(job_.text, job_.scene),
                                                     .scene = job_.text.text,
                                                     .step = assembly.steps(),
                                                     .time = assembly.time(),
+                                                    .inserted = inserted,
                                                     .state = assembly.saved()});
   }
 
  private:
   const PackingJob& job_;
+  InstructionSet set_;
   Companions files_;
 };
 
@@ -109,11 +113,13 @@ class Session {
         assembly_(std::move(begin.assembly)),
         steps_(begin.steps),
         schedule_(job.scene.output, begin.steps),
-        batches_(job.scene, assembly_),
+        batches_(job.scene, assembly_, std::move(begin.inserted),
+                 filling_watch(watchers.asked_to_stop, watchers.say, watchers.terminal, watchers.watched)),
         pace_(assembly_.steps(), begin.steps),
-        writer_(job, schedule_, assembly_.steps(), begin.resumed, watchers.say),
+        writer_(job, schedule_, begin.instruction_set, assembly_.steps(), begin.resumed, watchers.say),
         last_(measure(assembly_, job.scene)),
-        checkpointed_(assembly_.steps()) {
+        checkpointed_(assembly_.steps()),
+        written_(begin.resumed ? assembly_.steps() : -1) {
     if (!begin.resumed) write_due();
   }
 
@@ -125,8 +131,8 @@ class Session {
         if (checkpointed_ != now) write_checkpoint();
         return;
       }
-      const std::int64_t next = std::min({schedule_.after(now), batches_.next_step(), now + kStride});
-      assembly_.march(next - now);
+      const std::int64_t next = std::min({schedule_.after(now), batches_.next_step(now), now + kStride});
+      if (next > now) assembly_.march(next - now);
       batches_.insert_due(assembly_);
       write_due();
       display.show({next, assembly_.time(), last_.contacts, last_.energy.kinetic, last_.height,
@@ -135,7 +141,14 @@ class Session {
     }
   }
 
+  /// Brings to the disk what is due now, and a checkpoint.
+  void write_all() {
+    write_due();
+    if (checkpointed_ != assembly_.steps()) write_checkpoint();
+  }
+
   const Assembly& assembly() const { return assembly_; }
+  const InsertionQueue& batches() const { return batches_; }
   const RunMoment& last() const { return last_; }
   std::int64_t checkpointed() const { return checkpointed_; }
 
@@ -143,17 +156,19 @@ class Session {
   /// The checkpoint last: whatever it stands for is written by then.
   void write_due() {
     const std::int64_t step = assembly_.steps();
+    if (step == written_) return;
+    written_ = step;
     if (schedule_.samples.holds(step)) {
       last_ = measure(assembly_, job_.scene);
       writer_.write_line(last_, pace_);
       if (watchers_.sampled) watchers_.sampled(assembly_);
     }
-    if (schedule_.frames.holds(step)) writer_.write_frame(assembly_);
+    if (schedule_.frames.holds(step)) writer_.write_frame(assembly_, batches_.inserted());
     if (schedule_.checkpoints.holds(step)) write_checkpoint();
   }
 
   void write_checkpoint() {
-    writer_.write_checkpoint(assembly_);
+    writer_.write_checkpoint(assembly_, batches_.inserted());
     checkpointed_ = assembly_.steps();
   }
 
@@ -167,6 +182,7 @@ class Session {
   RunWriter writer_;
   RunMoment last_;
   std::int64_t checkpointed_;  ///< step of the last checkpoint
+  std::int64_t written_;       ///< step up to which log and trajectory are
 };
 
 double coordination(const Assembly& assembly) {
@@ -188,29 +204,51 @@ void say_how_deep(const Assembly& assembly, const PackingWatchers& watchers) {
                       : ""));
 }
 
+void take_counts(const Assembly& assembly, PackingEndState& end) {
+  end.spheres = assembly.spheres();
+  end.fibers = 0;
+  for (int g = 0; g < assembly.groups(); ++g) end.fibers += assembly.fibers(g);
+}
+
+void take_end(const Session& session, const PackingJob& job, const PackingWatchers& watchers,
+              PackingEndState& end) {
+  end.last = measure(session.assembly(), job.scene);
+  end.coordination = coordination(session.assembly());
+  say_how_deep(session.assembly(), watchers);
+  const int next = session.batches().next();
+  if (next < job.scene.batches.number && end.last.step == end.steps) end.next_batch = next;
+}
+
 void run_to_end(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers,
                 PackingEndState& end) {
   Session session(job, watchers, std::move(begin));
   try {
     session.run();
-    end.last = measure(session.assembly(), job.scene);
-    end.coordination = coordination(session.assembly());
-    say_how_deep(session.assembly(), watchers);
+    take_end(session, job, watchers, end);
   } catch (const Diverged& error) {
     end.failure = error.what();
+    end.last = session.last();
+  } catch (const NoRoom& error) {
+    session.write_all();
+    take_end(session, job, watchers, end);
+    end.failure = error.what();
+  } catch (const Interrupted& stop) {
+    watchers.say(stop.what());
     end.last = session.last();
   } catch (const OutputError&) {
     watchers.say(fmt::format("the last checkpoint is of step {}: with --resume the run goes on from there",
                              session.checkpointed()));
     throw;
   }
+  end.checkpointed = session.checkpointed();
+  take_counts(session.assembly(), end);
 }
 
 }  // namespace
 
-std::string program_of(const Provenance& provenance) {
+std::string program_of(const Provenance& provenance, InstructionSet set) {
   return fmt::format("fiberchain {}, commit {}, {}, {}, {}", provenance.version, provenance.commit,
-                     provenance.compiler, provenance.flags, name(best_instruction_set()));
+                     provenance.compiler, provenance.flags, name(set));
 }
 
 PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
@@ -224,6 +262,7 @@ PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const
   if (end.begun_at >= end.steps) {  // finished before: its files stay as they are
     end.last = measure(begin.assembly, job.scene);
     end.coordination = coordination(begin.assembly);
+    take_counts(begin.assembly, end);
     look_at_companions(companions_of(job, RunSchedule(job.scene.output, end.steps)), end.steps, watchers.say);
   } else {
     run_to_end(job, std::move(begin), watchers, end);

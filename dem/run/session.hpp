@@ -2,13 +2,16 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "dem/record/provenance.hpp"
 #include "dem/run/files.hpp"
 #include "dem/run/samples.hpp"
 #include "dem/scene/build_packing.hpp"
+#include "dem/simd/instruction_set.hpp"
 
 // A run of many fibers to its end, with its files.
 namespace fiberchain::dem {
@@ -21,6 +24,8 @@ struct PackingJob {
   int threads = 1;
   bool resume = false;  ///< go on from the last checkpoint, if there is one
   Provenance provenance;
+  /// Of the inner loops; left out: a resumed run's own, else the widest that this processor has.
+  std::optional<InstructionSet> instruction_set = std::nullopt;
 };
 
 /// Who is told what, and who may stop the run.
@@ -41,7 +46,10 @@ struct PackingEndState {
   double coordination = std::numeric_limits<double>::quiet_NaN();  ///< contacts of a sphere with spheres that
                                                                    ///< it is not bonded to; NaN if it blew up
   double run_time = 0;                                             ///< of this session [s]
-  std::string failure = {};                                        ///< why it blew up; "" if it did not
+  std::string failure = {};              ///< why it blew up, or that a batch found no room; "" if neither
+  std::int64_t fibers = 0, spheres = 0;  ///< that are in
+  int next_batch = 0;             ///< the first batch that found no room, numbered from 0; 0 if all are in
+  std::int64_t checkpointed = 0;  ///< step of the last checkpoint
 
   bool finished() const { return failure.empty() && last.step == steps; }
 };
@@ -52,18 +60,21 @@ struct RunBegin {
   StepChoice choice;
   std::int64_t steps;    ///< of the whole run
   bool resumed = false;  ///< from a checkpoint
+  InstructionSet instruction_set = best_instruction_set();
+  std::vector<std::int64_t> inserted = {};  ///< fibers of each group that came after the start
 };
 
-/// @throws InputError for checkpoints that cannot be used, dem::InvalidInput, dem::NoRoom
-RunBegin begin_run(const PackingJob& job, const Say& say);
+/// @throws InputError for checkpoints that cannot be used, dem::InvalidInput, also for want of memory,
+/// dem::NoRoom, what the watch throws
+RunBegin begin_run(const PackingJob& job, const Say& say, const InsertionWatch& watch = {});
 
-/// Which binary runs, to the bit: what a checkpoint is written and refused by.
-std::string program_of(const Provenance& provenance);
+/// Which binary runs, with which inner loops, to the bit: what a checkpoint is written and refused by.
+std::string program_of(const Provenance& provenance, InstructionSet set);
 
 /// Writes the trajectory, the log and checkpoints as the scene asks. A run that blows up ends with its
 /// reason; its files are those of before.
-/// @throws dem::NoRoom for a batch of fibers that does not go in, OutputError; the checkpoint before then
-/// still stands
+/// A batch of fibers that finds no room ends it likewise, with a checkpoint, where the scene says so.
+/// @throws OutputError; the checkpoint before then still stands
 PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers);
 
 }  // namespace fiberchain::dem

@@ -13,6 +13,7 @@
 #include "dem/files/sha256.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/scene/expected_speed.hpp"
+#include "dem/scene/fiber_csv.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -64,10 +65,11 @@ void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
     for (std::size_t f = 0; f < kind.starts.size(); ++f) {
       for (int i = 0; i <= kind.fiber.aspect_ratio; ++i, ++sphere) {
         if (!placed.free(all.position[sphere], all.radius[sphere])) {
-          throw InvalidInput(
-              fmt::format("{}: sphere {} of fiber {} is not allowed there: it lies in another one by more "
-                          "than half a radius",
-                          kind.file ? kind.file->name : "fibers", i, f));
+          throw InvalidInput(fmt::format(
+              "{}: sphere {} of fiber {} is not allowed there: it lies in another one by more "
+              "than half a radius",
+              kind.file ? fmt::format("{}:{}", kind.file->name, line_of_start(kind.file->text, f)) : "fibers",
+              i, f));
         }
         placed.add(all.position[sphere], all.radius[sphere]);
       }
@@ -122,12 +124,12 @@ PackingPlan plan_of(const PackingScene& scene) {
   return plan;
 }
 
-PackingStart packing_start(const PackingScene& scene, int threads) {
+PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch) {
   const PackingPlan plan = plan_of(scene);
   PackingStart start{groups_of_files(scene), scene.domain, {}, plan.choice, plan.steps};
   const PlacedSpheres of_files = spheres_of(start.groups);
   check_apart(scene, of_files);
-  for (FiberGroup& group : packing_batch(scene, 0, 0, of_files)) {
+  for (FiberGroup& group : packing_batch(scene, 0, 0, of_files, watch)) {
     start.groups.push_back(std::move(group));
   }
   start.options = {.step = plan.step,
@@ -168,14 +170,15 @@ int groups_at_start(const PackingScene& scene) {
 }
 
 std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
-                                      const PlacedSpheres& present) {
+                                      const PlacedSpheres& present, const InsertionWatch& watch,
+                                      Shortfall shortfall) {
   const std::vector<InsertionCount> counts = batch_counts(scene, n);
   if (counts.empty()) return {};
   InsertionRules rules = scene.filling;
   rules.time = time;
   rules.first_number = 0;
   for (const PackingFiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
-  return random_insertion(counts, rules, scene.domain, present);
+  return random_insertion(counts, rules, scene.domain, present, watch, shortfall);
 }
 
 std::int64_t fibers_in(const PackingScene& scene) {

@@ -36,7 +36,7 @@ struct PackingStart {
 
 /// Small scenes take fewer threads than given: waiting for each other would cost them more.
 /// @throws InvalidInput for what makes no sense together, NoRoom when fibers do not go into the region
-PackingStart packing_start(const PackingScene& scene, int threads);
+PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch = {});
 
 /// The assembly itself.
 /// @throws InvalidInput also for spheres beyond a wall
@@ -53,9 +53,10 @@ int groups_at_start(const PackingScene& scene);
 
 /// The fibers of batch `n`, beside those that are there, among the walls of that time [s]. Kinds without a
 /// fiber in it are left out.
-/// @throws NoRoom
+/// @throws NoRoom, unless fewer fibers are accepted: groups may then be empty
 std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
-                                      const PlacedSpheres& present);
+                                      const PlacedSpheres& present, const InsertionWatch& watch = {},
+                                      Shortfall shortfall = Shortfall::refuse);
 
 /// Fibers of all batches and files.
 std::int64_t fibers_in(const PackingScene& scene);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 
 #include "dem/files/csv_reader.hpp"
@@ -84,6 +85,15 @@ std::vector<FiberStart> read_fiber_starts(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw SceneError(fmt::format("{}: cannot be opened", path));
   return read_fiber_starts(file, path);
+}
+
+std::size_t line_of_start(const std::string& text, std::size_t n) {
+  std::istringstream lines(text);
+  CsvReader reader(lines, "", [](const std::string& what) { throw SceneError(what); });
+  for (std::size_t record = 0; reader.record(); ++record) {
+    if (record == n + 1) return reader.line_number();
+  }
+  return 0;
 }
 
 }  // namespace fiberchain::dem

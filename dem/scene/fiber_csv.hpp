@@ -17,4 +17,7 @@ std::vector<FiberStart> read_fiber_starts(std::istream& text, const std::string&
 /// The same from a file.
 std::vector<FiberStart> read_fiber_starts(const std::string& path);
 
+/// Line of the n-th fiber, from 0, in the text of such a file; 0 if it has none such.
+std::size_t line_of_start(const std::string& text, std::size_t n);
+
 }  // namespace fiberchain::dem

@@ -19,10 +19,18 @@ struct PackingFiberKind {
   std::optional<SceneText> file = {};   ///< which holds the starts
 };
 
+/// What is done where a later batch finds no room.
+enum class NoRoomChoice {
+  end,   ///< the run ends there with its files
+  wait,  ///< the batch is tried again, ten times an interval, until it goes in
+  fewer  ///< as many fibers as find a place come, the others never
+};
+
 /// Insertion of the random fibers in equal parts, one every interval, the first at the start.
 struct Batches {
   int number = 1;
   double interval = 0;  ///< [s]
+  NoRoomChoice no_room = NoRoomChoice::end;
 };
 
 /// What a run writes, in equal intervals of its steps.

@@ -34,6 +34,12 @@ KeyTable<Batches> batch_keys() {
                "number of equal parts, the first at the start")
       .required();
   table.quantity("interval", "s", &Batches::interval, kPositive, "time between two parts").required();
+  table.choice(
+      "no_room", &Batches::no_room,
+      Words<NoRoomChoice>{
+          {"end", NoRoomChoice::end}, {"wait", NoRoomChoice::wait}, {"fewer", NoRoomChoice::fewer}},
+      "where a later part finds no room: end the run with its files and row, wait and try again ten times "
+      "an interval, or take as many fibers as find a place");
   return table;
 }
 

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
 #include "dem/model/errors.hpp"
 #include "dem/scene/build_packing.hpp"
+#include "dem/scene/check_packing.hpp"
 #include "dem/scene/fiber_csv.hpp"
 #include "dem/scene/read_common.hpp"
 
@@ -180,8 +182,11 @@ std::vector<KeyDeclaration> packing_declarations() { return packing_keys().decla
 
 PackingScene read_packing(const StrictMapping& top) {
   PackingScene scene = packing_keys().read_strictly(top);
+  check_number(top, scene);
   complete_scene_box(scene);
   check_together(top, scene);
+  check_starts(top, scene);
+  check_plan(top, scene);
   return scene;
 }
 

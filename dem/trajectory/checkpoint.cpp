@@ -70,6 +70,8 @@ std::string image_of(const Checkpoint& checkpoint) {
   set_number(file, "threads", H5T_NATIVE_INT64, H5T_STD_I64LE, &threads);
   set_number(file, "step", H5T_NATIVE_INT64, H5T_STD_I64LE, &checkpoint.step);
   set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &checkpoint.time);
+  hdf5::write_array(file, "inserted", type_of(checkpoint.inserted), {checkpoint.inserted.size()},
+                    checkpoint.inserted.data(), false);
   write_state(file, checkpoint.state);
   hdf5::flush(file);
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
@@ -131,6 +133,7 @@ Checkpoint checkpoint_in(std::string& image) {
   checkpoint.step = number<std::int64_t>(file, "step", H5T_NATIVE_INT64);
   checkpoint.time = number<double>(file, "time", H5T_NATIVE_DOUBLE);
   checkpoint.state = state_in(file);
+  checkpoint.inserted = array<std::int64_t>(file, "inserted", H5T_NATIVE_INT64);
   return checkpoint;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "dem/assembly/saved_state.hpp"
 
@@ -15,15 +16,16 @@ struct Checkpoint {
   std::string scene_sha256;  ///< of everything the scene is made of
   std::string scene;         ///< text of the scene file
   std::int64_t step = 0;
-  double time = 0;   ///< [s]
-  SavedState state;  ///< of the assembly, kept to the bit
+  double time = 0;                          ///< [s]
+  std::vector<std::int64_t> inserted = {};  ///< fibers of each group that came after the start
+  SavedState state;                         ///< of the assembly, kept to the bit
 
   bool operator==(const Checkpoint&) const = default;
 };
 
 /// Writes a checkpoint: 512 bytes of text (format, SHA-256 and size of the rest), then HDF5, which h5dump and
-/// h5py open as it stands: /scene, /threads, /step, /time, and in /state a dataset for every field of the
-/// state, whose attribute "version" is that of the field. The one that stood there before becomes
+/// h5py open as it stands: /scene, /threads, /step, /time, /inserted, and in /state a dataset for every field
+/// of the state, whose attribute "version" is that of the field. The one that stood there before becomes
 /// PATH.previous. At any moment there is a whole checkpoint at the place.
 /// @throws WriteError; what stood there before then still does
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);

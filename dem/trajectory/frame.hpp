@@ -24,7 +24,8 @@ struct TrajectoryFrame {
   std::vector<double> radius;                      ///< [m]
   std::vector<std::int32_t> fiber;                 ///< number of the fiber
   std::vector<FrameBond> bonds;
-  std::int64_t absent = 0;  ///< spheres at the end that are inserted later
+  std::int64_t absent = 0;                 ///< spheres at the end that are inserted later
+  std::vector<std::int64_t> missing = {};  ///< spheres before them that found no room, rising
 };
 
 /// The frame without its absent spheres and their bonds.

@@ -116,19 +116,34 @@ void read_bonds(hid_t file, std::int64_t n, TrajectoryFrame& frame) {
 void leave_hdf5_as_it_is_at_exit() { H5dont_atexit(); }
 
 TrajectoryFrame present_part(TrajectoryFrame frame) {
-  if (frame.absent == 0) return frame;
-  const std::size_t present = frame.position.size() - static_cast<std::size_t>(frame.absent);
-  frame.position.resize(present);
+  if (frame.absent == 0 && frame.missing.empty()) return frame;
+  std::vector<bool> here(frame.position.size() - static_cast<std::size_t>(frame.absent), true);
+  here.resize(frame.position.size(), false);
+  for (const std::int64_t sphere : frame.missing) here[static_cast<std::size_t>(sphere)] = false;
+  std::vector<std::int64_t> number(here.size());  // of a sphere among those that are here
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    number[i] = count;
+    count += here[i];
+  }
+  const auto reduce = [&](auto& rows, std::size_t width) {
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      for (std::size_t k = 0; here[i] && k < width; ++k) rows[to++] = rows[i * width + k];
+    }
+    rows.resize(to);
+  };
   for (const OutputField& field : sphere_fields) {
     std::vector<double> values = field.values(frame);
-    values.resize(present * static_cast<std::size_t>(field.width));
+    reduce(values, static_cast<std::size_t>(field.width));
     field.set(frame, values);
   }
-  frame.radius.resize(present);
-  frame.fiber.resize(present);
+  reduce(frame.position, 1), reduce(frame.radius, 1), reduce(frame.fiber, 1);
   std::erase_if(frame.bonds,
-                [&](const FrameBond& bond) { return bond.first >= static_cast<std::int64_t>(present); });
+                [&](const FrameBond& bond) { return !here[static_cast<std::size_t>(bond.first)]; });
+  for (FrameBond& bond : frame.bonds) bond.first = number[static_cast<std::size_t>(bond.first)];
   frame.absent = 0;
+  frame.missing.clear();
   return frame;
 }
 
@@ -164,7 +179,12 @@ TrajectoryFrame TrajectoryReader::read(std::int64_t n) const {
     frame.high = frame.low + vectors(entry(file, kEdges, n, {3})).front();
     read_boundary(file, frame);
     read_bonds(file, n, frame);
-    if (has_growing_id(file)) frame.absent = std::ranges::count(entry(file, kId, n, {spheres}), -1.0);
+    if (has_growing_id(file)) {
+      const std::vector<double> id = entry(file, kId, n, {spheres});
+      for (std::size_t i = 0; i < id.size(); ++i) {
+        if (id[i] == -1) frame.missing.push_back(static_cast<std::int64_t>(i));
+      }
+    }
     return present_part(std::move(frame));
   });
 }

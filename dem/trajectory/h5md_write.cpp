@@ -84,6 +84,7 @@ std::vector<std::int32_t> ids(const TrajectoryFrame& frame) {
   std::vector<std::int32_t> id(frame.position.size());
   std::iota(id.begin(), id.end(), 0);
   std::fill(id.end() - frame.absent, id.end(), -1);
+  for (const std::int64_t sphere : frame.missing) id[static_cast<std::size_t>(sphere)] = -1;
   return id;
 }
 
@@ -240,7 +241,7 @@ TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, Trajectory
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scalars) {
   check_frame(frame);
-  if (frame.absent > 0 && !header_.growing)
+  if ((frame.absent > 0 || !frame.missing.empty()) && !header_.growing)
     throw InvalidInput("a frame lacks spheres in a file that does not grow");
   if (!times_.empty() && frame.step <= last_step_)
     throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, last_step_));

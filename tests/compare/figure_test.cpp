@@ -6,6 +6,8 @@
 #include <boost/endian/conversion.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "compare/figures/figure_metadata.hpp"
 #include "compare/figures/gnuplot.hpp"
@@ -124,6 +126,17 @@ BOOST_AUTO_TEST_CASE(a_figure_that_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(run_gnuplot(""), FigureError);
   BOOST_CHECK_THROW(with_svg_metadata("<html></html>", {}), FigureError);
   BOOST_CHECK_THROW(with_png_metadata("GIF89a", {}), FigureError);
+}
+
+BOOST_AUTO_TEST_CASE(thirteen_curves_have_thirteen_colors) {
+  Figure figure{"Energy", {"time"}, {"energy"}, {}};
+  for (int n = 0; n < 13; ++n) figure.series.push_back({"curve", {0, 1}, {1.0 * n, 2.0 * n}, Mark::line});
+  const std::string svg = to_svg(figure, {});
+  std::set<std::string> colors;
+  for (std::size_t at = svg.find("stroke='rgb("); at != std::string::npos;
+       at = svg.find("stroke='rgb(", at + 1))
+    colors.insert(svg.substr(at, svg.find(')', at) - at));
+  BOOST_TEST(colors.size() >= 13u);
 }
 
 BOOST_AUTO_TEST_CASE(without_gnuplot_the_error_says_what_to_install) {

@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(fibers_that_lie_in_each_other_are_refused) {
   scratch.file("s.yaml", text);
   const Outcome outcome = run({"run", "s.yaml"}, {.directory = scratch.path});
   BOOST_TEST(outcome.status == 2);
-  BOOST_TEST(holds(outcome.error, "starts.csv: sphere 0 of fiber 2 is not allowed there"), outcome.error);
+  BOOST_TEST(holds(outcome.error, "starts.csv:4: sphere 0 of fiber 2 is not allowed there"), outcome.error);
 }
 
 BOOST_AUTO_TEST_CASE(a_finished_run_resumes_to_itself) {

@@ -34,6 +34,10 @@ void open_as(int descriptor, const fs::path& path) {
     const rlimit limit{*circumstances.largest_file, *circumstances.largest_file};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
+  if (circumstances.address_space) {
+    const rlimit limit{*circumstances.address_space, *circumstances.address_space};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
   std::vector<char*> words = {const_cast<char*>(FIBERCHAIN_PROGRAM)};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);

@@ -27,6 +27,7 @@ struct Circumstances {
   std::vector<std::pair<std::string, std::string>> environment = {};    ///< set besides what is there
   std::optional<std::filesystem::path> standard_output = std::nullopt;  ///< this file, instead of being kept
   std::optional<std::size_t> largest_file = std::nullopt;               ///< as on a full disk [bytes]
+  std::optional<std::size_t> address_space = std::nullopt;              ///< as on a small machine [bytes]
 };
 
 struct Outcome {

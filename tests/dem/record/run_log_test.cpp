@@ -132,6 +132,18 @@ BOOST_AUTO_TEST_CASE(a_status_is_a_line) {
   BOOST_TEST(dem::status_line(now, 20000).ends_with("height 0.0625 m"));
 }
 
+BOOST_AUTO_TEST_CASE(a_status_fits_the_terminal) {
+  dem::RunStatus now = status(12345678);
+  now.time_left = 187.2;
+  for (const std::size_t columns : {20, 40, 80, 100, 200}) {
+    const std::string line = dem::status_line(now, 200'000'000, columns);
+    BOOST_TEST(line.size() < columns);
+    BOOST_TEST(line.starts_with("step 12345678 of 20"));
+  }
+  BOOST_TEST(dem::status_line(now, 200'000'000, 80).find("3:08 min left") != std::string::npos);
+  BOOST_TEST(dem::status_line(now, 200'000'000, 200) == dem::status_line(now, 200'000'000));
+}
+
 BOOST_AUTO_TEST_CASE(a_display_is_quiet_in_a_pipe_and_ends_its_line) {
   std::ostringstream pipe, terminal;
   {

@@ -1,0 +1,75 @@
+#include "dem/scene/check_packing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "dem/insertion/placement.hpp"
+#include "dem/insertion/random_insertion.hpp"
+#include "dem/model/errors.hpp"
+#include "dem/scene/build_packing.hpp"
+#include "dem/scene/fiber_csv.hpp"
+
+namespace fiberchain::dem {
+namespace {
+
+void check_start(const StrictMapping& top, const PackingScene& scene, const PackingFiberKind& kind,
+                 const Chain<3>& chain, std::size_t n) {
+  int sphere = 0;
+  for (const auto& pose : placed(chain, kind.starts[n]).poses) {
+    for (std::size_t w = 0; w < scene.domain.walls.size(); ++w) {
+      const double gap = distance_to(scene.domain.walls[w], pose.position, 0);
+      if (gap > 0) continue;
+      top.fail("fibers",
+               fmt::format("{}:{}: sphere {} of fiber {} is not allowed there: its center is {:.4g} m behind "
+                           "wall {} (walls of the box first)",
+                           kind.file->name, line_of_start(kind.file->text, n), sphere, n, -gap, w + 1));
+    }
+    ++sphere;
+  }
+}
+
+}  // namespace
+
+void check_number(const StrictMapping& top, const PackingScene& scene) {
+  constexpr std::int64_t most = 2'000'000'000;  // of 32 bits, some for walls
+  if (spheres_in(scene) <= most) return;
+  top.fail("fibers", fmt::format("are {} spheres; allowed: at most {}, as spheres have numbers of 32 bits",
+                                 spheres_in(scene), most));
+}
+
+void check_starts(const StrictMapping& top, const PackingScene& scene) {
+  for (const PackingFiberKind& kind : scene.kinds) {
+    if (!kind.file) continue;
+    const Chain<3> chain = chain_of(kind);
+    for (std::size_t n = 0; n < kind.starts.size(); ++n) check_start(top, scene, kind, chain, n);
+  }
+}
+
+void check_plan(const StrictMapping& top, const PackingScene& scene) {
+  try {
+    const PackingPlan plan = plan_of(scene);
+    const double bonds = std::min(plan.choice.bonds, plan.choice.damped_bonds);
+    if (scene.step && *scene.step > bonds) {
+      top.mapping("motion").fail("step",
+                                 fmt::format("{:g} s is not allowed: at most {:g} s, beyond which bonds are "
+                                             "unstable",
+                                             *scene.step, bonds));
+    }
+    if (std::isnormal(plan.step)) return;
+    top.fail("fibers",
+             fmt::format("have a time step of {:g} s; allowed: diameter, youngs_modulus, density and damping "
+                         "that give one above 0",
+                         plan.step));
+  } catch (const InvalidInput& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with("batches.interval"))
+      top.mapping("filling").mapping("batches").fail("interval", error.what());
+    if (what.starts_with("motion.step")) top.mapping("motion").fail("step", error.what());
+    top.fail(top.has("duration") ? "duration" : "steps", error.what());
+  }
+}
+
+}  // namespace fiberchain::dem
