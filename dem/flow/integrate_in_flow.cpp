@@ -73,7 +73,7 @@ CvodeMotion<Dim> motion_with_inertia(const FlowCase<Dim>& flow, double tolerance
 
 template <int Dim, class Motion>
 FlowRecord record_motion(const FlowCase<Dim>& flow, Motion motion, const std::vector<double>& times,
-                     const FlowSample<Dim>& sample) {
+                         const FlowSample<Dim>& sample) {
   FlowRecord record{};
   try {
     for (const double time : times) {
@@ -101,9 +101,9 @@ FlowRecord integrate_in_flow(const FlowCase<Dim>& flow, const std::vector<double
     case FlowMethod::inertialess:
       return record_motion<Dim>(flow, InertialessMotion<Dim>(flow, options.tolerance), times, sample);
     case FlowMethod::cvode:
-      return record_motion<Dim>(flow,
-                            motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()),
-                            times, sample);
+      return record_motion<Dim>(
+          flow, motion_with_inertia(flow, options.tolerance, times.empty() ? 1 : times.back()), times,
+          sample);
     default:
       return leapfrog_in_flow(flow, times, options, sample);
   }

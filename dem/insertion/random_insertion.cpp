@@ -197,9 +197,10 @@ PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups) {
   return spheres;
 }
 
-std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
-                             const Domain& domain, const PlacedSpheres& present, const InsertionWatch& watch,
-                             Shortfall shortfall) {
+std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts,
+                                         const InsertionRules& rules, const Domain& domain,
+                                         const PlacedSpheres& present, const InsertionWatch& watch,
+                                         Shortfall shortfall) {
   check(counts, rules);
   double largest = 0;
   auto spheres = static_cast<std::int64_t>(present.radius.size());

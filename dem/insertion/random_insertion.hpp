@@ -65,9 +65,10 @@ struct InsertionCount {
 /// insertion: a dense filling is not quite as isotropic as asked. Fibers of a group are numbered in the order
 /// of their middles along the region's longest side. Throws InvalidInput for rules that make no sense, NoRoom
 /// when a fiber finds no place and that is not accepted.
-std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts, const InsertionRules& rules,
-                             const Domain& domain, const PlacedSpheres& present = {},
-                             const InsertionWatch& watch = {}, Shortfall shortfall = Shortfall::refuse);
+std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& counts,
+                                         const InsertionRules& rules, const Domain& domain,
+                                         const PlacedSpheres& present = {}, const InsertionWatch& watch = {},
+                                         Shortfall shortfall = Shortfall::refuse);
 
 /// All spheres of fibers, to fill in more beside them.
 PlacedSpheres spheres_of(const std::vector<FiberGroup>& groups);

@@ -75,7 +75,8 @@ std::optional<double> floor_below(const std::vector<Wall>& walls, int axis, doub
     if (!plane || plane->normal[axis] != 1 || plane->point[axis] > spheres) continue;
     const double position = plane->point[axis];
     if (wall.active_from <= 0) at_start = std::max(at_start.value_or(position), position);
-    const bool for_good = wall.active_until == std::numeric_limits<double>::infinity() && norm(wall.velocity) == 0;
+    const bool for_good =
+        wall.active_until == std::numeric_limits<double>::infinity() && norm(wall.velocity) == 0;
     if (for_good) stays = std::max(stays.value_or(position), position);
   }
   return stays ? stays : at_start;
