@@ -46,8 +46,8 @@ dem::Domain room_of(double side, const PackingCase& asked) {
 /// contacts' only.
 double step_of(const dem::PackingScene& scene) {
   const dem::FiberGroup group{dem::straight_chain<3>(scene.kinds.front().fiber), {}};
-  const dem::StepChoice choice = dem::assembly_time_step({group}, scene.domain);
-  return std::min(0.8 * std::min(choice.bonds, choice.damped_bonds), 0.45 * choice.contacts);
+  const dem::StepChoice choice = dem::stable_time_step({group}, scene.domain);
+  return std::min(0.8 * dem::largest_bond_step(choice), 0.45 * choice.contacts);
 }
 
 }  // namespace

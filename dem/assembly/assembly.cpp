@@ -1,7 +1,6 @@
 #include "dem/assembly/assembly.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -65,8 +64,6 @@ void check_periodic_invariance(const Domain& domain) {
   }
 }
 
-double largest_step(const StepChoice& choice) { return std::min(choice.bonds, choice.damped_bonds); }
-
 double stored(const EnergyBalance& energy) { return sum_of(energy, EnergyRole::stored); }
 
 }  // namespace
@@ -82,15 +79,16 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   if (options.account_energy && packing_law(options).intact_place >= 0) {
     throw InvalidInput("account_energy is not allowed: what a breaking bond takes is not accounted");
   }
-  const StepChoice choice = assembly_time_step(groups, domain, options);
+  const StepChoice choice =
+      options.step ? stable_time_step(groups, domain, options) : assembly_time_step(groups, domain, options);
   const double step = options.step ? *options.step : choice.step;
   if (!(step > 0) || !std::isfinite(step)) {
     throw InvalidInput(fmt::format("step = {} s is not allowed: it must be finite and greater than 0", step));
   }
-  if (step > largest_step(choice)) {
+  if (step > largest_bond_step(choice)) {
     throw InvalidInput(fmt::format(
         "step = {:g} s is not allowed: it must be at most {:g} s, beyond which bonds are unstable", step,
-        largest_step(choice)));
+        largest_bond_step(choice)));
   }
   state_ = std::make_unique<State>(std::move(domain), std::move(options), step);
   State& s = *state_;
@@ -107,7 +105,7 @@ void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
   check_places({group}, s.domain, s.time());
-  const double largest = largest_step(assembly_time_step({group}, s.domain, s.options));
+  const double largest = largest_bond_step(stable_time_step({group}, s.domain, s.options));
   if (s.step > largest) {
     throw InvalidInput(
         fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear",

@@ -131,6 +131,14 @@ struct StepChoice {
   double speed;        ///< of bodies towards each other, now or later [m/s]
   double restitution_error = 0;  ///< of the coefficient of restitution at `speed` with the step that is taken
 };
+
+/// The longest step that the bonds of a choice are stable with [s].
+double largest_bond_step(const StepChoice& choice);
+
+/// By stability alone: what the speeds of bodies and the restitution want is left out.
+StepChoice stable_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
+                            const AssemblyOptions& options = {});
+
 StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
                               const AssemblyOptions& options = {});
 

@@ -117,8 +117,8 @@ double restitution_error(const std::vector<FiberGroup>& groups, const Domain& do
 // Stability needs 4 M - dt^2 K - 2 dt C positive definite, C twice for normal contact
 // (contact_rates.hpp). K and C are sums over bonds and contacts: what each uses up alone, in its own
 // worst mode, adds up to no less than what both do.
-StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
-                              const AssemblyOptions& options) {
+StepChoice stable_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
+                            const AssemblyOptions& options) {
   constexpr double none = std::numeric_limits<double>::infinity();
   StepChoice choice{.step = none,
                     .set_by = "",
@@ -145,6 +145,14 @@ StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domai
   }
   const double least = std::min({choice.bonds, choice.damped_bonds, choice.contacts});
   choice.set_by = least == choice.contacts ? "contacts" : least == choice.bonds ? "bonds" : "bond damping";
+  return choice;
+}
+
+double largest_bond_step(const StepChoice& choice) { return std::min(choice.bonds, choice.damped_bonds); }
+
+StepChoice assembly_time_step(const std::vector<FiberGroup>& groups, const Domain& domain,
+                              const AssemblyOptions& options) {
+  StepChoice choice = stable_time_step(groups, domain, options);
   count_speeds(choice, groups, domain, options);
   return choice;
 }

@@ -33,8 +33,12 @@ double step_for_restitution(const ContactBody& a, const ContactBody& b, const Co
   // the error wanders by the moments of touch: the step below has to do as well
   const auto holds = [&](double step) { return restitution_error(a, b, properties, speed, step) <= allowed; };
   double step = high;
-  while (step > smallest * high && !(holds(step) && holds(shorter * step))) step *= shorter;
-  return std::max(step, smallest * high);
+  for (bool here = holds(step); step > smallest * high; step *= shorter) {
+    const bool below = holds(shorter * step);
+    if (here && below) return step;
+    here = below;
+  }
+  return smallest * high;
 }
 
 }  // namespace fiberchain::dem

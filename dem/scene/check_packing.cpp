@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -51,7 +50,7 @@ void check_starts(const StrictMapping& top, const PackingScene& scene) {
 void check_plan(const StrictMapping& top, const PackingScene& scene) {
   try {
     const PackingPlan plan = plan_of(scene);
-    const double bonds = std::min(plan.choice.bonds, plan.choice.damped_bonds);
+    const double bonds = largest_bond_step(plan.choice);
     if (scene.step && *scene.step > bonds) {
       top.mapping("motion").fail("step",
                                  fmt::format("{:g} s is not allowed: at most {:g} s, beyond which bonds are "
