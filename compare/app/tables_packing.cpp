@@ -45,13 +45,13 @@ Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context)
   return runs;
 }
 
-/// What the paper says, judged by the runs of several seeds and the energy of the one that is booked.
+/// What the paper says, judged by the runs of several seeds and the energy of the one that is accounted.
 dem::Table statements_of(const Runs& runs, const Arguments& arguments) {
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
   std::vector<PackingRun> judged = runs.spread;
   std::ranges::copy_if(runs.figures, std::back_inserter(judged),
-                       [](const PackingRun& run) { return run.asked.booked; });
+                       [](const PackingRun& run) { return run.asked.accounted; });
   return to_table(compare::packing_statements(
       {compare::read_all_published(compare::find_data_directory(data)), 1}, judged));
 }
@@ -73,7 +73,7 @@ Results results_of(const Runs& runs) {
   add("packing-density", compare::density_table(runs.figures));
   add("packing-orientation", compare::orientation_table(runs.figures));
   for (const PackingRun& run : runs.figures) {
-    if (run.asked.booked) add("packing-energy", compare::energy_table(run));
+    if (run.asked.accounted) add("packing-energy", compare::energy_table(run));
   }
   results.figures = compare::packing_figures(runs.figures, runs.spread);
   return results;

@@ -21,21 +21,22 @@ Subjects subjects_of(const Arguments& arguments) {
 }
 
 /// Their rows. Claims and measures are held against each other before the first run.
-std::vector<compare::MatrixRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
-                                        const Context& context) {
+std::vector<compare::ValidationRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
+                                            const Context& context) {
   for (const auto& subject : subjects) compare::check_complete(input.claims, subject.name, subject.checks());
   const auto progress = context.progress(subjects.size());
-  std::vector<compare::MatrixRow> all;
+  std::vector<compare::ValidationRow> all;
   for (const compare::ValidationSubject& subject : subjects) {
-    for (compare::MatrixRow& row : compare::validation_rows(input, subject)) all.push_back(std::move(row));
+    for (compare::ValidationRow& row : compare::validation_rows(input, subject))
+      all.push_back(std::move(row));
     progress->advance();
   }
   return all;
 }
 
-void log_summary(const std::vector<compare::MatrixRow>& rows, const Context& context) {
+void log_summary(const std::vector<compare::ValidationRow>& rows, const Context& context) {
   const auto count = [&](compare::Verdict verdict) {
-    return std::ranges::count(rows, verdict, &compare::MatrixRow::verdict);
+    return std::ranges::count(rows, verdict, &compare::ValidationRow::verdict);
   };
   context.log->info("{} rows: {} hold, {} disputed, {} fail", rows.size(), count(compare::Verdict::holds),
                     count(compare::Verdict::disputed), count(compare::Verdict::fails));
@@ -49,7 +50,7 @@ int run_validate(const Arguments& arguments, Context& context) {
                                        output.jobs};
   const Subjects subjects = subjects_of(arguments);
   const auto directory = open_output(output);
-  const std::vector<compare::MatrixRow> rows = rows_of(subjects, input, context);
+  const std::vector<compare::ValidationRow> rows = rows_of(subjects, input, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
   const dem::Table shown = results.table.select(

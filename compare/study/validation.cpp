@@ -36,7 +36,7 @@ double tolerance_of(const Claim& claim, double expected, double spread) {
 }
 
 /// Row of a claim of rule `either`, which holds or is disputed for the claim's reason.
-MatrixRow held_or_disputed(MatrixRow row, const Claim& claim) {
+ValidationRow held_or_disputed(ValidationRow row, const Claim& claim) {
   row = judged(std::move(row));
   if (row.verdict == Verdict::holds) return row;
   row.tolerance = nan;
@@ -54,18 +54,18 @@ const std::vector<ValidationSubject>& validation_subjects() {
   return subjects;
 }
 
-MatrixRow row_of(const Claim& claim, const Measured& measured) {
+ValidationRow row_of(const Claim& claim, const Measured& measured) {
   const double expected = measured.expected.value_or(claim.value);
-  MatrixRow row{.id = claim.id,
-                .feature = claim.feature,
-                .reference_kind = claim.kind,
-                .expected = expected,
-                .measured = measured.value,
-                .tolerance = tolerance_of(claim, expected, measured.spread),
-                .unit = claim.unit,
-                .verdict = Verdict::fails,
-                .source = source_of(claim),
-                .evidence = evidence_of(claim, measured.evidence)};
+  ValidationRow row{.id = claim.id,
+                    .feature = claim.feature,
+                    .reference_kind = claim.kind,
+                    .expected = expected,
+                    .measured = measured.value,
+                    .tolerance = tolerance_of(claim, expected, measured.spread),
+                    .unit = claim.unit,
+                    .verdict = Verdict::fails,
+                    .source = source_of(claim),
+                    .evidence = evidence_of(claim, measured.evidence)};
   if (claim.rule == VerdictRule::disputed) return disputed(std::move(row));
   return claim.rule == VerdictRule::either ? held_or_disputed(std::move(row), claim) : judged(std::move(row));
 }
@@ -87,7 +87,7 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
   }
 }
 
-std::vector<MatrixRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject) {
+std::vector<ValidationRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject) {
   const Checks& checks = subject.checks();
   check_complete(input.claims, subject.name, checks);
   std::vector<std::pair<std::string_view, Measured>> found;
@@ -99,7 +99,7 @@ std::vector<MatrixRow> validation_rows(const ValidationInput& input, const Valid
     }
     for (std::size_t i = 0; i < measured.size(); ++i) found.emplace_back(check.ids[i], measured[i]);
   }
-  std::vector<MatrixRow> rows;
+  std::vector<ValidationRow> rows;
   for (const Claim& claim : input.claims) {
     if (claim.subject != subject.name) continue;
     rows.push_back(row_of(

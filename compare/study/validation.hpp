@@ -75,10 +75,10 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
 /// The subject's rows, in the order of the claims.
 /// @throws InputError as above, or where a measure does not return a value for each id
 ///   or does not fill the claim's evidence text
-std::vector<MatrixRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
+std::vector<ValidationRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
 
 /// The claim's row, its verdict set by the claim's rule.
 /// @throws InputError if the evidence text has more fields than were measured
-MatrixRow row_of(const Claim& claim, const Measured& measured);
+ValidationRow row_of(const Claim& claim, const Measured& measured);
 
 }  // namespace fiberchain::compare

@@ -15,7 +15,7 @@ enum class Verdict {
   fails      ///< must hold and does not
 };
 
-struct MatrixRow {
+struct ValidationRow {
   std::string id;       ///< unique
   std::string feature;  ///< what is tested
   ReferenceKind reference_kind;
@@ -29,18 +29,18 @@ struct MatrixRow {
 };
 
 /// The row with its verdict set by the tolerance: holds or fails, and fails for a NaN.
-MatrixRow judged(MatrixRow row);
+ValidationRow judged(ValidationRow row);
 
 /// The row as disputed, whatever the difference.
 /// @throws TableError unless it is a published one and has evidence
-MatrixRow disputed(MatrixRow row);
+ValidationRow disputed(ValidationRow row);
 
 /// The rows as a table.
 /// @throws TableError if an id comes twice
-dem::Table to_table(const std::vector<MatrixRow>& rows);
+dem::Table to_table(const std::vector<ValidationRow>& rows);
 
 /// Whether no row fails.
-bool all_hold(const std::vector<MatrixRow>& rows);
+bool all_hold(const std::vector<ValidationRow>& rows);
 
 std::string to_string(Verdict verdict);
 

@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(the_rule_sets_the_verdict) {
   BOOST_TEST((verdict(must_hold, 1.6) == Verdict::fails));
   BOOST_TEST((verdict(disputed, 1.0) == Verdict::disputed));
   BOOST_TEST((verdict(either, 0.5) == Verdict::holds));
-  const MatrixRow row = row_of(claim("a", either), {0.4, {0.4}});
+  const ValidationRow row = row_of(claim("a", either), {0.4, {0.4}});
   BOOST_TEST((row.verdict == Verdict::disputed));
   BOOST_TEST(row.evidence == "found 0.4 s. too large a swing");
   BOOST_TEST(std::isnan(row.tolerance));
