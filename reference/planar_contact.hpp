@@ -16,8 +16,8 @@ using PlanarNumbers = std::array<double, PlanarState::size>;
 
 enum class ContactMode { sticks, slides_forward, slides_backward };
 
-/// The contact of two_spheres.hpp in those units. The force on the first body is -push along the normal and
-/// the drag along the tangent, which is the normal turned by +90 degrees.
+/// The contact of two_spheres.hpp in those units. The force on the first body is minus the normal force along
+/// the normal and the tangential force along the tangent, which is the normal turned by +90 degrees.
 struct PlanarContact {
   double stiffness, tangential, damping, tangential_damping, friction;
   std::array<double, 2> inverse_mass, inverse_inertia;
@@ -27,7 +27,7 @@ struct PlanarContact {
 
   void rates(std::span<const double> state, ContactMode mode, std::span<double> derivative) const;
   double overlap(std::span<const double> state) const;
-  double opening(std::span<const double> state) const;  ///< - d(overlap)/dt
+  double normal_velocity(std::span<const double> state) const;  ///< - d(overlap)/dt
   /// Positive while the bodies push on each other.
   double lasting(std::span<const double> state) const;
   /// Positive while the mode is right. Sticking: what is left to the limit. Sliding: how fast the force that
@@ -40,12 +40,12 @@ struct PlanarContact {
   ContactMode first(std::span<const double> state) const;
 
  private:
-  struct Look;
-  Look look(std::span<const double> state) const;
-  double dashpot(const Look& l) const;
-  double softening(const Look& l) const;
-  double stick_rate(const Look& l, double spring) const;
-  double slide_rate(const Look& l, double spring, double drag) const;
+  struct AtContact;
+  AtContact at_contact(std::span<const double> state) const;
+  double dashpot(const AtContact& l) const;
+  double softening(const AtContact& l) const;
+  double stick_rate(const AtContact& l, double spring) const;
+  double slide_rate(const AtContact& l, double spring, double tangential_force) const;
 };
 
 }  // namespace fiberchain::reference::detail

@@ -140,7 +140,7 @@ Impact collide(const ElasticBody& first, const ElasticBody& second, const Contac
   const auto right = [&](const PlanarNumbers& s) {
     return std::min(contact.lasting(s), contact.holding(s, mode));
   };
-  const auto closes = [&](const PlanarNumbers& s) { return -contact.opening(s); };
+  const auto closes = [&](const PlanarNumbers& s) { return -contact.normal_velocity(s); };
   std::optional<Flight> flight(std::in_place, contact, mode, now.t, now.state);
   while (now.t < longest) {
     Moment next{now.t + interval, {}};

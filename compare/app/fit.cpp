@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/fit/table.hpp"
-#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -21,17 +18,6 @@ const std::vector<std::string> fit_shown = {"law",
                                             "within_1_percent",
                                             "within_5_percent"};
 
-std::optional<compare::PeakRange> peaks_of(const Arguments& arguments) {
-  if (!arguments.has("--peaks")) return std::nullopt;
-  std::vector<int> peaks;
-  read_list(arguments, "--peaks", {.low = 0, .high = 10000}, peaks);
-  if (peaks.size() < 2 || peaks.back() - peaks.front() + 1 != static_cast<int>(peaks.size())) {
-    throw compare::InputError(fmt::format(
-        "--peaks: '{}' is not allowed: give a range a..b of at least two peaks", arguments.text("--peaks")));
-  }
-  return compare::PeakRange{peaks.front(), peaks.back()};
-}
-
 compare::FitSweep fit_sweep(const Arguments& arguments) {
   compare::FitSweep sweep;
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 100}, sweep.aspect_ratio);
@@ -43,7 +29,7 @@ compare::FitSweep fit_sweep(const Arguments& arguments) {
   read_number(arguments, "--poisson-ratio", kPoissonRatios, sweep.poisson_ratio);
   read_number(arguments, "--bond-damping", {.low = 0, .high = 1e3, .low_open = true}, sweep.bond_damping);
   read_number(arguments, "--load", {.low = 0, .high = 10, .low_open = true}, sweep.load);
-  sweep.peaks = peaks_of(arguments);
+  if (arguments.has("--peaks")) sweep.peaks = peak_range(arguments, {});
   return sweep;
 }
 

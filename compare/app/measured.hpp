@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -36,29 +36,24 @@ std::vector<Point> measured(std::vector<Point> (*points_of)(const std::vector<Ca
   return points;
 }
 
-/// All parts in one list, to be measured together.
-template <class Case>
-std::vector<Case> joined(std::initializer_list<std::span<const Case>> parts) {
-  std::vector<Case> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
-/// Hands measured points back part by part, in the order they were joined in.
-template <class Point>
-class Portions {
- public:
-  explicit Portions(const std::vector<Point>& points) : rest_(points) {}
-
-  std::vector<Point> next(std::size_t count) {
-    const auto portion = rest_.first(std::min(count, rest_.size()));
-    rest_ = rest_.subspan(portion.size());
-    return {portion.begin(), portion.end()};
+/// Points of several groups of cases, measured together; `all` of them and group by group.
+template <class Point, class Case, class Options>
+std::vector<std::vector<Point>> measured_groups(std::vector<Point> (*points_of)(const std::vector<Case>&,
+                                                                                const Options&),
+                                                const std::vector<std::vector<Case>>& groups, int jobs,
+                                                const Context& context, std::vector<Point>& all) {
+  std::vector<Case> cases;
+  for (const auto& group : groups) cases.insert(cases.end(), group.begin(), group.end());
+  all = measured(points_of, cases, jobs, context);
+  std::vector<std::vector<Point>> points;
+  std::span<const Point> rest = all;
+  for (const auto& group : groups) {
+    const auto part = rest.first(std::min(group.size(), rest.size()));
+    points.emplace_back(part.begin(), part.end());
+    rest = rest.subspan(part.size());
   }
-
- private:
-  std::span<const Point> rest_;
-};
+  return points;
+}
 
 /// Exit status, with an error in the log if a point's damping could not be measured.
 template <class Point>

@@ -19,7 +19,7 @@ namespace fiberchain::app {
 struct Results {
   std::string name;     ///< of the files: NAME.csv, NAME.md
   std::string heading;  ///< of the Markdown
-  dem::Table table;
+  dem::Table table{{}};
   std::string notes = {};  ///< paragraphs of Markdown that go with the table
   std::vector<std::pair<std::string, dem::Table>> more_tables =
       {};  ///< as NAME.csv and key of the JSON, by name

@@ -1,13 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sweep.hpp"
 #include "compare/damping/table.hpp"
-#include "compare/study/errors.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -25,67 +20,45 @@ const std::vector<std::string> tables_damping_shown = {"aspect_ratio",
 
 using compare::DampingPoints;
 
-compare::DampingSweep tables_damping_sweep(const Arguments& arguments) {
-  using dem::BondForm;
-  using dem::BondModel;
+SweepOptions<compare::DampingSweep> tables_damping_options() {
+  using Sweep = compare::DampingSweep;
   using dem::DashpotLaw;
-  compare::DampingSweep sweep;
-  read_list(arguments, "--aspect-ratio", {.low = 2, .high = 1e4}, sweep.aspect_ratio);
-  read_list(arguments, "--poisson-ratio", kPoissonRatios, sweep.poisson_ratio);
-  read_list(arguments, "--bond-damping", {.low = 0, .high = 1e6, .low_open = true}, sweep.bond_damping);
-  read_list(arguments, "--load", {.low = 0, .high = 10, .low_open = true}, sweep.load);
-  read_choices<BondModel>(arguments, "--bond", sweep.bond,
-                          {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
-  read_choices<BondForm>(arguments, "--form", sweep.form,
-                         {{"total", BondForm::total}, {"incremental", BondForm::incremental}});
-  read_choices<DashpotLaw>(arguments, "--dashpots", sweep.dashpots,
-                           {{"bond_damping", DashpotLaw::bond_damping},
-                            {"retardation_time", DashpotLaw::retardation_time},
-                            {"bending_only", DashpotLaw::bending_only}});
-  sweep.peaks = peak_range(arguments, sweep.peaks);
-  return sweep;
-}
-
-/// Whether any case was asked for; without, the figures' own are run.
-bool chose_tables_damping_cases(const Arguments& arguments) {
-  const auto options = {"--aspect-ratio", "--poisson-ratio", "--bond-damping", "--load",
-                        "--dashpots",     "--bond",          "--form"};
-  return std::ranges::any_of(options, [&](const char* option) { return arguments.has(option); });
-}
-
-/// All figures' cases measured together, then handed back figure by figure.
-compare::DampingFigurePoints measure_figures(const compare::PeakRange& peaks, int jobs,
-                                             const Context& context, DampingPoints& all) {
-  const compare::DampingFigureCases wanted = compare::damping_figure_cases(peaks);
-  all = measured(
-      compare::damping_points,
-      joined<compare::DampingCase>({wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio}),
-      jobs, context);
-  Portions portions(all);
-  compare::DampingFigurePoints figures;
-  figures.bond_damping = portions.next(wanted.bond_damping.size());
-  figures.load = portions.next(wanted.load.size());
-  figures.modulus = portions.next(wanted.modulus.size());
-  figures.aspect_ratio = portions.next(wanted.aspect_ratio.size());
-  return figures;
+  return {
+      list_of("--aspect-ratio", &Sweep::aspect_ratio, {.low = 2, .high = 1e4},
+              "r_f = L/d, number of bonds [10]"),
+      list_of("--poisson-ratio", &Sweep::poisson_ratio, kPoissonRatios, "Poisson's ratio [0.3]"),
+      list_of("--bond-damping", &Sweep::bond_damping, {.low = 0, .high = 1e6, .low_open = true},
+              "xi_b; with --dashpots retardation_time the time over t_b [1]"),
+      list_of("--load", &Sweep::load, {.low = 0, .high = 10, .low_open = true},
+              "load before the release, P L^2/(E I) [0.05]"),
+      words_of("--dashpots", &Sweep::dashpots,
+               {{"bond_damping", DashpotLaw::bond_damping},
+                {"retardation_time", DashpotLaw::retardation_time},
+                {"bending_only", DashpotLaw::bending_only}},
+               "what sets the dashpots: bond_damping, retardation_time, bending_only [bond_damping]"),
+      words_of("--bond", &Sweep::bond, kBondModels, "bond law: paper, corrected [paper]"),
+      words_of("--form", &Sweep::form, kBondForms, "form of the bond law: total, incremental [incremental]"),
+      peaks_of(&Sweep::peaks, "peaks of fiber_damping_paper; 0 is the point of release [1..10]")};
 }
 
 int run_tables_damping(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::DampingSweep sweep = tables_damping_sweep(arguments);
+  const auto options = tables_damping_options();
+  const compare::DampingSweep sweep = read_sweep(options, arguments);
   const auto directory = open_output(output, context);
   DampingPoints points;
-  Results results{.name = "damping",
-                  .heading = "Damping of the fiber by dashpots in its bonds",
-                  .table = compare::damping_table({})};
-  if (chose_tables_damping_cases(arguments)) {
+  Results results{.name = "damping", .heading = "Damping of the fiber by dashpots in its bonds"};
+  if (chose_cases(options, arguments)) {
     points = measured(compare::damping_points, compare::cases(sweep), output.jobs, context);
   } else {
-    const compare::DampingFigurePoints figures = measure_figures(sweep.peaks, output.jobs, context, points);
+    const compare::DampingFigureCases wanted = compare::damping_figure_cases(sweep.peaks);
+    const auto groups = measured_groups(
+        compare::damping_points, {wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio},
+        output.jobs, context, points);
     if (context.stopped == 0) {
       const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
       results.more_tables = {{"fig-6", ring_down}, {"damping-dashpots", compare::dashpot_table(10, 0.3)}};
-      results.figures = compare::damping_figures(figures, ring_down);
+      results.figures = compare::damping_figures({groups[0], groups[1], groups[2], groups[3]}, ring_down);
     }
   }
   results.table = compare::damping_table(points);
@@ -103,16 +76,7 @@ Command tables_damping_command() {
                             "Example:\n  fiberchain tables damping --aspect-ratio 13 --poisson-ratio 0.17 "
                             "--bond-damping 0.7 --load 0.05 --json\n") +
                 kListHelp,
-      .options = with_output(
-          {{"--aspect-ratio", "LIST", "r_f = L/d, number of bonds [10]"},
-           {"--poisson-ratio", "LIST", "Poisson's ratio [0.3]"},
-           {"--bond-damping", "LIST", "xi_b; with --dashpots retardation_time the time over t_b [1]"},
-           {"--load", "LIST", "load before the release, P L^2/(E I) [0.05]"},
-           {"--dashpots", "LIST",
-            "what sets the dashpots: bond_damping, retardation_time, bending_only [bond_damping]"},
-           {"--bond", "LIST", "bond law: paper, corrected [paper]"},
-           {"--form", "LIST", "form of the bond law: total, incremental [incremental]"},
-           {"--peaks", "LIST", "peaks of fiber_damping_paper; 0 is the point of release [1..10]"}}),
+      .options = with_output(tables_damping_options()),
       .run = &run_tables_damping};
 }
 

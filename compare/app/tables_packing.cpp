@@ -45,11 +45,11 @@ Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context)
   return runs;
 }
 
-/// What the paper says, judged by the runs of several seeds and the energy of the one that is booked.
+/// What the paper says, judged by the runs of several seeds and the energy of the one that is accounted.
 dem::Table statements_of(const Runs& runs, const std::vector<compare::Claim>& claims) {
   std::vector<PackingRun> judged = runs.spread;
   std::ranges::copy_if(runs.figures, std::back_inserter(judged),
-                       [](const PackingRun& run) { return run.asked.booked; });
+                       [](const PackingRun& run) { return run.asked.accounted; });
   return to_table(compare::packing_statements({claims, 1}, judged));
 }
 
@@ -79,7 +79,7 @@ Results results_of(const Runs& runs) {
   add("packing-density", compare::density_table(runs.figures));
   add("packing-orientation", compare::orientation_table(runs.figures));
   for (const PackingRun& run : runs.figures) {
-    if (run.asked.booked) add("packing-energy", compare::energy_table(run));
+    if (run.asked.accounted) add("packing-energy", compare::energy_table(run));
   }
   results.figures = compare::packing_figures(runs.figures, runs.spread);
   return results;

@@ -5,6 +5,7 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sweep.hpp"
 #include "compare/static/table.hpp"
 
 namespace fiberchain::app {
@@ -15,27 +16,28 @@ const std::vector<std::string> tables_static_shown = {
     "bond",        "method",  "aspect_ratio", "poisson_ratio",    "load",  "tip_y",
     "departure_y", "shear_y", "stretch_y",    "discretization_y", "status"};
 
-compare::StaticSweep tables_static_sweep(const Arguments& arguments) {
+SweepOptions<compare::StaticSweep> tables_static_options() {
+  using Sweep = compare::StaticSweep;
   using compare::StaticMethod;
-  using dem::BondForm;
-  using dem::BondModel;
-  compare::StaticSweep sweep;
-  read_list(arguments, "--aspect-ratio", {.low = 1, .high = 1e5}, sweep.aspect_ratio);
-  read_list(arguments, "--poisson-ratio", kPoissonRatios, sweep.poisson_ratio);
-  read_list(arguments, "--load", {.low = 0, .high = 1000, .low_open = true}, sweep.load);
-  read_choices<BondModel>(arguments, "--bond", sweep.bond,
-                          {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
-  read_choices<StaticMethod>(arguments, "--method", sweep.method,
-                             {{"solve", StaticMethod::solve}, {"march", StaticMethod::march}});
-  read_choices<BondForm>(arguments, "--form", sweep.form,
-                         {{"total", BondForm::total}, {"incremental", BondForm::incremental}});
-  read_choices<int>(arguments, "--dimension", sweep.dimension, {{"planar", 2}, {"spatial", 3}});
-  return sweep;
+  const Sweep usual;
+  return {
+      list_of("--aspect-ratio", &Sweep::aspect_ratio, {.low = 1, .high = 1e5},
+              fmt::format("r_f = L/d, number of bonds [{}]", fmt::join(usual.aspect_ratio, ","))),
+      list_of("--poisson-ratio", &Sweep::poisson_ratio, kPoissonRatios,
+              fmt::format("Poisson's ratio [{}]", fmt::join(usual.poisson_ratio, ","))),
+      list_of("--load", &Sweep::load, {.low = 0, .high = 1000, .low_open = true},
+              fmt::format("dead load at the free end, P L^2/(E I) [{}]", fmt::join(usual.load, ","))),
+      words_of("--bond", &Sweep::bond, kBondModels, "bond law: paper, corrected [paper]"),
+      words_of("--method", &Sweep::method, {{"solve", StaticMethod::solve}, {"march", StaticMethod::march}},
+               "way to the equilibrium: solve, march [solve]"),
+      words_of("--form", &Sweep::form, kBondForms,
+               "form of the bond law: total, incremental (march only) [total]"),
+      words_of("--dimension", &Sweep::dimension, kDimensions, "planar, spatial [planar]")};
 }
 
 int run_tables_static(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::StaticSweep sweep = tables_static_sweep(arguments);
+  const compare::StaticSweep sweep = read_sweep(tables_static_options(), arguments);
   const auto directory = open_output(output, context);
   const std::vector<compare::StaticPoint> points =
       measured(compare::static_points, compare::cases(sweep), output.jobs, context);
@@ -59,24 +61,13 @@ int run_tables_static(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command tables_static_command() {
-  const compare::StaticSweep usual;
   return {
       .name = "tables static",
       .description = "departure of the chain from the Elastica and its causes (Figs 3, 4)",
       .footer = std::string("Example:\n  fiberchain tables static --aspect-ratio 10,13 --poisson-ratio 0.17 "
                             "--load 0.5,6 --json\n") +
                 kListHelp,
-      .options = with_output(
-          {{"--aspect-ratio", "LIST",
-            fmt::format("r_f = L/d, number of bonds [{}]", fmt::join(usual.aspect_ratio, ","))},
-           {"--poisson-ratio", "LIST",
-            fmt::format("Poisson's ratio [{}]", fmt::join(usual.poisson_ratio, ","))},
-           {"--load", "LIST",
-            fmt::format("dead load at the free end, P L^2/(E I) [{}]", fmt::join(usual.load, ","))},
-           {"--bond", "LIST", "bond law: paper, corrected [paper]"},
-           {"--method", "LIST", "way to the equilibrium: solve, march [solve]"},
-           {"--form", "LIST", "form of the bond law: total, incremental (march only) [total]"},
-           {"--dimension", "LIST", "planar, spatial [planar]"}}),
+      .options = with_output(tables_static_options()),
       .run = &run_tables_static};
 }
 

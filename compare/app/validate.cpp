@@ -21,30 +21,31 @@ Subjects subjects_of(const Arguments& arguments) {
 }
 
 /// Their rows. Claims and measures are held against each other before the first run.
-std::vector<compare::MatrixRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
-                                        const Context& context) {
+std::vector<compare::ValidationRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
+                                            const Context& context) {
   for (const auto& subject : subjects) compare::check_complete(input.claims, subject.name, subject.checks());
   const auto progress = context.progress(subjects.size());
-  std::vector<compare::MatrixRow> all;
+  std::vector<compare::ValidationRow> all;
   const StopSignals signals;
   for (const compare::ValidationSubject& subject : subjects) {
+    for (compare::ValidationRow& row : compare::validation_rows(input, subject))
+      all.push_back(std::move(row));
+    progress->advance();
     if ((context.stopped = signals.received()) != 0) {
-      context.log->info("stopped before part {}: the rows of those before it are kept", subject.name);
+      context.log->info("stopped behind part {}: the rows measured so far are kept", subject.name);
       break;
     }
-    for (compare::MatrixRow& row : compare::validation_rows(input, subject)) all.push_back(std::move(row));
-    progress->advance();
   }
   return all;
 }
 
-void log_summary(const std::vector<compare::MatrixRow>& rows, const Context& context) {
+void log_summary(const std::vector<compare::ValidationRow>& rows, const Context& context) {
   using enum compare::Verdict;
   const auto count = [&](compare::Verdict verdict) {
-    return std::ranges::count(rows, verdict, &compare::MatrixRow::verdict);
+    return std::ranges::count(rows, verdict, &compare::ValidationRow::verdict);
   };
   const auto fail =
-      std::ranges::count_if(rows, [](const compare::MatrixRow& row) { return row.as_expected == false; });
+      std::ranges::count_if(rows, [](const compare::ValidationRow& row) { return row.as_expected == false; });
   context.log->info("{} rows: {} hold, {} hold only if, {} disputed, {} fail", rows.size(), count(holds),
                     count(holds_only_if), count(disputed), fail);
 }
@@ -57,7 +58,7 @@ int run_validate(const Arguments& arguments, Context& context) {
                                        output.jobs};
   const Subjects subjects = subjects_of(arguments);
   const auto directory = open_output(output, context, Draws::no);
-  const std::vector<compare::MatrixRow> rows = rows_of(subjects, input, context);
+  const std::vector<compare::ValidationRow> rows = rows_of(subjects, input, context);
   const Results results{
       .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
   const dem::Table shown =

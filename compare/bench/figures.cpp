@@ -23,8 +23,7 @@ Series series_of(const PrecisionProblem& problem, const std::string& method, Val
   Series series{method, {}, {}, Mark::line_and_points, Dash::solid, color};
   for (const PrecisionRow& row : problem.rows) {
     if (row.method != method || !(row.error >= 0) || !(value(row) > 0)) continue;
-    series.x.push_back(std::max(row.error, problem.reference_error));
-    series.y.push_back(value(row));
+    series.add(std::max(row.error, problem.reference_error), value(row));
   }
   return series;
 }
@@ -96,8 +95,7 @@ Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<Mea
     Series series{std::string(dem::name(peak.set)), {}, {}, Mark::points, Dash::solid, color++};
     for (const KernelTime& t : times) {
       if (t.set != peak.set) continue;
-      series.x.push_back(1e9 * bound_of(t.count, peak.peak).least());
-      series.y.push_back(1e9 * t.ensemble);
+      series.add(1e9 * bound_of(t.count, peak.peak).least(), 1e9 * t.ensemble);
       low = std::min(low, series.x.back());
       high = std::max(high, series.x.back());
     }

@@ -69,17 +69,14 @@ std::vector<MeasuredPeak> measured_peaks(const std::vector<KernelTime>& times, c
 }
 
 dem::Table peak_table(const std::vector<MeasuredPeak>& peaks) {
-  dem::Table table(
-      {"instruction_set", "multiply_add_ns", "divide_ns", "square_root_ns", "sine_ns", "arc_tangent_ns"});
-  for (const MeasuredPeak& p : peaks) {
-    table.append({{"instruction_set", std::string(dem::name(p.set))},
-                  {"multiply_add_ns", 1e9 * p.peak.multiply_add},
-                  {"divide_ns", 1e9 * p.peak.divide},
-                  {"square_root_ns", 1e9 * p.peak.square_root},
-                  {"sine_ns", 1e9 * p.peak.sine},
-                  {"arc_tangent_ns", 1e9 * p.peak.arc_tangent}});
-  }
-  return table;
+  return tabulate(peaks, [](const MeasuredPeak& p) -> dem::NamedRow {
+    return {{"instruction_set", std::string(dem::name(p.set))},
+            {"multiply_add_ns", 1e9 * p.peak.multiply_add},
+            {"divide_ns", 1e9 * p.peak.divide},
+            {"square_root_ns", 1e9 * p.peak.square_root},
+            {"sine_ns", 1e9 * p.peak.sine},
+            {"arc_tangent_ns", 1e9 * p.peak.arc_tangent}};
+  });
 }
 
 std::vector<KernelTime> widest_or_wanted(const std::vector<KernelTime>& times) {

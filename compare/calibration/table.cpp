@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "compare/measure/peaks.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/record/columns.hpp"
 
 namespace fiberchain::compare {
@@ -68,6 +69,11 @@ dem::NamedRow error_row(const CalibrationAnswer& answer) {
           {"frequency_shear", found.frequency_departure.shear}};
 }
 
+dem::NamedRow run_row(const CalibrationAnswer& answer) {
+  return {{"fiber_damping", answer.run ? dem::Cell{answer.run->damping_ratio} : dem::Cell{}},
+          {"verified_difference", answer.run ? dem::Cell{answer.run->difference} : dem::Cell{}}};
+}
+
 /// Without the fiber's size and material nothing in meters, seconds or pascals is known.
 void leave_out_dimensional(dem::NamedRow& row) {
   for (auto& [column, cell] : row) {
@@ -97,58 +103,12 @@ std::string run_note(const CalibrationAnswer& answer) {
 }  // namespace
 
 dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
-  dem::Table table({"aspect_ratio",
-                    "poisson_ratio",
-                    "youngs_modulus",
-                    "shear_modulus",
-                    "density",
-                    "diameter",
-                    "mass",
-                    "bond",
-                    "dashpots",
-                    "target_damping",
-                    "bond_damping",
-                    "retardation_time",
-                    "retardation_ratio",
-                    "fiber_damping_modes",
-                    "log_decrement",
-                    "quality_factor",
-                    "loss_factor",
-                    "natural_frequency",
-                    "natural_frequency_hertz",
-                    "bond_time",
-                    "stable_time_step",
-                    "stable_step_ratio",
-                    "step_ratio",
-                    "verification_cost",
-                    "amplitude",
-                    "amplitude_effect",
-                    "time_step_effect",
-                    "expected_error",
-                    "fiber_damping_expected",
-                    "fiber_damping_beam",
-                    "damping_mass",
-                    "damping_discretization",
-                    "damping_shear",
-                    "beam_frequency",
-                    "frequency_mass",
-                    "frequency_discretization",
-                    "frequency_shear",
-                    "fiber_damping",
-                    "verified_difference"});
-  for (const CalibrationAnswer& answer : answers) {
-    dem::NamedRow row = material_row(answer);
-    for (const dem::NamedRow& part : {damping_row(answer.found), error_row(answer)}) {
-      row.insert(row.end(), part.begin(), part.end());
-    }
-    if (answer.run) {
-      row.emplace_back("fiber_damping", answer.run->damping_ratio);
-      row.emplace_back("verified_difference", answer.run->difference);
-    }
+  return tabulate(answers, [](const CalibrationAnswer& answer) {
+    dem::NamedRow row = joined(
+        joined(joined(material_row(answer), damping_row(answer.found)), error_row(answer)), run_row(answer));
     if (!answer.asked.dimensional) leave_out_dimensional(row);
-    table.append(row);
-  }
-  return table;
+    return row;
+  });
 }
 
 std::string calibration_notes(const CalibrationAnswer& answer) {

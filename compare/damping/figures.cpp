@@ -14,10 +14,7 @@ using DampingValue = std::function<double(const DampingPoint&)>;
 Series series(std::string label, const DampingPoints& points, const DampingValue& x, const DampingValue& y,
               Mark mark = Mark::line_and_points, Dash dash = Dash::solid) {
   Series s{std::move(label), {}, {}, mark, dash};
-  for (const DampingPoint& p : points) {
-    s.x.push_back(x(p));
-    s.y.push_back(y(p));
-  }
+  for (const DampingPoint& p : points) s.add(x(p), y(p));
   return s;
 }
 
@@ -27,11 +24,9 @@ double as_paper(const DampingPoint& p) { return p.damping_paper; }
 Figure ring_down_figure(const dem::Table& table) {
   Series chain{"sphere chain", {}, {}, Mark::points}, elastica{"damped Elastica", {}, {}, Mark::line};
   for (std::size_t row = 0; row < table.rows().size(); ++row) {
-    elastica.x.push_back(table.number(row, "time"));
-    elastica.y.push_back(table.number(row, "elastica_y"));
+    elastica.add(table.number(row, "time"), table.number(row, "elastica_y"));
     if (row % 3 != 0) continue;
-    chain.x.push_back(table.number(row, "time"));
-    chain.y.push_back(table.number(row, "chain_y"));
+    chain.add(table.number(row, "time"), table.number(row, "chain_y"));
   }
   return {
       "Fig 6: free end after the release, r_f = 10, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
@@ -61,8 +56,7 @@ Figure bond_damping_figure(const DampingPoints& points) {
     Series slope{fmt::format("paper's slope, r_f = {}", aspect_ratio), {}, {}, Mark::line, Dash::dashed};
     for (const DampingPoint& p : eight) {
       if (p.asked.aspect_ratio != aspect_ratio) continue;
-      slope.x.push_back(p.asked.bond_damping);
-      slope.y.push_back((aspect_ratio == 8 ? 0.01045 : 0.00698) * p.asked.bond_damping);
+      slope.add(p.asked.bond_damping, (aspect_ratio == 8 ? 0.01045 : 0.00698) * p.asked.bond_damping);
     }
     figure.series.push_back(slope);
   }

@@ -5,6 +5,7 @@
 
 #include "compare/damping/references.hpp"
 #include "compare/measure/ring_down_release.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/motion/time_step.hpp"
 #include "reference/damped_elastica.hpp"
 
@@ -12,45 +13,6 @@ namespace fiberchain::compare {
 namespace {
 
 using dem::DashpotLaw;
-
-const std::vector<std::string> columns{"aspect_ratio",
-                                       "poisson_ratio",
-                                       "load",
-                                       "bond",
-                                       "form",
-                                       "dashpots",
-                                       "bond_damping",
-                                       "retardation_ratio",
-                                       "force",
-                                       "youngs_modulus",
-                                       "shear_modulus",
-                                       "peaks_first",
-                                       "peaks_last",
-                                       "fiber_damping",
-                                       "fiber_damping_half_width",
-                                       "fiber_damping_sine",
-                                       "fiber_damping_paper",
-                                       "fiber_damping_modes",
-                                       "fiber_damping_elastica",
-                                       "fiber_damping_closed_form",
-                                       "fiber_damping_beam",
-                                       "fiber_damping_eq20",
-                                       "mode_2_estimate",
-                                       "damping_discretization",
-                                       "damping_shear",
-                                       "damping_time_step",
-                                       "damping_amplitude",
-                                       "damping_peak_fit",
-                                       "frequency",
-                                       "frequency_modes",
-                                       "cvode_steps",
-                                       "cvode_right_hand_sides",
-                                       "cvode_jacobians",
-                                       "cvode_error_test_failures",
-                                       "cvode_convergence_failures",
-                                       "step_ratio",
-                                       "steps",
-                                       "status"};
 
 dem::NamedRow row_of(const DampingPoint& p) {
   const DampingCase& c = p.asked;
@@ -164,9 +126,7 @@ DampingFigureCases damping_figure_cases(PeakRange peaks) {
 }
 
 dem::Table damping_table(const std::vector<DampingPoint>& points) {
-  dem::Table table(columns);
-  for (const DampingPoint& point : points) table.append(row_of(point));
-  return table;
+  return tabulate(points, [](const DampingPoint& point) { return row_of(point); });
 }
 
 dem::Table dashpot_table(int aspect_ratio, double poisson_ratio) {

@@ -29,6 +29,8 @@ struct Series {
   Mark mark = Mark::line_and_points;
   Dash dash = Dash::solid;
   std::optional<int> color = std::nullopt;  ///< place in the palette; the series' own place unless given
+
+  void add(double at_x, double at_y) { x.push_back(at_x), y.push_back(at_y); }
 };
 
 /// A note at a place in the coordinates of the data.

@@ -48,10 +48,7 @@ int color_of(const DampingModel& model) {
 Series points_series(std::string name, const std::vector<DampingDatum>& points, int color) {
   Series s{std::move(name), {}, {}, Mark::points};
   s.color = color;
-  for (const DampingDatum& p : points) {
-    s.x.push_back(p.aspect_ratio);
-    s.y.push_back(p.slope);
-  }
+  for (const DampingDatum& p : points) s.add(p.aspect_ratio, p.slope);
   return s;
 }
 
@@ -63,8 +60,7 @@ Series law_series(const DampingFit& fit) {
     const double r_f = 3 * std::pow(100.0 / 3, i / 200.0);
     const double y = damping_law(fit.model.law, fit.parameters, r_f);
     if (y < 1e-5) break;
-    s.x.push_back(r_f);
-    s.y.push_back(y);
+    s.add(r_f, y);
   }
   return s;
 }
@@ -93,9 +89,7 @@ Figure departure_figure(const FitStudy& study) {
     s.color = color_of(fit.model);
     for (std::size_t i = 0; i < study.chain.slope.size(); ++i) {
       const double r_f = study.chain.range.first + static_cast<double>(i);
-      s.x.push_back(r_f);
-      s.y.push_back(100 *
-                    std::abs(damping_law(fit.model.law, fit.parameters, r_f) / study.chain.slope[i] - 1));
+      s.add(r_f, 100 * std::abs(damping_law(fit.model.law, fit.parameters, r_f) / study.chain.slope[i] - 1));
     }
     figure.series.push_back(s);
   }
@@ -112,15 +106,13 @@ Figure choices_figure(const FitStudy& study) {
     Series s{std::string(name(kind)), {}, {}, Mark::points};
     for (const ChoiceOutcome& outcome : study.choices) {
       if (outcome.choice.weighting != kind) continue;
-      s.x.push_back(outcome.fit.parameters[0]);
-      s.y.push_back(outcome.fit.parameters[1]);
+      s.add(outcome.fit.parameters[0], outcome.fit.parameters[1]);
     }
     figure.series.push_back(s);
   }
   Series paper{"paper, within 5 %", {}, {}, Mark::line};
   for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}) {
-    paper.x.push_back(kPaperA * (1 + 0.05 * x));
-    paper.y.push_back(kPaperB * (1 + 0.05 * y));
+    paper.add(kPaperA * (1 + 0.05 * x), kPaperB * (1 + 0.05 * y));
   }
   figure.series.push_back(paper);
   return figure;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/study/tabulate.hpp"
+
 namespace fiberchain::compare {
 namespace {
 
@@ -13,36 +15,43 @@ dem::Cell entry(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? dem::Cell{values[i]} : dem::Cell{dem::Missing{}};
 }
 
-/// Value, half width and variance of a parameter under the names of its columns.
-void add_parameter(dem::NamedRow& row, const DampingFit& fit, std::size_t i, std::string_view value,
-                   std::string_view half_width, std::string_view variance) {
-  row.emplace_back(value, entry(fit.parameters, i));
-  row.emplace_back(half_width, entry(fit.half_widths, i));
-  row.emplace_back(variance,
-                   fit.covariance.empty() ? dem::Cell{dem::Missing{}} : dem::Cell{fit.covariance[i][i]});
+/// Value, half width, variance of parameter `i` if the law has it under this name.
+struct FittedParameter {
+  dem::Cell value, half_width, variance;
+};
+FittedParameter parameter(const DampingFit& fit, bool has, std::size_t i) {
+  if (!has) return {};
+  return {entry(fit.parameters, i), entry(fit.half_widths, i),
+          fit.covariance.empty() ? dem::Cell{} : dem::Cell{fit.covariance[i][i]}};
 }
 
 dem::NamedRow row_of(const DampingFit& fit) {
-  dem::NamedRow row{{"law", std::string(name(fit.model.law))},
-                    {"weighting", std::string(name(fit.model.kind))}};
-  if (fit.model.law == DampingLaw::shifted_square) {
-    add_parameter(row, fit, 0, "fit_c", "fit_c_half_width", "fit_c_variance");
-  } else {
-    add_parameter(row, fit, 0, "fit_a", "fit_a_half_width", "fit_a_variance");
-    add_parameter(row, fit, 1, "fit_b", "fit_b_half_width", "fit_b_variance");
-    if (!fit.covariance.empty()) row.emplace_back("fit_ab_covariance", fit.covariance[0][1]);
-  }
-  row.insert(row.end(), {{"fit_points", static_cast<std::int64_t>(fit.fitted.residuals.size())},
-                         {"fit_rms", fit.fitted.rms},
-                         {"fit_largest", fit.fitted.largest},
-                         {"held_out_points", static_cast<std::int64_t>(fit.held_out.residuals.size())},
-                         {"held_out_rms", fit.held_out.rms},
-                         {"held_out_largest", fit.held_out.largest},
-                         {"information_criterion", fit.information_criterion},
-                         {"within_1_percent", describe(fit.within_1)},
-                         {"within_5_percent", describe(fit.within_5)},
-                         {"within_20_percent", describe(fit.within_20)}});
-  return row;
+  const bool shifted = fit.model.law == DampingLaw::shifted_square;
+  const FittedParameter a = parameter(fit, !shifted, 0), b = parameter(fit, !shifted, 1),
+                        c = parameter(fit, shifted, 0);
+  const bool both = !shifted && !fit.covariance.empty();
+  return {{"law", std::string(name(fit.model.law))},
+          {"weighting", std::string(name(fit.model.kind))},
+          {"fit_a", a.value},
+          {"fit_a_half_width", a.half_width},
+          {"fit_b", b.value},
+          {"fit_b_half_width", b.half_width},
+          {"fit_c", c.value},
+          {"fit_c_half_width", c.half_width},
+          {"fit_a_variance", a.variance},
+          {"fit_b_variance", b.variance},
+          {"fit_ab_covariance", both ? dem::Cell{fit.covariance[0][1]} : dem::Cell{}},
+          {"fit_c_variance", c.variance},
+          {"fit_points", static_cast<std::int64_t>(fit.fitted.residuals.size())},
+          {"fit_rms", fit.fitted.rms},
+          {"fit_largest", fit.fitted.largest},
+          {"held_out_points", static_cast<std::int64_t>(fit.held_out.residuals.size())},
+          {"held_out_rms", fit.held_out.rms},
+          {"held_out_largest", fit.held_out.largest},
+          {"information_criterion", fit.information_criterion},
+          {"within_1_percent", describe(fit.within_1)},
+          {"within_5_percent", describe(fit.within_5)},
+          {"within_20_percent", describe(fit.within_20)}};
 }
 
 void append_residuals(dem::Table& table, const FitStudy& study, const DampingFit& fit,
@@ -85,30 +94,7 @@ dem::NamedRow row_of(const ChoiceOutcome& outcome) {
 }  // namespace
 
 dem::Table fit_table(const FitStudy& study) {
-  dem::Table table({"law",
-                    "weighting",
-                    "fit_a",
-                    "fit_a_half_width",
-                    "fit_b",
-                    "fit_b_half_width",
-                    "fit_c",
-                    "fit_c_half_width",
-                    "fit_a_variance",
-                    "fit_b_variance",
-                    "fit_ab_covariance",
-                    "fit_c_variance",
-                    "fit_points",
-                    "fit_rms",
-                    "fit_largest",
-                    "held_out_points",
-                    "held_out_rms",
-                    "held_out_largest",
-                    "information_criterion",
-                    "within_1_percent",
-                    "within_5_percent",
-                    "within_20_percent"});
-  for (const DampingFit& fit : study.fits) table.append(row_of(fit));
-  return table;
+  return tabulate(study.fits, [](const DampingFit& fit) { return row_of(fit); });
 }
 
 dem::Table fit_residual_table(const FitStudy& study) {
@@ -122,11 +108,7 @@ dem::Table fit_residual_table(const FitStudy& study) {
 }
 
 dem::Table fit_choice_table(const FitStudy& study) {
-  dem::Table table({"aspect_ratios", "load", "force", "peaks_first", "peaks_last", "weighting", "fit_a",
-                    "fit_a_half_width", "fit_b", "fit_b_half_width", "departure_a", "departure_b",
-                    "departure_curve", "damping_slope_8", "damping_slope_10"});
-  for (const ChoiceOutcome& outcome : study.choices) table.append(row_of(outcome));
-  return table;
+  return tabulate(study.choices, [](const ChoiceOutcome& outcome) { return row_of(outcome); });
 }
 
 }  // namespace fiberchain::compare

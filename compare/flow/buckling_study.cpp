@@ -82,9 +82,9 @@ Figure amplitude_figure(const std::vector<Growth>& growths) {
     Series linear{"", {}, {}, Mark::line, Dash::solid, color++};
     const std::size_t from = g.run.time.size() / 3;
     for (std::size_t i = 0; i < g.run.time.size(); i += 3) {
-      chain.x.push_back(g.run.time[i]), chain.y.push_back(g.run.amplitude[i]);
-      linear.x.push_back(g.run.time[i]);
-      linear.y.push_back(g.run.amplitude[from] * std::exp(g.chain * (g.run.time[i] - g.run.time[from])));
+      chain.add(g.run.time[i], g.run.amplitude[i]);
+      linear.add(g.run.time[i],
+                 g.run.amplitude[from] * std::exp(g.chain * (g.run.time[i] - g.run.time[from])));
     }
     figure.series.push_back(std::move(linear));
     figure.series.push_back(std::move(chain));
@@ -106,7 +106,7 @@ Figure shapes_figure() {
   figure.legend_title = "rate times time";
   for (const FlowShape& shape : run.shapes) {
     Series s{fmt::format("{:.1f}", shape.time), {}, {}, Mark::line_and_points};
-    for (const Triple& at : shape.spheres) s.x.push_back(at[0]), s.y.push_back(at[1]);
+    for (const Triple& at : shape.spheres) s.add(at[0], at[1]);
     figure.series.push_back(std::move(s));
   }
   return figure;

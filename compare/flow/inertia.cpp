@@ -124,8 +124,8 @@ FlowStudy inertia_study(const OrbitOptions& options) {
                         {"orbit_drift", dem::known(drift[i])},
                         {"orbit_drift_inertialess", without}});
     Series& places = cases[i].method == cvode ? by_cvode : by_leapfrog;
-    places.x.push_back(cases[i].stokes), places.y.push_back(distance[i]);
-    if (std::isfinite(drift[i])) drifts.x.push_back(cases[i].stokes), drifts.y.push_back(drift[i] - without);
+    places.add(cases[i].stokes, distance[i]);
+    if (std::isfinite(drift[i])) drifts.add(cases[i].stokes, drift[i] - without);
   }
   figure.series = {by_cvode, by_leapfrog, drifts};
   study.figures = {{"shear-inertia", std::move(figure)}};

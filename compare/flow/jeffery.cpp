@@ -60,23 +60,21 @@ Figure sphere_figure(const std::vector<JefferyRun>& runs) {
     const auto orbit = reference::jeffery_orbit(r_e, 1, run.point.asked.direction);
     for (double t = 0; t <= period * 1.001; t += period / 4000) {
       const auto [x, y] = drawn(reference::direction_on_orbit(orbit, t));
-      exact.x.push_back(x), exact.y.push_back(y);
+      exact.add(x, y);
     }
     double last = -1;
     for (const FlowMoment& m : run.point.history.moments) {
       if (m.time > period || m.time - last < 0.4) continue;
       const auto [x, y] = drawn(m.direction);
-      chain.x.push_back(x), chain.y.push_back(y);
+      chain.add(x, y);
       last = m.time;
     }
     figure.series.push_back(std::move(exact));
     figure.series.push_back(std::move(chain));
   }
   Series rim{"", {}, {}, Mark::line, Dash::dotted, 6};
-  for (int i = 0; i <= 200; ++i) {
-    rim.x.push_back(std::cos(std::numbers::pi * i / 100)),
-        rim.y.push_back(std::sin(std::numbers::pi * i / 100));
-  }
+  for (int i = 0; i <= 200; ++i)
+    rim.add(std::cos(std::numbers::pi * i / 100), std::sin(std::numbers::pi * i / 100));
   figure.series.push_back(std::move(rim));
   return figure;
 }

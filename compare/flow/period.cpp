@@ -71,14 +71,13 @@ std::vector<Series> series_of(const OrbitPoints& points, const Transform& y) {
     Series s{label, {}, {}, Mark::points};
     for (const OrbitPoint& p : points) {
       if (p.asked.hydrodynamics != hydrodynamics) continue;
-      s.x.push_back(p.asked.spheres);
-      s.y.push_back(y(p.period, p.asked.spheres));
+      s.add(p.asked.spheres, y(p.period, p.asked.spheres));
     }
     if (!s.x.empty()) all.push_back(std::move(s));
   }
   const auto add = [&](const std::string& label, Dash dash, int color, auto value) {
     Series s{label, {}, {}, Mark::line, dash, color};
-    for (double r = 2; r <= 101; r *= 1.03) s.x.push_back(r), s.y.push_back(y(value(r), r));
+    for (double r = 2; r <= 101; r *= 1.03) s.add(r, y(value(r), r));
     all.push_back(std::move(s));
   };
   add("Jeffery, exact", Dash::solid, 0,
@@ -86,7 +85,7 @@ std::vector<Series> series_of(const OrbitPoints& points, const Transform& y) {
   int place = 1;
   for (const auto hydrodynamics : {Hydrodynamics::interactions, Hydrodynamics::stresslets}) {
     Series s{"", {}, {}, Mark::line, Dash::solid, place++};
-    for (int N = 2; N <= 101; N += 1 + N / 12) s.x.push_back(N), s.y.push_back(y(rigid(N, hydrodynamics), N));
+    for (int N = 2; N <= 101; N += 1 + N / 12) s.add(N, y(rigid(N, hydrodynamics), N));
     all.push_back(std::move(s));
   }
   int color = 3;

@@ -44,7 +44,7 @@ Figure extent_figure(const std::vector<RegimePoint>& points) {
   for (const int N : regime_spheres) {
     Series s{fmt::format("N = {}", N), {}, {}};
     for (const RegimePoint& p : points) {
-      if (p.asked.spheres == N) s.x.push_back(p.asked.elasto_viscous), s.y.push_back(p.end_to_end_least);
+      if (p.asked.spheres == N) s.add(p.asked.elasto_viscous, p.end_to_end_least);
     }
     figure.series.push_back(std::move(s));
   }
@@ -81,9 +81,7 @@ Figure shapes_figure(const std::vector<RegimePoint>& points) {
       }
       Series s{
           k == 0 ? fmt::format("{:g}", p.asked.elasto_viscous) : "", {}, {}, Mark::line, Dash::solid, color};
-      for (const Triple& at : shape.spheres) {
-        s.x.push_back(at[0] - mean_x + 1.05 * k), s.y.push_back(at[1] - mean_y - y);
-      }
+      for (const Triple& at : shape.spheres) s.add(at[0] - mean_x + 1.05 * k, at[1] - mean_y - y);
       figure.series.push_back(std::move(s));
     }
     figure.annotations.push_back(

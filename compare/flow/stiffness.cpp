@@ -56,8 +56,7 @@ FlowStudy stiffness_study(const OrbitOptions& options) {
                           {"period_error", p.correction},
                           {"order", dem::known(p.order)}});
       if (std::isnan(p.correction)) ++study.failed;
-      s.x.push_back(p.viscous_ratio);
-      s.y.push_back(std::abs(p.correction));
+      s.add(p.viscous_ratio, std::abs(p.correction));
     }
     figure.series.push_back(std::move(s));
   }

@@ -21,10 +21,7 @@ RollingPoints where(const RollingPoints& points, const std::function<bool(const 
 Series series(std::string label, const RollingPoints& points, const RollingValue& x, const RollingValue& y,
               int color, Mark mark = Mark::line_and_points, Dash dash = Dash::solid) {
   Series s{std::move(label), {}, {}, mark, dash, color};
-  for (const RollingPoint& p : points) {
-    s.x.push_back(x(p));
-    s.y.push_back(y(p));
-  }
+  for (const RollingPoint& p : points) s.add(x(p), y(p));
   return s;
 }
 
@@ -137,10 +134,8 @@ Figure decay_figure(const RollingPoints& points) {
                 {}};
   for (const RollingPoint& p : points) {
     Series s{fmt::format("{{/Symbol x}}_r = {}", p.asked.rolling_friction), {}, {}};
-    for (std::size_t j = 0; j < p.peaks.size(); ++j) {
-      s.x.push_back(static_cast<double>(j));
-      s.y.push_back(p.peaks[j].value / p.peaks[0].value);
-    }
+    for (std::size_t j = 0; j < p.peaks.size(); ++j)
+      s.add(static_cast<double>(j), p.peaks[j].value / p.peaks[0].value);
     figure.series.push_back(s);
   }
   return figure;

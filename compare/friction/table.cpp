@@ -1,41 +1,19 @@
 #include "compare/friction/table.hpp"
 
+#include "compare/study/tabulate.hpp"
+
 namespace fiberchain::compare {
 namespace {
 
-const std::vector<std::string> columns{"aspect_ratio",
-                                       "poisson_ratio",
-                                       "load",
-                                       "amplitude",
-                                       "bond_damping",
-                                       "rolling_friction",
-                                       "rolling",
-                                       "peaks_first",
-                                       "peaks_last",
-                                       "fiber_damping_paper",
-                                       "fiber_damping_paper_half_width",
-                                       "fiber_damping_first",
-                                       "fiber_damping_last",
-                                       "fiber_damping_modes",
-                                       "fiber_damping_as_bond",
-                                       "fiber_damping_weak",
-                                       "step_ratio",
-                                       "steps",
-                                       "status"};
-
-/// Load or amplitude of a case, whichever it was let go with.
-std::vector<std::pair<std::string, dem::Cell>> start_of(const RollingCase& c) {
-  return {{"load", c.amplitude ? dem::Cell{} : dem::Cell{c.load}},
-          {"amplitude", c.amplitude ? dem::Cell{*c.amplitude} : dem::Cell{}}};
-}
+/// Missing where the fiber is let go with an amplitude.
+dem::Cell load_of(const RollingCase& c) { return c.amplitude ? dem::Cell{} : dem::Cell{c.load}; }
 
 dem::NamedRow row_of(const RollingPoint& p) {
   const RollingCase& c = p.asked;
-  const auto start = start_of(c);
-  return {start[0],
-          start[1],
-          {"aspect_ratio", std::int64_t{c.aspect_ratio}},
+  return {{"aspect_ratio", std::int64_t{c.aspect_ratio}},
           {"poisson_ratio", c.poisson_ratio},
+          {"load", load_of(c)},
+          {"amplitude", c.amplitude ? dem::Cell{*c.amplitude} : dem::Cell{}},
           {"bond_damping", c.bond_damping},
           {"rolling_friction", c.rolling_friction},
           {"rolling", std::string(dem::name(c.law))},
@@ -110,9 +88,7 @@ RollingFigureCases rolling_figure_cases(PeakRange peaks) {
 }
 
 dem::Table rolling_table(const std::vector<RollingPoint>& points) {
-  dem::Table table(columns);
-  for (const RollingPoint& point : points) table.append(row_of(point));
-  return table;
+  return tabulate(points, [](const RollingPoint& point) { return row_of(point); });
 }
 
 dem::Table rolling_peaks_table(const std::vector<RollingPoint>& points) {
@@ -122,7 +98,7 @@ dem::Table rolling_peaks_table(const std::vector<RollingPoint>& points) {
     const double t_b = dem::bond_time_step(rolling_fiber(p.asked));
     for (std::size_t j = 0; j < p.peaks.size(); ++j) {
       table.append({{"aspect_ratio", std::int64_t{p.asked.aspect_ratio}},
-                    {"load", start_of(p.asked)[0].second},
+                    {"load", load_of(p.asked)},
                     {"rolling_friction", p.asked.rolling_friction},
                     {"rolling", std::string(dem::name(p.asked.law))},
                     {"peak", static_cast<std::int64_t>(j)},

@@ -16,7 +16,7 @@ struct Groups {
   std::vector<SeedGroup> all;
   const SeedGroup *least = nullptr, *most = nullptr, *friction = nullptr, *stiff = nullptr,
                   *half_step = nullptr;
-  const PackingRun* booked = nullptr;
+  const PackingRun* accounted = nullptr;
 };
 
 bool finished(const SeedGroup& group) {
@@ -44,9 +44,9 @@ Groups groups_of(const std::vector<PackingRun>& runs) {
   for (const SeedGroup& group : groups.all) {
     if (finished(group)) assign(groups, group);
   }
-  const auto booked = std::ranges::find_if(
-      runs, [](const PackingRun& r) { return r.asked.booked && r.status == "finished"; });
-  if (booked != runs.end()) groups.booked = &*booked;
+  const auto accounted = std::ranges::find_if(
+      runs, [](const PackingRun& r) { return r.asked.accounted && r.status == "finished"; });
+  if (accounted != runs.end()) groups.accounted = &*accounted;
   return groups;
 }
 
@@ -166,8 +166,8 @@ Answer half_step(const Groups& g) {
 }
 
 Answer energy(const Groups& g) {
-  if (!g.booked) return {};
-  return Measured{energy_drift(*g.booked), {g.booked->asked.fibers}};
+  if (!g.accounted) return {};
+  return Measured{energy_drift(*g.accounted), {g.accounted->asked.fibers}};
 }
 
 struct Statement {
@@ -203,9 +203,10 @@ std::vector<Measured> small_packings(const ValidationInput& in) {
 
 }  // namespace
 
-std::vector<MatrixRow> packing_statements(const ValidationInput& in, const std::vector<PackingRun>& runs) {
+std::vector<ValidationRow> packing_statements(const ValidationInput& in,
+                                              const std::vector<PackingRun>& runs) {
   const Groups groups = groups_of(runs);
-  std::vector<MatrixRow> rows;
+  std::vector<ValidationRow> rows;
   for (const Statement& statement : kStatements) {
     if (const Answer answer = statement.measure(groups)) {
       rows.push_back(row_by_claim(find_claim(in.claims, statement.id), *answer));
@@ -240,7 +241,7 @@ std::vector<PackingCase> row_cases() {
     add(&PackingCase::stiffness, 20);
     add(&PackingCase::step_ratio, 0.5);
   }
-  cases.front().booked = true;
+  cases.front().accounted = true;
   return cases;
 }
 

@@ -9,7 +9,8 @@ namespace fiberchain::compare {
 
 /// What the paper says of Figs 11 and 12, judged by runs of several seeds: least and most xi_b without
 /// friction, the least with friction, stiff fibers, half the step. What the runs do not have is left out.
-std::vector<MatrixRow> packing_statements(const ValidationInput& input, const std::vector<PackingRun>& runs);
+std::vector<ValidationRow> packing_statements(const ValidationInput& input,
+                                              const std::vector<PackingRun>& runs);
 
 /// Small packings of three seeds for that, none at half the step: seconds, not minutes. `tables packing` has
 /// them all.

@@ -9,7 +9,7 @@ using Runs = std::vector<const PackingRun*>;
 
 Series curve(const PackingRun& run, double PackingSample::*of, std::string label, int color) {
   Series s{std::move(label), {}, {}, Mark::line, Dash::solid, color};
-  for (const PackingSample& sample : run.history) s.x.push_back(sample.time), s.y.push_back(sample.*of);
+  for (const PackingSample& sample : run.history) s.add(sample.time, sample.*of);
   return s;
 }
 
@@ -20,9 +20,9 @@ std::pair<Series, Series> band(const Runs& runs, double PackingSample::*of, int 
   for (const PackingRun* run : runs) samples = std::min(samples, run->history.size());
   for (std::size_t i = 0; i < samples; ++i) {
     const auto value = [&](const PackingRun* run) { return run->history[i].*of; };
-    low.x.push_back(runs.front()->history[i].time), high.x.push_back(low.x.back());
-    low.y.push_back(value(*std::ranges::min_element(runs, {}, value)));
-    high.y.push_back(value(*std::ranges::max_element(runs, {}, value)));
+    const auto [least, most] = std::ranges::minmax_element(runs, {}, value);
+    low.add(runs.front()->history[i].time, value(*least));
+    high.add(runs.front()->history[i].time, value(*most));
   }
   return {low, high};
 }
@@ -70,10 +70,8 @@ Figure density_figure(const std::vector<PackingRun>& runs) {
   int color = 0;
   for (const PackingRun& run : runs) {
     Series s{label_of(run.asked), {}, {}, Mark::line, Dash::solid, color++};
-    for (std::size_t k = 0; k < run.end.solid_fractions.size(); ++k) {
-      s.x.push_back(run.end.solid_fractions[k]);
-      s.y.push_back((run.end.edges[k] + run.end.edges[k + 1]) / 2);
-    }
+    for (std::size_t k = 0; k < run.end.solid_fractions.size(); ++k)
+      s.add(run.end.solid_fractions[k], (run.end.edges[k] + run.end.edges[k + 1]) / 2);
     figure.series.push_back(std::move(s));
   }
   return figure;
@@ -87,9 +85,8 @@ Figure orientation_figure(const std::vector<PackingRun>& runs) {
   const auto add = [&](const std::vector<double>& profile, std::string label, Dash dash, int color) {
     Series s{std::move(label), {}, {}, Mark::line_and_points, dash, color};
     const double width = 90 / static_cast<double>(profile.size());
-    for (std::size_t k = 0; k < profile.size(); ++k) {
-      s.x.push_back((static_cast<double>(k) + 0.5) * width), s.y.push_back(profile[k]);
-    }
+    for (std::size_t k = 0; k < profile.size(); ++k)
+      s.add((static_cast<double>(k) + 0.5) * width, profile[k]);
     figure.series.push_back(std::move(s));
   };
   int color = 0;
@@ -101,8 +98,8 @@ Figure orientation_figure(const std::vector<PackingRun>& runs) {
   return figure;
 }
 
-Figure energy_figure(const PackingRun& booked) {
-  Figure figure{"Where the energy goes, " + label_of(booked.asked), {"time (s)"}, {"energy (J)"}, {}};
+Figure energy_figure(const PackingRun& accounted) {
+  Figure figure{"Where the energy goes, " + label_of(accounted.asked), {"time (s)"}, {"energy (J)"}, {}};
   const std::pair<const char*, double (*)(const dem::EnergyBalance&)> parts[] = {
       {"total", [](const dem::EnergyBalance& e) { return total(e); }},
       {"gravity", [](const dem::EnergyBalance& e) { return e.gravity; }},
@@ -115,8 +112,7 @@ Figure energy_figure(const PackingRun& booked) {
   int color = 0;
   for (const auto& [label, part] : parts) {
     Series s{label, {}, {}, Mark::line, Dash::solid, color++};
-    for (const PackingSample& sample : booked.history)
-      s.x.push_back(sample.time), s.y.push_back(part(sample.energy));
+    for (const PackingSample& sample : accounted.history) s.add(sample.time, part(sample.energy));
     figure.series.push_back(std::move(s));
   }
   return figure;
@@ -142,7 +138,7 @@ std::vector<std::pair<std::string, Figure>> packing_figures(const std::vector<Pa
   add("packing-density", density_figure(figure_runs));
   add("packing-orientation", orientation_figure(figure_runs));
   for (const PackingRun& run : figure_runs) {
-    if (run.asked.booked) add("packing-energy", energy_figure(run));
+    if (run.asked.accounted) add("packing-energy", energy_figure(run));
   }
   return figures;
 }

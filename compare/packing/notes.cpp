@@ -52,9 +52,9 @@ std::string packing_notes(const std::vector<PackingRun>& figure_runs,
                           const std::vector<PackingRun>& spread_runs) {
   std::string text;
   for (const PackingRun& run : figure_runs) {
-    if (!run.history.empty() && (run.asked.booked || run.asked.stiffness != 1))
+    if (!run.history.empty() && (run.asked.accounted || run.asked.stiffness != 1))
       text += stages_note(run) + "\n\n";
-    if (run.asked.booked && run.status == "finished") text += energy_note(run) + "\n\n";
+    if (run.asked.accounted && run.status == "finished") text += energy_note(run) + "\n\n";
   }
   if (!spread_runs.empty()) text += spread_note(spread_runs) + "\n\n";
   return text;

@@ -64,7 +64,7 @@ dem::PackingScene packing_scene(const PackingCase& asked) {
   scene.domain = room_of(side, asked);
   scene.scene_box = {{0, 0, 0}, {side, side, highest}};
   scene.duration = asked.duration;
-  scene.account_energy = asked.booked;
+  scene.account_energy = asked.accounted;
   scene.step = asked.step_ratio * step_of(scene);
   return scene;
 }

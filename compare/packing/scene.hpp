@@ -22,7 +22,7 @@ struct PackingCase {
   double step_ratio = 1;   ///< time step over the usual: 0.8 of the bonds' limit, 0.45 of the contacts'
   double duration = kPackingDuration;  ///< [s]
   bool periodic = false;               ///< sides, in place of walls
-  bool booked = false;                 ///< energy by mechanism
+  bool accounted = false;              ///< energy by mechanism
   bool pictured = false;               ///< places are kept for pictures
 };
 

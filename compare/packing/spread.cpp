@@ -41,7 +41,7 @@ std::vector<PackingCase> kinds_of(const PackingPlan& plan, int fibers) {
 std::vector<PackingCase> figure_cases(const PackingPlan& plan) {
   if (plan.fibers == 0) return {};
   std::vector<PackingCase> cases = kinds_of(plan, plan.fibers);
-  cases.front().booked = cases.front().pictured = true;
+  cases.front().accounted = cases.front().pictured = true;
   return cases;
 }
 
@@ -91,16 +91,16 @@ Spread paired_difference(const SeedGroup& a, const SeedGroup& b, double BendingP
   return spread_of(differences);
 }
 
-double energy_drift(const PackingRun& booked) {
-  if (!booked.asked.booked || booked.history.empty()) throw InputError("energy is not booked");
-  const double start = total(booked.history.front().energy);
+double energy_drift(const PackingRun& accounted) {
+  if (!accounted.asked.accounted || accounted.history.empty()) throw InputError("energy is not accounted");
+  const double start = total(accounted.history.front().energy);
   double largest = 0;
-  for (const PackingSample& sample : booked.history) {
+  for (const PackingSample& sample : accounted.history) {
     const double drift = std::abs(total(sample.energy) - start);
     largest = drift <= largest ? largest : drift;  // a NaN stays
   }
-  const dem::EnergyBalance& first = booked.history.front().energy;
-  const dem::EnergyBalance& last = booked.history.back().energy;
+  const dem::EnergyBalance& first = accounted.history.front().energy;
+  const dem::EnergyBalance& last = accounted.history.back().energy;
   return largest / (first.gravity + first.kinetic - last.gravity);
 }
 

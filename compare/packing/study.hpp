@@ -24,9 +24,9 @@ struct PackingPlan {
   std::vector<double> stiffnesses{20};  ///< likewise: bends next to nothing, at a step that can still be paid
 };
 
-/// The packings of one seed. The first is that of Fig 11: pictures are kept and energy is booked.
+/// The packings of one seed. The first is that of Fig 11: pictures are kept and energy is accounted.
 std::vector<PackingCase> figure_cases(const PackingPlan& plan);
-/// The same of more seeds, not booked, and those of the first at half the step.
+/// The same of more seeds, not accounted, and those of the first at half the step.
 std::vector<PackingCase> spread_cases(const PackingPlan& plan);
 
 /// Runs that differ in nothing but the seed.
@@ -52,7 +52,7 @@ dem::Table spread_table(const std::vector<PackingRun>& runs);       ///< a row a
 dem::Table history_table(const std::vector<PackingRun>& runs);      ///< a row a run and sample
 dem::Table density_table(const std::vector<PackingRun>& runs);      ///< a row a run and slab, at rest
 dem::Table orientation_table(const std::vector<PackingRun>& runs);  ///< a row a run and class of angles
-dem::Table energy_table(const PackingRun& booked);                  ///< a row a sample
+dem::Table energy_table(const PackingRun& accounted);               ///< a row a sample
 dem::Table comparison_table(
     const std::vector<PackingRun>& runs);  ///< a row a group: less the first, seed by seed
 
@@ -61,8 +61,8 @@ std::vector<std::pair<std::string, Figure>> packing_figures(const std::vector<Pa
                                                             const std::vector<PackingRun>& spread_runs);
 
 /// Largest departure of the total energy from that at the start, over what the fall has given. Throws
-/// InputError if energy is not booked.
-double energy_drift(const PackingRun& booked);
+/// InputError if energy is not accounted.
+double energy_drift(const PackingRun& accounted);
 
 /// "xi_b = 1, xi_r = 0", with the stiffness where it is not 1.
 std::string label_of(const PackingCase& asked);

@@ -130,9 +130,9 @@ dem::Table orientation_table(const std::vector<PackingRun>& runs) {
   return table;
 }
 
-dem::Table energy_table(const PackingRun& booked) {
+dem::Table energy_table(const PackingRun& accounted) {
   dem::Table table(joined(Names{"simulated_time"}, dem::energy_columns(true)));
-  for (const PackingSample& sample : booked.history) {
+  for (const PackingSample& sample : accounted.history) {
     table.append(
         joined(dem::NamedRow{{"simulated_time", sample.time}}, dem::energy_cells(sample.energy, true)));
   }

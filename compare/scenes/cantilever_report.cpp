@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "compare/scenes/cantilever.hpp"
+#include "compare/study/nan.hpp"
+#include "compare/study/tabulate.hpp"
 #include "reference/elastica.hpp"
 
 namespace fiberchain::compare {
@@ -16,8 +18,10 @@ bool has_elastica(const CantileverScene& scene) {
          scene.load <= reference::max_elastica_load;
 }
 
-dem::NamedRow elastica_cells(double load, const Station& tip) {
-  const reference::TipState elastica = reference::elastica_shooting(load);
+/// Missing where the Elastica is no reference.
+dem::NamedRow elastica_cells(const CantileverScene& scene, const Station& tip) {
+  const reference::TipState elastica =
+      has_elastica(scene) ? reference::elastica_shooting(scene.load) : reference::TipState{nan, nan, nan};
   const double x = 1 - tip.x;
   return {{"elastica_tip_y", elastica.y},
           {"elastica_tip_x", elastica.x},
@@ -37,52 +41,25 @@ dem::Cell cell_of(const std::optional<std::int64_t>& count) {
 dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& rest) {
   const Station& tip = rest.spheres.back();
   const bool marched = scene.method == dem::Method::march;
-  dem::NamedRow row = {{"aspect_ratio", scene.fiber.aspect_ratio},
-                       {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
-                       {"load", scene.load},
-                       {"bond", std::string(name(scene.fiber.bond_model))},
-                       {"form", std::string(name(scene.march.form))},
-                       {"method", std::string(name(scene.method))},
-                       {"dimension", std::string(name(scene.dimension))},
-                       {"bond_damping", marched ? scene.march.bond_damping : scene.fiber.bond_damping},
-                       {"tip_y", tip.y},
-                       {"tip_x", 1 - tip.x},
-                       {"tip_z", tip.z},
-                       {"tip_angle", tip.angle},
-                       {"residual", rest.residual},
-                       {"stability", std::string(name(rest.stability))},
-                       {"iterations", cell_of(rest.iterations)},
-                       {"steps", cell_of(rest.steps)},
-                       {"run_time", rest.run_time}};
-  if (has_elastica(scene)) {
-    for (auto& cell : elastica_cells(scene.load, tip)) row.push_back(std::move(cell));
-  }
-  dem::Table table({"aspect_ratio",
-                    "poisson_ratio",
-                    "load",
-                    "bond",
-                    "form",
-                    "method",
-                    "dimension",
-                    "bond_damping",
-                    "tip_y",
-                    "tip_x",
-                    "tip_z",
-                    "tip_angle",
-                    "elastica_tip_y",
-                    "elastica_tip_x",
-                    "elastica_tip_angle",
-                    "departure_y",
-                    "departure_x",
-                    "departure_angle",
-                    "departure_distance",
-                    "residual",
-                    "stability",
-                    "iterations",
-                    "steps",
-                    "run_time"});
-  table.append(row);
-  return table;
+  const dem::NamedRow asked = {
+      {"aspect_ratio", scene.fiber.aspect_ratio},
+      {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
+      {"load", scene.load},
+      {"bond", std::string(name(scene.fiber.bond_model))},
+      {"form", std::string(name(scene.march.form))},
+      {"method", std::string(name(scene.method))},
+      {"dimension", std::string(name(scene.dimension))},
+      {"bond_damping", marched ? scene.march.bond_damping : scene.fiber.bond_damping},
+      {"tip_y", tip.y},
+      {"tip_x", 1 - tip.x},
+      {"tip_z", tip.z},
+      {"tip_angle", tip.angle}};
+  const dem::NamedRow end = {{"residual", rest.residual},
+                             {"stability", std::string(name(rest.stability))},
+                             {"iterations", cell_of(rest.iterations)},
+                             {"steps", cell_of(rest.steps)},
+                             {"run_time", rest.run_time}};
+  return table_of(joined(joined(asked, elastica_cells(scene, tip)), end));
 }
 
 dem::Table shape_table(const CantileverRest& rest) {
@@ -100,10 +77,7 @@ dem::Table shape_table(const CantileverRest& rest) {
 
 Figure shape_figure(const CantileverScene& scene, const CantileverRest& rest) {
   Series chain{.label = "spheres of the chain", .x = {}, .y = {}};
-  for (const Station& at : rest.spheres) {
-    chain.x.push_back(at.x);
-    chain.y.push_back(at.y);
-  }
+  for (const Station& at : rest.spheres) chain.add(at.x, at.y);
   Figure figure{
       .title = fmt::format("Cantilever, {{/:Italic r_f}} = {}, {{/:Italic PL}}^2/({{/:Italic EI}}) = {:.4g}",
                            scene.fiber.aspect_ratio, scene.load),

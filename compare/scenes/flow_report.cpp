@@ -8,6 +8,7 @@
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turn_detection.hpp"
 #include "compare/study/nan.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/scene/build_fiber.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
@@ -60,36 +61,13 @@ double scene_aspect_ratio(const FlowScene& scene) {
 }
 
 dem::Table flow_table(const FlowScene& scene, const FlowHistory& history) {
-  dem::Table table({"aspect_ratio",
-                    "spheres",
-                    "poisson_ratio",
-                    "bond",
-                    "form",
-                    "dimension",
-                    "bond_damping",
-                    "hydrodynamics",
-                    "flow_method",
-                    "elasto_viscous",
-                    "strain",
-                    "period",
-                    "orbit_constant",
-                    "orbit_constant_last",
-                    "end_to_end_least",
-                    "bending_angle",
-                    "time_step",
-                    "steps",
-                    "bond_evaluations",
-                    "linear_solves",
-                    "factorizations",
-                    "run_time",
-                    "status"});
   const double r_e = scene_aspect_ratio(scene);
   const auto& work = history.record.work;
   const auto constant = [&](const auto& moments, bool last) {
     return moments.empty() ? nan
                            : orbit_constant(scene, r_e, (last ? moments.back() : moments.front()).direction);
   };
-  table.append(
+  return table_of(
       {{"aspect_ratio", scene.fiber.aspect_ratio},
        {"spheres", scene.fiber.aspect_ratio + 1},
        {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
@@ -113,7 +91,6 @@ dem::Table flow_table(const FlowScene& scene, const FlowHistory& history) {
        {"factorizations", static_cast<std::int64_t>(work.factorizations)},
        {"run_time", history.run_time},
        {"status", status_of(history)}});
-  return table;
 }
 
 dem::Table flow_history_table(const FlowScene& scene, const FlowHistory& history) {
@@ -163,13 +140,13 @@ std::vector<std::pair<std::string, Figure>> flow_scene_figures(const FlowScene& 
   for (std::size_t i = 0; i < history.shapes.size(); ++i) {
     const FlowShape& shape = history.shapes[i];
     Series s{i % labeled == 0 ? fmt::format("{:.4g}", shape.time * scene.rate) : "", {}, {}, Mark::line};
-    for (const Triple& at : shape.spheres) s.x.push_back(at[0]), s.y.push_back(at[1]);
+    for (const Triple& at : shape.spheres) s.add(at[0], at[1]);
     shapes.series.push_back(std::move(s));
   }
   Figure turning{"Direction and extent of the fiber, " + what, {"strain, rate times time"}, {""}, {}};
   const auto add = [&](const char* label, auto value) {
     Series s{label, {}, {}, Mark::line};
-    for (const FlowMoment& m : history.moments) s.x.push_back(m.time * scene.rate), s.y.push_back(value(m));
+    for (const FlowMoment& m : history.moments) s.add(m.time * scene.rate, value(m));
     turning.series.push_back(std::move(s));
   };
   add("p_x", [](const FlowMoment& m) { return m.direction[0]; });

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/study/tabulate.hpp"
+
 namespace fiberchain::compare {
 namespace {
 
@@ -19,7 +21,7 @@ void add_line(Figure& figure, std::string_view label, const std::vector<double>&
               const std::vector<double>& y) {
   Series line{std::string(label), {}, {}, Mark::line};
   for (std::size_t n = 0; n < x.size(); ++n) {
-    if (std::isfinite(y[n])) line.x.push_back(x[n]), line.y.push_back(y[n]);
+    if (std::isfinite(y[n])) line.add(x[n], y[n]);
   }
   if (!line.x.empty()) figure.series.push_back(std::move(line));
 }
@@ -33,24 +35,20 @@ std::string status_of(const dem::PackingEndState& end) {
 }  // namespace
 
 dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndState& end) {
-  dem::Table table({"fibers", "spheres", "seed", "time_step", "step_set_by", "steps", "simulated_time",
-                    "contacts", "coordination", "height", "bending_mean", "kinetic_energy", "run_time",
-                    "status"});
-  table.append({{"fibers", end.fibers},
-                {"spheres", end.spheres},
-                {"seed", static_cast<std::int64_t>(job.scene.filling.seed)},
-                {"time_step", end.step},
-                {"step_set_by", job.scene.step ? std::string("scene") : std::string(end.choice.set_by)},
-                {"steps", end.last.step},
-                {"simulated_time", end.last.time},
-                {"contacts", end.last.contacts},
-                {"coordination", dem::known(end.coordination)},
-                {"height", end.last.height},
-                {"bending_mean", end.last.bending_mean},
-                {"kinetic_energy", end.last.energy.kinetic},
-                {"run_time", dem::known(end.run_time)},
-                {"status", status_of(end)}});
-  return table;
+  return table_of({{"fibers", end.fibers},
+                   {"spheres", end.spheres},
+                   {"seed", static_cast<std::int64_t>(job.scene.filling.seed)},
+                   {"time_step", end.step},
+                   {"step_set_by", job.scene.step ? std::string("scene") : std::string(end.choice.set_by)},
+                   {"steps", end.last.step},
+                   {"simulated_time", end.last.time},
+                   {"contacts", end.last.contacts},
+                   {"coordination", dem::known(end.coordination)},
+                   {"height", end.last.height},
+                   {"bending_mean", end.last.bending_mean},
+                   {"kinetic_energy", end.last.energy.kinetic},
+                   {"run_time", dem::known(end.run_time)},
+                   {"status", status_of(end)}});
 }
 
 std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job,

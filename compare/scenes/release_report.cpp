@@ -9,6 +9,7 @@
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/scene/build_fiber.hpp"
 #include "dem/vibration/choose.hpp"
 #include "reference/chain_modes.hpp"
@@ -103,51 +104,31 @@ ReleasePlan plan_release(const ReleaseScene& scene) {
 }
 
 dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
-  dem::Table table({"aspect_ratio",
-                    "poisson_ratio",
-                    "load",
-                    "bond",
-                    "form",
-                    "dimension",
-                    "mass",
-                    "bond_damping",
-                    "rolling_friction",
-                    "integrator",
-                    "time_step",
-                    "step_ratio",
-                    "steps",
-                    "bond_evaluations",
-                    "linear_solves",
-                    "fiber_damping",
-                    "fiber_damping_modes",
-                    "frequency",
-                    "run_time",
-                    "status"});
   const bool marched =
       run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
   const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
-  table.append({{"aspect_ratio", scene.fiber.aspect_ratio},
-                {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
-                {"load", scene.pull.load},
-                {"bond", std::string(name(scene.fiber.bond_model))},
-                {"form", std::string(name(form))},
-                {"dimension", std::string(name(scene.dimension))},
-                {"mass", std::string(name(scene.fiber.mass))},
-                {"bond_damping", scene.fiber.bond_damping},
-                {"rolling_friction", scene.fiber.rolling_friction},
-                {"integrator", std::string(name(run.integrator))},
-                {"time_step", run.time_step},
-                {"step_ratio", run.time_step / dem::bond_time_step(scene.fiber)},
-                {"steps", static_cast<std::int64_t>(run.work.steps)},
-                {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
-                {"linear_solves", static_cast<std::int64_t>(run.work.linear_solves)},
-                {"fiber_damping", dem::known(run.damping)},
-                {"fiber_damping_modes", run.damping_modes},
-                {"frequency", dem::known(run.frequency)},
-                {"run_time", run.run_time},
-                {"status", run.failure.empty() ? (run.reason.empty() ? std::string("finished") : run.reason)
-                                               : run.failure}});
-  return table;
+  return table_of(
+      {{"aspect_ratio", scene.fiber.aspect_ratio},
+       {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
+       {"load", scene.pull.load},
+       {"bond", std::string(name(scene.fiber.bond_model))},
+       {"form", std::string(name(form))},
+       {"dimension", std::string(name(scene.dimension))},
+       {"mass", std::string(name(scene.fiber.mass))},
+       {"bond_damping", scene.fiber.bond_damping},
+       {"rolling_friction", scene.fiber.rolling_friction},
+       {"integrator", std::string(name(run.integrator))},
+       {"time_step", run.time_step},
+       {"step_ratio", run.time_step / dem::bond_time_step(scene.fiber)},
+       {"steps", static_cast<std::int64_t>(run.work.steps)},
+       {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
+       {"linear_solves", static_cast<std::int64_t>(run.work.linear_solves)},
+       {"fiber_damping", dem::known(run.damping)},
+       {"fiber_damping_modes", run.damping_modes},
+       {"frequency", dem::known(run.frequency)},
+       {"run_time", run.run_time},
+       {"status",
+        run.failure.empty() ? (run.reason.empty() ? std::string("finished") : run.reason) : run.failure}});
 }
 
 dem::Table release_history_table(const ReleaseRun& run) {

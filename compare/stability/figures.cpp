@@ -86,14 +86,12 @@ Figure damping_curves(const StabilityPoints& points) {
       StabilityCase at = any;
       at.poisson_ratio = nu;
       at.bond_damping = low * std::pow(high / low, i / 60.0);
-      theory.x.push_back(at.bond_damping);
-      theory.y.push_back(modal_limit(at));
+      theory.add(at.bond_damping, modal_limit(at));
     }
     Series runs{"", {}, {}, Mark::points, Dash::solid, color++};
     for (const StabilityPoint& p : points) {
       if (p.asked.poisson_ratio != nu || p.asked.bond_damping == 0) continue;
-      runs.x.push_back(p.asked.bond_damping);
-      runs.y.push_back(p.measured);
+      runs.add(p.asked.bond_damping, p.measured);
     }
     figure.series.push_back(theory);
     figure.series.push_back(runs);
@@ -124,13 +122,11 @@ Figure aspect_ratio_curves(const StabilityPoints& points) {
       at.aspect_ratio = static_cast<int>(std::lround(low * std::pow(high / low, i / 60.0)));
       if (at.aspect_ratio == before) continue;
       before = at.aspect_ratio;
-      theory.x.push_back(at.aspect_ratio);
-      theory.y.push_back(modal_limit(at) / endless);
+      theory.add(at.aspect_ratio, modal_limit(at) / endless);
     }
     for (const StabilityPoint& p : points) {
       if (p.asked.bond_damping != xi) continue;
-      runs.x.push_back(p.asked.aspect_ratio);
-      runs.y.push_back(p.measured / endless);
+      runs.add(p.asked.aspect_ratio, p.measured / endless);
     }
     figure.series.push_back(theory);
     figure.series.push_back(runs);

@@ -5,26 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/study/tabulate.hpp"
+
 namespace fiberchain::compare {
 namespace {
-
-const std::vector<std::string> stability_columns{"aspect_ratio",
-                                                 "poisson_ratio",
-                                                 "bond_damping",
-                                                 "bond",
-                                                 "scheme",
-                                                 "ends",
-                                                 "dimension",
-                                                 "stable_step_endless",
-                                                 "stable_step_modes",
-                                                 "stable_step_measured",
-                                                 "stable_step_half_width",
-                                                 "stable_step_difference",
-                                                 "bond_time_verdict",
-                                                 "quarter_verdict",
-                                                 "quarter_growth",
-                                                 "steps",
-                                                 "status"};
 
 dem::NamedRow row_of(const StabilityPoint& p) {
   const StabilityCase& c = p.asked;
@@ -82,9 +66,7 @@ std::vector<StabilityCase> stability_figure_cases() {
 }
 
 dem::Table stability_table(const std::vector<StabilityPoint>& points) {
-  dem::Table table(stability_columns);
-  for (const StabilityPoint& point : points) table.append(row_of(point));
-  return table;
+  return tabulate(points, [](const StabilityPoint& point) { return row_of(point); });
 }
 
 std::string stability_notes(const std::vector<StabilityPoint>& points) {

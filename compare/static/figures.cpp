@@ -43,10 +43,7 @@ std::string kind_of(const StaticCase& c) {
 Series series(std::string label, const StaticPoints& points,
               const std::function<double(const StaticPoint&)>& value, Mark mark = Mark::line_and_points) {
   Series s{std::move(label), {}, {}, mark};
-  for (const StaticPoint& p : points) {
-    s.x.push_back(p.asked.load);
-    s.y.push_back(value(p));
-  }
+  for (const StaticPoint& p : points) s.add(p.asked.load, value(p));
   return s;
 }
 
@@ -57,8 +54,8 @@ Series theory(std::string label, const StaticPoints& points, const std::function
   const double last = points.back().asked.load;
   constexpr int n = 80;
   for (int i = 1; i <= n; ++i) {
-    s.x.push_back(last * i / n);
-    s.y.push_back(value(s.x.back()));
+    const double load = last * i / n;
+    s.add(load, value(load));
   }
   return s;
 }
@@ -124,8 +121,7 @@ Figure order_figure(const dem::Table& orders) {
       labels.push_back(label);
       curves[label] = Series{label, {}, {}, Mark::line_and_points, dash};
     }
-    curves[label].x.push_back(x);
-    curves[label].y.push_back(y);
+    curves[label].add(x, y);
   };
   for (std::size_t row = 0; row < orders.rows().size(); ++row) {
     const double x = orders.number(row, "aspect_ratio"), load = orders.number(row, "load");

@@ -3,55 +3,10 @@
 #include <cmath>
 
 #include "compare/study/errors.hpp"
+#include "compare/study/tabulate.hpp"
 
 namespace fiberchain::compare {
 namespace {
-
-const std::vector<std::string> static_columns{"aspect_ratio",
-                                              "poisson_ratio",
-                                              "load",
-                                              "bond",
-                                              "method",
-                                              "form",
-                                              "dimension",
-                                              "tip_y",
-                                              "tip_x",
-                                              "tip_angle",
-                                              "elastica_tip_y",
-                                              "elastica_tip_x",
-                                              "elastica_tip_angle",
-                                              "reissner_tip_y",
-                                              "reissner_tip_x",
-                                              "reissner_tip_angle",
-                                              "departure_y",
-                                              "departure_x",
-                                              "departure_angle",
-                                              "departure_distance",
-                                              "departure_distance_unstretched",
-                                              "shear_y",
-                                              "shear_x",
-                                              "shear_angle",
-                                              "stretch_y",
-                                              "stretch_x",
-                                              "stretch_angle",
-                                              "discretization_y",
-                                              "discretization_x",
-                                              "discretization_angle",
-                                              "history_y",
-                                              "history_x",
-                                              "history_angle",
-                                              "time_step_y",
-                                              "time_step_x",
-                                              "time_step_angle",
-                                              "leftover_motion_y",
-                                              "leftover_motion_x",
-                                              "leftover_motion_angle",
-                                              "status",
-                                              "residual",
-                                              "stability",
-                                              "iterations",
-                                              "steps",
-                                              "run_time"};
 
 bool allowed(StaticMethod method, dem::BondForm form) {
   return method == StaticMethod::march || form == dem::BondForm::total;
@@ -133,9 +88,7 @@ std::vector<StaticCase> cases(const StaticSweep& sweep) {
 }
 
 dem::Table static_table(const std::vector<StaticPoint>& points) {
-  dem::Table table(static_columns);
-  for (const StaticPoint& point : points) table.append(row_of(point));
-  return table;
+  return tabulate(points, [](const StaticPoint& point) { return row_of(point); });
 }
 
 dem::Table static_order_table(double poisson_ratio, int jobs) {

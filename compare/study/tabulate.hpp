@@ -32,4 +32,11 @@ dem::Table tabulate(const Items& items, const RowOf& row_of) {
   return table;
 }
 
+/// Table of one row.
+inline dem::Table table_of(const dem::NamedRow& row) {
+  dem::Table table(names_of(row));
+  table.append(row);
+  return table;
+}
+
 }  // namespace fiberchain::compare

@@ -56,7 +56,7 @@ std::optional<MeasuredOtherwise> otherwise_of(const Claim& claim, const Measured
 }
 
 /// The row before it is judged.
-MatrixRow unjudged(const Claim& claim, const Measured& measured) {
+ValidationRow unjudged(const Claim& claim, const Measured& measured) {
   const double expected = expected_of(claim, measured);
   return {.id = claim.id,
           .feature = claim.feature,
@@ -92,11 +92,13 @@ const std::vector<ValidationSubject>& validation_subjects() {
   return subjects;
 }
 
-MatrixRow row_of(const Claim& claim, const Measured& measured) { return judged(unjudged(claim, measured)); }
+ValidationRow row_of(const Claim& claim, const Measured& measured) {
+  return judged(unjudged(claim, measured));
+}
 
-MatrixRow row_by_claim(const Claim& claim, const Measured& measured) {
+ValidationRow row_by_claim(const Claim& claim, const Measured& measured) {
   if (!claim.range) return row_of(claim, measured);
-  MatrixRow row = unjudged(claim, measured);
+  ValidationRow row = unjudged(claim, measured);
   row.expected = row.tolerance = nan;
   row.basis = "-";
   row.otherwise.reset();
@@ -121,7 +123,7 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
   }
 }
 
-std::vector<MatrixRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject) {
+std::vector<ValidationRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject) {
   const Checks& checks = subject.checks();
   check_complete(input.claims, subject.name, checks);
   std::vector<std::pair<std::string_view, Measured>> found;
@@ -133,7 +135,7 @@ std::vector<MatrixRow> validation_rows(const ValidationInput& input, const Valid
     }
     for (std::size_t i = 0; i < measured.size(); ++i) found.emplace_back(check.ids[i], measured[i]);
   }
-  std::vector<MatrixRow> rows;
+  std::vector<ValidationRow> rows;
   for (const Claim& claim : input.claims) {
     if (claim.subject != subject.name) continue;
     rows.push_back(row_of(

@@ -79,15 +79,15 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
 /// The subject's rows, in the order of the claims.
 /// @throws InputError as above, or where a measure does not return a value for each id
 ///   or does not fill the claim's evidence text
-std::vector<MatrixRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
+std::vector<ValidationRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
 
 /// The claim's row, judged.
 /// @throws InputError if the evidence text has more fields than were measured, or if what is expected and
 ///   what is measured do not belong together
-MatrixRow row_of(const Claim& claim, const Measured& measured);
+ValidationRow row_of(const Claim& claim, const Measured& measured);
 
 /// The same for runs that are not those of the matrix: of a published claim nothing is expected, its verdict
 /// follows from the measured value alone, and these runs are its condition if it has one.
-MatrixRow row_by_claim(const Claim& claim, const Measured& measured);
+ValidationRow row_by_claim(const Claim& claim, const Measured& measured);
 
 }  // namespace fiberchain::compare

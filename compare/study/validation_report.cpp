@@ -5,6 +5,7 @@
 #include <set>
 
 #include "compare/study/errors.hpp"
+#include "compare/study/tabulate.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -14,7 +15,7 @@ bool within(double measured, double expected, double tolerance) {
 }
 
 /// A condition that makes no difference to the claim is none.
-Verdict verdict_by_claim(const MatrixRow& row) {
+Verdict verdict_by_claim(const ValidationRow& row) {
   if (!row.claim->contains(row.measured)) return Verdict::disputed;
   if (row.condition == "-") return Verdict::holds;
   const bool holds_without = row.otherwise && row.claim->contains(row.otherwise->measured);
@@ -25,7 +26,7 @@ std::string yes_or_no(std::optional<bool> value) { return !value ? "-" : *value 
 
 }  // namespace
 
-MatrixRow judged(MatrixRow row) {
+ValidationRow judged(ValidationRow row) {
   const auto& other = row.otherwise;
   row.as_expected = within(row.measured, row.expected, row.tolerance) &&
                     (!other || within(other->measured, other->expected, other->tolerance));
@@ -33,66 +34,46 @@ MatrixRow judged(MatrixRow row) {
   return row;
 }
 
-MatrixRow judged_by_claim(MatrixRow row) {
+ValidationRow judged_by_claim(ValidationRow row) {
   if (!row.claim) throw dem::TableError("row '" + row.id + "' has no claim to be judged by");
   row.as_expected.reset();
   row.verdict = verdict_by_claim(row);
   return row;
 }
 
-dem::Table to_table(const std::vector<MatrixRow>& rows) {
-  dem::Table table({"id",
-                    "feature",
-                    "reference_kind",
-                    "quantity",
-                    "claim",
-                    "expected",
-                    "measured",
-                    "difference",
-                    "tolerance",
-                    "unit",
-                    "as_expected",
-                    "verdict",
-                    "condition",
-                    "otherwise",
-                    "otherwise_expected",
-                    "otherwise_tolerance",
-                    "reading",
-                    "basis",
-                    "source",
-                    "evidence"});
+dem::Table to_table(const std::vector<ValidationRow>& rows) {
   std::set<std::string> ids;
-  for (const MatrixRow& row : rows) {
+  for (const ValidationRow& row : rows)
     if (!ids.insert(row.id).second) throw dem::TableError("row '" + row.id + "' comes twice");
+  return tabulate(rows, [&](const ValidationRow& row) -> dem::NamedRow {
     const auto other = [&](double MeasuredOtherwise::*part) {
       return row.otherwise ? dem::Cell{*row.otherwise.*part} : dem::Cell{};
     };
-    table.append({{"id", row.id},
-                  {"feature", row.feature},
-                  {"reference_kind", to_string(row.reference_kind)},
-                  {"quantity", row.quantity},
-                  {"claim", row.claim ? row.claim->text() : "-"},
-                  {"expected", row.expected},
-                  {"measured", row.measured},
-                  {"difference", row.measured - row.expected},
-                  {"tolerance", row.tolerance},
-                  {"unit", row.unit},
-                  {"as_expected", yes_or_no(row.as_expected)},
-                  {"verdict", to_string(row.verdict)},
-                  {"condition", row.condition},
-                  {"otherwise", other(&MeasuredOtherwise::measured)},
-                  {"otherwise_expected", other(&MeasuredOtherwise::expected)},
-                  {"otherwise_tolerance", other(&MeasuredOtherwise::tolerance)},
-                  {"reading", row.reading},
-                  {"basis", row.basis},
-                  {"source", row.source},
-                  {"evidence", row.evidence}});
-  }
-  return table;
+    return {{"id", row.id},
+            {"feature", row.feature},
+            {"reference_kind", to_string(row.reference_kind)},
+            {"quantity", row.quantity},
+            {"claim", row.claim ? row.claim->text() : "-"},
+            {"expected", row.expected},
+            {"measured", row.measured},
+            {"difference", row.measured - row.expected},
+            {"tolerance", row.tolerance},
+            {"unit", row.unit},
+            {"as_expected", yes_or_no(row.as_expected)},
+            {"verdict", to_string(row.verdict)},
+            {"condition", row.condition},
+            {"otherwise", other(&MeasuredOtherwise::measured)},
+            {"otherwise_expected", other(&MeasuredOtherwise::expected)},
+            {"otherwise_tolerance", other(&MeasuredOtherwise::tolerance)},
+            {"reading", row.reading},
+            {"basis", row.basis},
+            {"source", row.source},
+            {"evidence", row.evidence}};
+  });
 }
 
-bool all_as_expected(const std::vector<MatrixRow>& rows) {
-  return std::ranges::none_of(rows, [](const MatrixRow& row) { return row.as_expected == false; });
+bool all_as_expected(const std::vector<ValidationRow>& rows) {
+  return std::ranges::none_of(rows, [](const ValidationRow& row) { return row.as_expected == false; });
 }
 
 std::string to_string(Verdict verdict) {

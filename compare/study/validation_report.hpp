@@ -22,7 +22,7 @@ struct MeasuredOtherwise {
   double expected, measured, tolerance;
 };
 
-struct MatrixRow {
+struct ValidationRow {
   std::string id;       ///< unique
   std::string feature;  ///< what is tested
   ReferenceKind reference_kind;
@@ -45,18 +45,18 @@ struct MatrixRow {
 /// The row with what follows from its numbers: whether it is as expected on both sides of the condition, and
 /// its verdict. A claim is judged by the measured values alone; a row without one holds if it is as expected.
 /// A NaN is neither expected nor within a claim.
-MatrixRow judged(MatrixRow row);
+ValidationRow judged(ValidationRow row);
 
 /// The row of a published claim judged by its claim alone, for runs of which nothing is expected.
 /// @throws dem::TableError for a row without a claim
-MatrixRow judged_by_claim(MatrixRow row);
+ValidationRow judged_by_claim(ValidationRow row);
 
 /// The rows as a table.
 /// @throws TableError if an id comes twice
-dem::Table to_table(const std::vector<MatrixRow>& rows);
+dem::Table to_table(const std::vector<ValidationRow>& rows);
 
 /// Whether every row is as expected.
-bool all_as_expected(const std::vector<MatrixRow>& rows);
+bool all_as_expected(const std::vector<ValidationRow>& rows);
 
 std::string to_string(Verdict verdict);
 

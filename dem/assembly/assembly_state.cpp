@@ -206,7 +206,7 @@ EnergyBalance Assembly::State::energy() const {
     }
     sum.bond_damping += block.bond_damping();
     sum.bond_friction += block.bond_friction();
-    sum.fluid += block.fluid_taken();
+    sum.fluid += block.fluid_dissipation();
   }
   sum.contacts = contacts.stored_energy();
   const ContactAccount<double> dissipated = contacts.dissipated();

@@ -137,7 +137,7 @@ struct Assembly::State {
   /// Throws Diverged where bodies may have passed through each other.
   void check_passage(std::int64_t from) const;
   double step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch);
-  double fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const;
+  double fluid_dissipation(const FiberBlock& block, const BlockSnapshot& before) const;
   std::int64_t broken() const;
   [[noreturn]] void fail(std::int64_t sphere, std::int64_t from) const;
 };

@@ -42,7 +42,7 @@ bool Assembly::State::update_neighbor_list() {
 
 /// Energy dissipated by the fluid in a step [J]: the work of all other forces less the change of kinetic
 /// energy.
-double Assembly::State::fluid_taken(const FiberBlock& block, const BlockSnapshot& before) const {
+double Assembly::State::fluid_dissipation(const FiberBlock& block, const BlockSnapshot& before) const {
   const GroupKind& kind = kinds[block.group()];
   double dissipated = 0;
   for (int lane = 0; lane < block.lanes(); ++lane) {
@@ -78,7 +78,7 @@ double Assembly::State::step_block(std::size_t number, LoadRange own_loads, Lane
     return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
   const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
-  block.add_fluid_taken(fluid_taken(block, before));
+  block.add_fluid_dissipation(fluid_dissipation(block, before));
   return fastest;
 }
 

@@ -186,7 +186,7 @@ double FiberBlock::bond_friction() const {
 std::array<std::span<double>, 6> FiberBlock::saved_arrays() {
   const auto all = [](LaneArray& array) { return std::span(array.data(), array.size()); };
   return {std::span(&previous_step_, 1),
-          std::span(&fluid_taken_, 1),
+          std::span(&fluid_dissipated_, 1),
           std::span(history_, history_size_),
           all(workspace_),
           all(previous_),

@@ -90,10 +90,10 @@ class FiberBlock {
   /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
   void break_bond(const GroupKind& kind, int lane, int bond);
 
-  double bond_damping() const;                         ///< dissipated so far [J]
-  double bond_friction() const;                        ///< dissipated so far [J]
-  double fluid_taken() const { return fluid_taken_; }  ///< so far [J]
-  void add_fluid_taken(double energy) { fluid_taken_ += energy; }
+  double bond_damping() const;                                    ///< dissipated so far [J]
+  double bond_friction() const;                                   ///< dissipated so far [J]
+  double fluid_dissipation() const { return fluid_dissipated_; }  ///< so far [J]
+  void add_fluid_dissipation(double energy) { fluid_dissipated_ += energy; }
 
   /// All state beyond the spheres' rows: previous step, energy dissipated by the fluid, bond histories,
   /// workspace, loads of the previous step for the energy account, dissipated energies.
@@ -109,7 +109,7 @@ class FiberBlock {
   int group_, lanes_;
   double* history_;  ///< in the kind's histories
   std::size_t history_size_;
-  double previous_step_ = 0, fluid_taken_ = 0;
+  double previous_step_ = 0, fluid_dissipated_ = 0;
   std::vector<std::int64_t> first_;
   LaneArray workspace_, previous_, dissipated_;
 };

@@ -74,8 +74,8 @@ std::vector<PackingRun> made_up_runs(double damped_plateau, double friction_plat
   return runs;
 }
 
-compare::Verdict verdict_of(const std::vector<compare::MatrixRow>& rows, std::string_view id) {
-  const auto row = std::ranges::find(rows, id, &compare::MatrixRow::id);
+compare::Verdict verdict_of(const std::vector<compare::ValidationRow>& rows, std::string_view id) {
+  const auto row = std::ranges::find(rows, id, &compare::ValidationRow::id);
   BOOST_REQUIRE((row != rows.end()));
   return row->verdict;
 }
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(a_small_packing_goes_as_the_paper_says_and_keeps_its_energy
                                    .side = 0.05,
                                    .seed = 5,
                                    .duration = 0.25,
-                                   .booked = true,
+                                   .accounted = true,
                                    .pictured = true};
   const PackingRun run = compare::run_packing(asked, {.samples = 50});
   BOOST_TEST_REQUIRE(run.status == "finished");
@@ -229,8 +229,9 @@ BOOST_AUTO_TEST_CASE(a_small_packing_goes_as_the_paper_says_and_keeps_its_energy
   BOOST_TEST(parts.plateau > 0.1 * parts.peak);
   for (const PackingStage stage : compare::kPackingStages)
     BOOST_TEST(find_stage(run.history, stage).has_value());
-  BOOST_TEST(compare::energy_drift(run) < 0.05);  // an error of the step: of first order
-  BOOST_TEST(compare::energy_drift(run) > 1e-9);
+  // an error of the step, which falls with it: 2.6e-4 to 3.7e-4 over 8 seeds, 0.8e-4 to 1.2e-4 at half of it
+  BOOST_TEST(compare::energy_drift(run) < 4e-4);
+  BOOST_TEST(compare::energy_drift(run) > 2e-4);
 
   const double volume = 60 * 21 * 4.0 / 3 * std::acos(-1.0) * 1e-9;
   double packed = 0;

@@ -12,7 +12,7 @@ using namespace fiberchain::compare;
 
 namespace {
 
-MatrixRow row(double expected, double measured, double tolerance) {
+ValidationRow row(double expected, double measured, double tolerance) {
   return {.id = "x",
           .feature = "a feature",
           .reference_kind = ReferenceKind::published,
@@ -33,14 +33,14 @@ MatrixRow row(double expected, double measured, double tolerance) {
 }
 
 /// A value that is expected to a tenth, claimed to be above 1.
-MatrixRow claimed(double measured) {
-  MatrixRow claimed = row(measured, measured, 0.1);
+ValidationRow claimed(double measured) {
+  ValidationRow claimed = row(measured, measured, 0.1);
   claimed.claim = ClaimedRange("> 1");
   return claimed;
 }
 
-MatrixRow conditional(double measured, double otherwise) {
-  MatrixRow conditional = claimed(measured);
+ValidationRow conditional(double measured, double otherwise) {
+  ValidationRow conditional = claimed(measured);
   conditional.condition = "in the shade";
   conditional.otherwise = MeasuredOtherwise{otherwise, otherwise, 0.1};
   return conditional;
@@ -72,13 +72,13 @@ BOOST_AUTO_TEST_CASE(a_condition_counts_where_the_claim_needs_it) {
   BOOST_TEST((judged(conditional(1.5, 0.5)).verdict == Verdict::holds_only_if));
   BOOST_TEST((judged(conditional(1.5, 1.2)).verdict == Verdict::holds));
   BOOST_TEST((judged(conditional(0.5, 1.2)).verdict == Verdict::disputed));
-  MatrixRow unmeasured = conditional(1.5, 0.5);
+  ValidationRow unmeasured = conditional(1.5, 0.5);
   unmeasured.otherwise.reset();
   BOOST_TEST((judged(unmeasured).verdict == Verdict::holds_only_if));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_measured_otherwise_must_be_as_expected_too) {
-  MatrixRow off = conditional(1.5, 0.5);
+  ValidationRow off = conditional(1.5, 0.5);
   off.otherwise->measured = 0.7;
   BOOST_TEST(!*judged(off).as_expected);
   off.otherwise->measured = std::nan("");
@@ -86,15 +86,15 @@ BOOST_AUTO_TEST_CASE(what_is_measured_otherwise_must_be_as_expected_too) {
 }
 
 BOOST_AUTO_TEST_CASE(runs_of_which_nothing_is_expected_are_judged_by_the_claim) {
-  const MatrixRow found = judged_by_claim(claimed(1.5));
+  const ValidationRow found = judged_by_claim(claimed(1.5));
   BOOST_TEST((found.verdict == Verdict::holds));
   BOOST_TEST(!found.as_expected.has_value());
   BOOST_CHECK_THROW(judged_by_claim(row(1, 1, 0.1)), dem::TableError);
 }
 
 BOOST_AUTO_TEST_CASE(the_matrix_fails_where_a_row_is_not_as_expected) {
-  const MatrixRow good = judged(row(1, 1, 0.1)), wrong_claim = judged(claimed(0.5));
-  MatrixRow off = claimed(0.5);
+  const ValidationRow good = judged(row(1, 1, 0.1)), wrong_claim = judged(claimed(0.5));
+  ValidationRow off = claimed(0.5);
   off.measured = 0.75;
   BOOST_TEST(all_as_expected({good, wrong_claim}));
   BOOST_TEST(!all_as_expected({good, judged(row(1, 2, 0.1))}));
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_range_decides_what_lies_on_one_side_of_it) {
 }
 
 BOOST_AUTO_TEST_CASE(rows_become_a_table_with_unique_ids) {
-  const MatrixRow first = judged(row(1, 1.125, 0.25));
+  const ValidationRow first = judged(row(1, 1.125, 0.25));
   const dem::Table table = to_table({first});
   BOOST_TEST(table.number(0, "difference") == 0.125);
   BOOST_TEST(table.text(0, "verdict") == "holds");

@@ -43,7 +43,7 @@ std::vector<Claim> claims_of_the_project() {
 }
 
 /// A row of the claim as if everything came out as expected; `expected` where a measure would compute it.
-MatrixRow expected_row(const Claim& claim) {
+ValidationRow expected_row(const Claim& claim) {
   Claim bare = claim;
   bare.evidence = "none";
   const bool computed = std::isnan(claim.value);
@@ -54,8 +54,8 @@ MatrixRow expected_row(const Claim& claim) {
 }
 
 /// Whether a change of a row's number by `part` of its tolerance fails the matrix or flips the verdict.
-bool is_noticed(const MatrixRow& row, double part, bool otherwise) {
-  MatrixRow planted = row;
+bool is_noticed(const ValidationRow& row, double part, bool otherwise) {
+  ValidationRow planted = row;
   if (otherwise) {
     planted.otherwise->measured += part * planted.otherwise->tolerance;
   } else {
@@ -65,7 +65,7 @@ bool is_noticed(const MatrixRow& row, double part, bool otherwise) {
   return !*planted.as_expected || planted.verdict != row.verdict;
 }
 
-bool is_noticed_both_ways(const MatrixRow& row) {
+bool is_noticed_both_ways(const ValidationRow& row) {
   return is_noticed(row, 2, false) && is_noticed(row, -2, false) &&
          (!row.otherwise || (is_noticed(row, 2, true) && is_noticed(row, -2, true)));
 }
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(what_is_expected_and_what_is_measured_belong_together) {
 }
 
 BOOST_AUTO_TEST_CASE(other_runs_are_judged_by_the_claim_alone) {
-  const MatrixRow row = row_by_claim(claim("a"), {1.9, {1.9}});
+  const ValidationRow row = row_by_claim(claim("a"), {1.9, {1.9}});
   BOOST_TEST((row.verdict == Verdict::disputed));
   BOOST_TEST(!row.as_expected.has_value());
   BOOST_TEST(std::isnan(row.expected));
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(other_runs_are_judged_by_the_claim_alone) {
 // In every row of every feature, on both sides of its condition.
 BOOST_AUTO_TEST_CASE(a_planted_change_of_twice_the_tolerance_is_noticed_in_every_row) {
   for (const Claim& claim : claims_of_the_project()) {
-    const MatrixRow row = expected_row(claim);
+    const ValidationRow row = expected_row(claim);
     BOOST_TEST(*row.as_expected, claim.id);
     BOOST_TEST(is_noticed_both_ways(row), claim.id);
     BOOST_TEST(!is_noticed(row, 0.9, false), claim.id);
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_planted_change_is_noticed_in_measured_rows) {
   const ValidationInput input{claims_of_the_project(), 2};
   for (const std::string_view name : {"beams", "static", "damping"}) {
     const auto subject = std::ranges::find(validation_subjects(), name, &ValidationSubject::name);
-    for (const MatrixRow& row : validation_rows(input, *subject)) {
+    for (const ValidationRow& row : validation_rows(input, *subject)) {
       BOOST_TEST(*row.as_expected, row.id);
       BOOST_TEST(is_noticed_both_ways(row), row.id);
     }

@@ -141,12 +141,12 @@ BOOST_AUTO_TEST_CASE(booking_and_orientations_change_no_bit) {
     dem::AssemblyOptions options{.form = c.form, .rolling = c.rolling, .allow_passage = true};
     const auto plain = positions(c, options);
     options.account_energy = true;
-    BOOST_TEST((positions(c, options) == plain), c.name << ", booked");
+    BOOST_TEST((positions(c, options) == plain), c.name << ", accounted");
     if (c.form == BondForm::total) continue;  // its bonds need the orientations
     options.orientations = false;
     BOOST_TEST((positions(c, options) == plain), c.name << ", without orientations");
     options.account_energy = false;
-    BOOST_TEST((positions(c, options) == plain), c.name << ", without orientations, not booked");
+    BOOST_TEST((positions(c, options) == plain), c.name << ", without orientations, not accounted");
   }
 }
 

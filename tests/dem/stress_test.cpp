@@ -20,14 +20,18 @@ using std::numbers::pi;
 BOOST_AUTO_TEST_CASE(energy_of_the_total_form_is_off_at_second_order_and_does_not_drift) {
   const auto drift = marching::energy_drift<3>(BondForm::total, {0.4, 0.2, 0.1}, 2e5, 0.03);
   for (const marching::EnergyDrift& d : drift) {
-    BOOST_TEST(std::abs(d.mean.back() / d.mean[1] - 1) < 0.25);
-    BOOST_TEST(d.largest < 3 * d.mean[1]);
+    // modes exchange energy slowly: the last tenth of the run is off by 0.10 from the second at most; other
+    // starts (12 seeds) by 0.03 at the largest step, 0.10 at the middle one, 0.6 at the smallest
+    BOOST_TEST(std::abs(d.mean.back() / d.mean[1] - 1) < 0.12);
+    // the offset swings about its mean: 1.72 to 1.88 here, 1.28 to 1.97 from other starts
+    BOOST_TEST(d.largest < 2 * d.mean[1]);
+    BOOST_TEST(d.largest > 1.6 * d.mean[1]);
     BOOST_TEST(d.momentum < 1e-13);
     BOOST_TEST(d.angular < 1e-13);
   }
   const double order = std::log2(drift[1].mean[5] / drift[2].mean[5]);
-  BOOST_TEST(order > 1.7);
-  BOOST_TEST(order < 2.4);
+  BOOST_TEST(order > 1.85);  // 1.99; from other starts 1.85 to 2.21
+  BOOST_TEST(order < 2.2);
 }
 
 // The incremental form is no derivative of an energy: what it stores depends on the path, and drifts. It must
@@ -35,11 +39,11 @@ BOOST_AUTO_TEST_CASE(energy_of_the_total_form_is_off_at_second_order_and_does_no
 BOOST_AUTO_TEST_CASE(energy_of_the_incremental_form_stays_bounded_at_a_small_step) {
   const auto drift =
       marching::energy_drift<3>(BondForm::incremental, {0.1, 0.05}, 2e5, 0.03, dem::BondModel::corrected);
-  for (const marching::EnergyDrift& d : drift) {
-    BOOST_TEST(d.largest < 0.006);
-    BOOST_TEST(d.largest > 1e-5);
-    BOOST_TEST(d.angular < 1e-13);
-  }
+  for (const marching::EnergyDrift& d : drift) BOOST_TEST(d.angular < 1e-13);
+  // 1.6e-3 here, 1.1e-3 to 3.1e-3 from other starts (12 seeds), and of second order in the step: 1.9 to 2.11
+  BOOST_TEST(drift[0].largest < 0.0033);
+  BOOST_TEST(drift[0].largest > 0.001);
+  BOOST_TEST(std::abs(std::log2(drift[0].largest / drift[1].largest) - 2) < 0.15);
 }
 
 BOOST_AUTO_TEST_CASE(a_tumbling_fiber_is_stretched_by_its_rotation_and_by_nothing_else) {

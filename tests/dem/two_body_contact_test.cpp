@@ -226,9 +226,9 @@ BOOST_AUTO_TEST_CASE(every_form_and_instruction_set_collides_alike) {
   std::vector<Outcome> all;
   for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
     for (const auto set : {dem::InstructionSet::scalar, dem::best_instruction_set()}) {
-      for (const bool booked : {false, true}) {
+      for (const bool accounted : {false, true}) {
         Collision collision{
-            soft, &hard, {}, 300, {.form = form, .account_energy = booked, .instruction_set = set}};
+            soft, &hard, {}, 300, {.form = form, .account_energy = accounted, .instruction_set = set}};
         collision.around.contacts = {0.6, 0.2};
         all.push_back(collision.run(one, two));
       }

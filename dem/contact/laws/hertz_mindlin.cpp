@@ -24,11 +24,12 @@ HertzMindlin::Parameters<double> HertzMindlin::parameters(const EffectiveBody& e
 
 ContactStiffness HertzMindlin::stiffness(const EffectiveBody& e, const ContactProperties& properties,
                                          double overlap) {
-  const double root = std::sqrt(e.radius * overlap), zeta = damping_ratio_for(properties.restitution);
-  const double normal = 2 * e.youngs_modulus * root,
-               along = properties.friction > 0 ? 8 * e.shear_modulus * root : 0;
+  const double contact_radius = std::sqrt(e.radius * overlap),
+               zeta = damping_ratio_for(properties.restitution);
+  const double normal = 2 * e.youngs_modulus * contact_radius,
+               tangential = properties.friction > 0 ? 8 * e.shear_modulus * contact_radius : 0;
   const auto dashpot = [&](double stiffness) { return 2 * zeta * std::sqrt(5.0 / 6 * e.mass * stiffness); };
-  return {normal, along, dashpot(normal), dashpot(along)};
+  return {normal, tangential, dashpot(normal), dashpot(tangential)};
 }
 
 }  // namespace fiberchain::dem

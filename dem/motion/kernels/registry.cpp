@@ -12,13 +12,13 @@ namespace {
 std::ptrdiff_t index_of(const Physics& physics, std::span<const Physics> list, bool for_packings) {
   const auto found = std::ranges::find(list, physics);
   if (found == list.end() || (for_packings && !built_for_packings(physics))) {
-    throw InvalidInput(
-        fmt::format("dimension = {}, form = {}, damped = {}, drag = {}, curved = {}, solved = {}, rolling = "
-                    "{}, fluid = {} is not among the "
-                    "combinations that are built{}",
-                    physics.dimension, name(physics.form), physics.damped, physics.settling_damping,
-                    physics.curved, physics.solved, name(physics.rolling), physics.fluid,
-                    for_packings ? " for fibers among others" : ""));
+    throw InvalidInput(fmt::format(
+        "dimension = {}, form = {}, damped = {}, settling_damping = {}, curved = {}, solved = {}, rolling = "
+        "{}, fluid = {} is not among the "
+        "combinations that are built{}",
+        physics.dimension, name(physics.form), physics.damped, physics.settling_damping, physics.curved,
+        physics.solved, name(physics.rolling), physics.fluid,
+        for_packings ? " for fibers among others" : ""));
   }
   return found - list.begin();
 }
