@@ -34,13 +34,15 @@ struct Outcome {
   Results results;
   dem::Table shown;
   std::string failure;
+  std::string warning = "";
 };
 
 Outcome outcome_of(const dem::CantileverScene& scene, const std::string& name) {
   Results results = run_cantilever(scene, name);
   dem::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle",
                                            "departure_y", "departure_distance", "residual", "run_time"});
-  return {std::move(results), std::move(shown), ""};
+  return {std::move(results), std::move(shown), "",
+          compare::strain_warning(compare::strain_bound(scene.fiber, scene.load))};
 }
 
 Outcome outcome_of(const dem::ReleaseScene& scene, const std::string& name) {
@@ -48,7 +50,8 @@ Outcome outcome_of(const dem::ReleaseScene& scene, const std::string& name) {
   Results results = run_release(scene, run, name);
   dem::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
                                            "fiber_damping", "fiber_damping_modes", "run_time", "status"});
-  return {std::move(results), std::move(shown), run.failure};
+  return {std::move(results), std::move(shown), run.failure,
+          compare::strain_warning(compare::strain_bound(scene.fiber, scene.pull.load))};
 }
 
 Outcome outcome_of(const dem::FlowScene& scene, const std::string& name) {
@@ -91,6 +94,7 @@ int run_scene_file(const Arguments& arguments, Context& context) {
   const auto directory = open_output(output);
   const Outcome outcome = outcome_of(scene, path.stem().string());
   deliver(outcome.results, outcome.shown, output, directory, context);
+  if (!outcome.warning.empty()) context.log->warn("warning: {}", outcome.warning);
   if (!outcome.failure.empty()) throw dem::Diverged(outcome.failure);
   return kSuccess;
 }

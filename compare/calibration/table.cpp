@@ -32,7 +32,7 @@ dem::NamedRow material_row(const CalibrationAnswer& answer) {
           {"target_damping", optional(answer.target)}};
 }
 
-dem::NamedRow damping_row(const Calibration& found) {
+dem::NamedRow damping_row(const Calibration& found, double amplitude) {
   const bool retarded = found.fiber.dashpots == dem::DashpotLaw::retardation_time;
   return {{"bond_damping", retarded ? dem::Cell{} : dem::Cell{found.setting}},
           {"retardation_time", found.retardation_time},
@@ -47,7 +47,7 @@ dem::NamedRow damping_row(const Calibration& found) {
           {"stable_time_step", found.stable_step},
           {"stable_step_ratio", found.stable_step / found.bond_time},
           {"step_ratio", found.step / found.bond_time},
-          {"verification_cost", verification_cost(found)}};
+          {"verification_cost", verification_cost(found, amplitude)}};
 }
 
 dem::NamedRow error_row(const CalibrationAnswer& answer) {
@@ -80,10 +80,14 @@ std::string beam_frequency_text(const CalibrationAnswer& answer) {
 std::string run_note(const CalibrationAnswer& answer) {
   if (!answer.run) return "";
   const Verification& run = *answer.run;
+  const std::string start = answer.asked.amplitude > 0
+                                ? fmt::format("its equilibrium at y/L = {:.3g}", answer.asked.amplitude)
+                                : "the first mode at y/L = 1/300";
   return fmt::format(
-      "Run: released from the first mode at y/L = 1/300 and marched at {:.4g} t_b, the chain has xi_f = "
-      "{:.8g}, {:+.2e} of the value above ({:.2g} bond-steps).\n",
-      run.time_step / answer.found.bond_time, run.damping_ratio, run.difference, run.bond_steps);
+      "Run: released from {} and marched at {:.4g} t_b, the chain has xi_f = {:.8g} at peaks of y/L = {:.3g} "
+      "(root mean square), {:+.2e} of the {:.8g} expected at these ({:.2g} bond-steps).\n",
+      start, run.time_step / answer.found.bond_time, run.damping_ratio, run.amplitude, run.difference,
+      run.expected, run.bond_steps);
 }
 
 }  // namespace
@@ -124,14 +128,18 @@ dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
                     "frequency_discretization",
                     "frequency_shear",
                     "fiber_damping",
+                    "verified_amplitude",
+                    "verified_expected",
                     "verified_difference"});
   for (const CalibrationAnswer& answer : answers) {
     dem::NamedRow row = material_row(answer);
-    for (const dem::NamedRow& part : {damping_row(answer.found), error_row(answer)}) {
+    for (const dem::NamedRow& part : {damping_row(answer.found, answer.asked.amplitude), error_row(answer)}) {
       row.insert(row.end(), part.begin(), part.end());
     }
     if (answer.run) {
       row.emplace_back("fiber_damping", answer.run->damping_ratio);
+      row.emplace_back("verified_amplitude", answer.run->amplitude);
+      row.emplace_back("verified_expected", answer.run->expected);
       row.emplace_back("verified_difference", answer.run->difference);
     }
     if (!answer.asked.dimensional) leave_out_dimensional(row);

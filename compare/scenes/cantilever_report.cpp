@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compare/measure/strain.hpp"
 #include "compare/scenes/cantilever.hpp"
 #include "reference/elastica.hpp"
 
@@ -48,6 +49,7 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
                        {"tip_x", 1 - tip.x},
                        {"tip_z", tip.z},
                        {"tip_angle", tip.angle},
+                       {"largest_strain", strain_bound(scene.fiber, scene.load)},
                        {"residual", rest.residual},
                        {"stability", std::string(name(rest.stability))},
                        {"iterations", cell_of(rest.iterations)},
@@ -75,6 +77,7 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
                     "departure_x",
                     "departure_angle",
                     "departure_distance",
+                    "largest_strain",
                     "residual",
                     "stability",
                     "iterations",

@@ -25,6 +25,40 @@ reference::ChainMode first_mode(const ReleaseScene& scene) {
   return mode;
 }
 
+template <int Dim>
+ReleasePlan plan_in(const ReleaseScene& scene) {
+  const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
+  const dem::Release<Dim> release = dem::build_release<Dim>(scene, period);
+  dem::ReleaseOptions options = scene.motion;
+  std::string reason;
+  if (options.integrator == dem::Integrator::automatic) {
+    const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
+    options.integrator = choice.integrator;
+    options.step_ratio = choice.step_ratio;
+    reason = choice.reason;
+  }
+  const double step = dem::release_step(release, options), interval = period / options.samples_per_period;
+  const double samples = std::ceil(scene.periods * options.samples_per_period);
+  return {options.integrator, reason, step, samples * std::round(interval / step)};
+}
+
+/// Why a mean step [s] is not the one asked for, or the one planned where none was; empty where it is.
+std::string step_note(const ReleaseScene& scene, const ReleasePlan& plan, double period, double taken) {
+  const double t_b = dem::bond_time_step(scene.fiber), interval = period / scene.motion.samples_per_period;
+  const bool chosen = scene.motion.integrator == dem::Integrator::automatic || !scene.motion.step_ratio;
+  if (plan.integrator == dem::Integrator::cvode) return "";
+  const double asked = chosen ? plan.time_step : *scene.motion.step_ratio * t_b;
+  if (!(taken < 0.99 * asked)) return "";
+  std::string why;
+  if (plan.time_step < 0.99 * asked) {
+    why = fmt::format("a whole number of them makes a sample interval of {:.4g} t_b", interval / t_b);
+  }
+  if (taken < 0.99 * plan.time_step) {
+    why += fmt::format("{}steps were halved where Newton's method did not converge", why.empty() ? "" : ", ");
+  }
+  return fmt::format("steps of {:.4g} t_b in the mean in place of {:.4g}: {}", taken / t_b, asked / t_b, why);
+}
+
 /// Damping of all peaks after the release; the release itself is no free maximum.
 void measure(ReleaseRun& run, const TipHistory& history) {
   const std::vector<Peak> peaks = positive_peaks(history);
@@ -54,6 +88,7 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   run.reason = record.reason;
   run.work = record.work;
   run.time_step = record.time_step;
+  run.step_note = step_note(scene, plan_in<Dim>(scene), run.period, record.time_step);
   run.failure = record.failure;
   const double L = dem::fiber_length(scene.fiber);
   TipHistory history;
@@ -75,21 +110,10 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   return run;
 }
 
-template <int Dim>
-ReleasePlan plan_in(const ReleaseScene& scene) {
-  const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
-  const dem::Release<Dim> release = dem::build_release<Dim>(scene, period);
-  dem::ReleaseOptions options = scene.motion;
-  std::string reason;
-  if (options.integrator == dem::Integrator::automatic) {
-    const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
-    options.integrator = choice.integrator;
-    options.step_ratio = choice.step_ratio;
-    reason = choice.reason;
-  }
-  const double step = dem::release_step(release, options), interval = period / options.samples_per_period;
-  const double samples = std::ceil(scene.periods * options.samples_per_period);
-  return {options.integrator, reason, step, samples * std::round(interval / step)};
+std::string status_of(const ReleaseRun& run) {
+  if (!run.failure.empty()) return run.failure;
+  const std::string status = run.reason.empty() ? "finished" : run.reason;
+  return run.step_note.empty() ? status : status + "; " + run.step_note;
 }
 
 }  // namespace
@@ -103,33 +127,50 @@ ReleasePlan plan_release(const ReleaseScene& scene) {
 }
 
 dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
-  dem::Table table({"aspect_ratio", "poisson_ratio", "load", "bond", "form", "dimension", "bond_damping",
-                    "rolling_friction", "integrator", "time_step", "step_ratio", "steps", "bond_evaluations",
-                    "linear_solves", "fiber_damping", "fiber_damping_modes", "frequency", "run_time",
+  dem::Table table({"aspect_ratio",
+                    "poisson_ratio",
+                    "load",
+                    "bond",
+                    "form",
+                    "dimension",
+                    "bond_damping",
+                    "rolling_friction",
+                    "integrator",
+                    "time_step",
+                    "step_ratio_asked",
+                    "step_ratio",
+                    "steps",
+                    "bond_evaluations",
+                    "linear_solves",
+                    "fiber_damping",
+                    "fiber_damping_modes",
+                    "frequency",
+                    "run_time",
                     "status"});
   const bool marched =
       run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
   const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
-  table.append({{"aspect_ratio", scene.fiber.aspect_ratio},
-                {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
-                {"load", scene.pull.load},
-                {"bond", std::string(name(scene.fiber.bond_model))},
-                {"form", std::string(name(form))},
-                {"dimension", std::string(name(scene.dimension))},
-                {"bond_damping", scene.fiber.bond_damping},
-                {"rolling_friction", scene.fiber.rolling_friction},
-                {"integrator", std::string(name(run.integrator))},
-                {"time_step", run.time_step},
-                {"step_ratio", run.time_step / dem::bond_time_step(scene.fiber)},
-                {"steps", static_cast<std::int64_t>(run.work.steps)},
-                {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
-                {"linear_solves", static_cast<std::int64_t>(run.work.linear_solves)},
-                {"fiber_damping", dem::known(run.damping)},
-                {"fiber_damping_modes", run.damping_modes},
-                {"frequency", dem::known(run.frequency)},
-                {"run_time", run.run_time},
-                {"status", run.failure.empty() ? (run.reason.empty() ? std::string("finished") : run.reason)
-                                               : run.failure}});
+  table.append(
+      {{"aspect_ratio", scene.fiber.aspect_ratio},
+       {"poisson_ratio", dem::poisson_ratio(scene.fiber.material)},
+       {"load", scene.pull.load},
+       {"bond", std::string(name(scene.fiber.bond_model))},
+       {"form", std::string(name(form))},
+       {"dimension", std::string(name(scene.dimension))},
+       {"bond_damping", scene.fiber.bond_damping},
+       {"rolling_friction", scene.fiber.rolling_friction},
+       {"integrator", std::string(name(run.integrator))},
+       {"time_step", run.time_step},
+       {"step_ratio_asked", scene.motion.step_ratio ? dem::Cell{*scene.motion.step_ratio} : dem::Cell{}},
+       {"step_ratio", run.time_step / dem::bond_time_step(scene.fiber)},
+       {"steps", static_cast<std::int64_t>(run.work.steps)},
+       {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
+       {"linear_solves", static_cast<std::int64_t>(run.work.linear_solves)},
+       {"fiber_damping", dem::known(run.damping)},
+       {"fiber_damping_modes", run.damping_modes},
+       {"frequency", dem::known(run.frequency)},
+       {"run_time", run.run_time},
+       {"status", status_of(run)}});
   return table;
 }
 

@@ -13,7 +13,8 @@ struct ReleaseRun {
   dem::Integrator integrator;
   std::string reason;  ///< why this integrator, if it was chosen here
   dem::Work work;
-  double time_step;                         ///< [s]
+  double time_step;                         ///< mean [s]
+  std::string step_note;                    ///< empty, or why it is not the step asked for
   double period;                            ///< first mode of the straight chain, damped [s]
   double damping_modes;                     ///< its damping ratio
   double damping;                           ///< xi_f of the peaks after the release; NaN if there are too few

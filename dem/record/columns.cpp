@@ -24,7 +24,8 @@ constexpr Column kColumns[] = {
     {"method", text, "", "way to the equilibrium: solve (Newton) or march (time steps)"},
     {"dimension", text, "", "planar or spatial"},
     {"bond_damping", number, "1", "xi_b, damping coefficient of a bond"},
-    {"step_ratio", number, "1", "time step over t_b = sqrt(m/K_n)"},
+    {"step_ratio", number, "1", "time step over t_b = sqrt(m/K_n), in the mean where steps differ"},
+    {"step_ratio_asked", number, "1", "the same as asked for; empty where it was left to the program"},
     {"time_step", number, "s", "time step; of CVODE the mean"},
     {"rolling_friction", number, "1", "xi_r, rolling friction coefficient of a bond (Eq 21)"},
     {"bond_evaluations", integer, "1", "evaluations of the forces of one bond"},
@@ -86,6 +87,11 @@ constexpr Column kColumns[] = {
     {"position_z", number, "1", "position across fiber and load, over L"},
     {"angle", number, "rad", "angle of the fiber's axis at the sphere, from x toward y"},
 
+    {"largest_strain", number, "1",
+     "largest that stretch or shear of a bond can have: end load over the smaller of E A and G A; beyond 0.1 "
+     "the "
+     "linear laws are a rod's no more"},
+
     // Damped vibration: the fiber's damping ratio xi_f, measured and by every reference.
     {"dashpots", text, "",
      "how the dashpots are set: bond_damping (xi_b), retardation_time or bending_only (xi_b)"},
@@ -96,8 +102,8 @@ constexpr Column kColumns[] = {
     {"peaks_first", integer, "1", "first peak of fiber_damping_paper; peak 0 is the point of release"},
     {"peaks_last", integer, "1", "last peak of fiber_damping_paper"},
     {"fiber_damping", number, "1",
-     "xi_f measured without mode 2: load up to 0.01 released from the first mode, else from rest, after mode "
-     "2 is gone"},
+     "xi_f of the first mode alone, to 1e-4 of it: load up to 0.01 released from that mode, else from rest: "
+     "peaks after the higher modes are gone or, lightly damped, of the motion filtered about its frequency"},
     {"fiber_damping_half_width", number, "1",
      "95 % half width of its fit: lack of fit, the data have no noise"},
     {"fiber_damping_sine", number, "1", "the same part of the motion fitted by a damped sine"},
@@ -323,7 +329,9 @@ constexpr Column kColumns[] = {
     {"frequency_discretization", number, "1",
      "part of the chain's undamped frequency over beam_frequency - 1 from finite bonds and the end sphere"},
     {"frequency_shear", number, "1", "part from shear"},
-    {"verified_difference", number, "1", "fiber_damping of the run over fiber_damping_modes - 1"},
+    {"verified_amplitude", number, "1", "y/L of the run's peaks that were measured, root mean square"},
+    {"verified_expected", number, "1", "fiber_damping expected of peaks of these amplitudes"},
+    {"verified_difference", number, "1", "fiber_damping of the run over verified_expected - 1"},
 
     // What it cost and how it ended.
     {"status", text, "", "converged or finished (and why as it was), or why not"},

@@ -57,6 +57,35 @@ BOOST_AUTO_TEST_CASE(a_run_that_blows_up_fails_and_keeps_what_was_good) {
   BOOST_TEST(last.find("nan") == std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_step_that_is_not_the_one_asked_for_is_said) {
+  const auto row_of = [](const std::string& time, const std::string& bond = "damping: 1") {
+    const Scratch scratch;
+    scratch.file("s.yaml", scene(time, bond));
+    const Outcome outcome = run({"run", "s.yaml", "--json"}, {.directory = scratch.path});
+    BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.error);
+    return json::parse(outcome.out)["rows"][0];
+  };
+  const json coarse = row_of("integrator: implicit, step_ratio: 6");
+  BOOST_TEST(coarse["step_ratio_asked"] == 6);
+  BOOST_TEST(coarse["step_ratio"].get<double>() < 5.9);
+  BOOST_TEST(coarse["status"].get<std::string>().starts_with("finished; steps of "), coarse["status"].dump());
+  BOOST_TEST(coarse["status"].get<std::string>().find(" t_b in the mean in place of 6: ") !=
+             std::string::npos);
+  for (const char* time : {"integrator: implicit", "integrator: leapfrog", "integrator: cvode"}) {
+    const json plain = row_of(time);
+    BOOST_TEST(plain["status"] == "finished");
+    BOOST_TEST(plain["step_ratio_asked"].is_null());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_next_to_nothing_is_refused) {
+  const Scratch scratch;
+  scratch.file("s.yaml", scene("integrator: leapfrog, step_ratio: 1e-300"));
+  const Outcome outcome = run({"run", "s.yaml"}, {.directory = scratch.path});
+  BOOST_TEST(outcome.status == 2);
+  BOOST_TEST(outcome.error.find("step_ratio = 1e-300 is not allowed") != std::string::npos, outcome.error);
+}
+
 BOOST_AUTO_TEST_CASE(an_unstable_step_is_refused_with_the_limit) {
   const Scratch scratch;
   scratch.file("s.yaml", scene("integrator: leapfrog, step_ratio: 0.25"));
