@@ -184,7 +184,7 @@ int run_calibrate(const Arguments& arguments, Context& context) {
   std::optional<dem::OutputDirectory> directory;
   if (arguments.has("--out")) directory.emplace(arguments.text("--out"));
   CalibrationAnswer answer = answer_of(arguments);
-  if (arguments.has("--verify")) answer.run = verify(answer.found);
+  if (arguments.has("--verify")) answer.run = verify(answer.found, answer.asked.amplitude);
   Results results{.name = "calibrate",
                   .heading = "Damping of the bonds for a damping of the fiber",
                   .table = compare::calibration_table({answer}),
@@ -229,7 +229,8 @@ Command calibrate_command() {
            {"--at-amplitude", "", "the target was measured at that amplitude, not at a vanishing one",
             OptionKind::flag},
            {"--step-ratio", "NUMBER", "time step over t_b [0.25, at most 0.8 of the largest stable one]"},
-           {"--verify", "", "run the chain and report its damping", OptionKind::flag},
+           {"--verify", "", "run the chain, at the amplitude given, and report its damping",
+            OptionKind::flag},
            json_option(),
            {"--out", "DIR", "directory for the results [none]"}},
       .run = &run_calibrate};

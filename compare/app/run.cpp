@@ -6,6 +6,7 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/run_packing.hpp"
+#include "compare/measure/strain.hpp"
 #include "compare/scenes/cantilever.hpp"
 #include "compare/scenes/flow_report.hpp"
 #include "compare/scenes/release_report.hpp"
@@ -41,13 +42,14 @@ struct Outcome {
   Results results;
   dem::Table shown;
   std::string failure;
+  std::string warning = "";
 };
 
 Outcome outcome_of(const dem::CantileverScene& scene, const std::string& name) {
   Results results = run_cantilever(scene, name);
   dem::Table shown = results.table.select({"aspect_ratio", "load", "tip_y", "tip_x", "tip_angle",
                                            "departure_y", "departure_distance", "residual", "run_time"});
-  return {std::move(results), std::move(shown), ""};
+  return {std::move(results), std::move(shown), "", compare::strain_warning(compare::strain_bound(scene))};
 }
 
 Outcome outcome_of(const dem::ReleaseScene& scene, const std::string& name) {
@@ -55,7 +57,8 @@ Outcome outcome_of(const dem::ReleaseScene& scene, const std::string& name) {
   Results results = run_release(scene, run, name);
   dem::Table shown = results.table.select({"aspect_ratio", "load", "integrator", "step_ratio", "steps",
                                            "fiber_damping", "fiber_damping_modes", "run_time", "status"});
-  return {std::move(results), std::move(shown), run.failure};
+  return {std::move(results), std::move(shown), run.failure,
+          compare::strain_warning(compare::strain_bound(scene.fiber, scene.pull.load))};
 }
 
 Outcome outcome_of(const dem::FlowScene& scene, const std::string& name) {
@@ -105,6 +108,7 @@ int run_scene(const dem::SceneText& text, const dem::Scene& scene, const Argumen
   const auto directory = open_output(output, context);
   const Outcome outcome = outcome_of(scene, path.stem().string());
   deliver(outcome.results, outcome.shown, output, directory, context);
+  if (!outcome.warning.empty()) context.log->warn("warning: {}", outcome.warning);
   if (!outcome.failure.empty()) throw dem::Diverged(outcome.failure);
   return kSuccess;
 }

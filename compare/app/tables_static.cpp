@@ -6,6 +6,7 @@
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/sweep.hpp"
+#include "compare/measure/strain.hpp"
 #include "compare/static/table.hpp"
 
 namespace fiberchain::app {
@@ -50,8 +51,15 @@ int run_tables_static(const Arguments& arguments, Context& context) {
     results.figures = compare::static_figures(points, orders);
   }
   deliver(results, results.table.select(tables_static_shown), output, directory, context);
-  const auto failed =
-      std::ranges::count_if(points, [](const auto& point) { return point.status != "converged"; });
+  const auto warned = std::ranges::count_if(
+      points, [](const auto& point) { return point.strain > compare::largest_linear_strain; });
+  if (warned > 0) {
+    context.log->warn(
+        "warning: {} of {} cases stretch or shear beyond {}, where a rod's linear laws end: see "
+        "columns largest_strain and status",
+        warned, points.size(), compare::largest_linear_strain);
+  }
+  const auto failed = std::ranges::count_if(points, [](const auto& point) { return !has_converged(point); });
   if (context.stopped != 0) return kSignaled + context.stopped;
   if (failed == 0) return kSuccess;
   context.log->error("error: {} of {} cases did not converge, see column status", failed, points.size());

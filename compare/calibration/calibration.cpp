@@ -16,6 +16,7 @@ namespace fiberchain::compare {
 namespace {
 
 constexpr int largest_aspect_ratio = 1000;
+constexpr double smallest_decay = 1e-13;  // xi_f omega dt, of which a double resolves 2e-16
 
 bool is_retarded(const dem::Fiber& fiber) { return fiber.dashpots == dem::DashpotLaw::retardation_time; }
 
@@ -124,6 +125,18 @@ double step_of(const CalibrationCase& asked, double bond_time, double stable) {
   return step;
 }
 
+/// A step whose decay is lost in the rounding of a double is no step of a run.
+void check_resolved(const Calibration& found) {
+  const double decay = found.damping_ratio * found.natural_frequency * found.step;
+  if (decay >= smallest_decay) return;
+  throw InputError(
+      fmt::format("step ratio {:g} is not allowed: the motion decays by {:.1e} of itself in such a step, "
+                  "less than the {:g} "
+                  "that a double resolves with some digits; above {:.2g} it does",
+                  found.step / found.bond_time, decay, smallest_decay,
+                  smallest_decay / decay * found.step / found.bond_time));
+}
+
 /// All that is said of a fiber whose dashpots are set.
 Calibration described(const CalibrationCase& asked, const dem::Fiber& fiber) {
   const reference::LinearChain chain = linear_chain_of(fiber);
@@ -137,6 +150,7 @@ Calibration described(const CalibrationCase& asked, const dem::Fiber& fiber) {
   found.stable_step = dem::stable_time_step(fiber);
   found.bond_time = dem::bond_time_step(fiber);
   found.step = step_of(asked, found.bond_time, found.stable_step);
+  check_resolved(found);
   found.beam_frequency = beam_frequency(fiber);
   found.beam_damping = found.retardation_time * found.beam_frequency / 2;
   const double light = lightness(fiber);

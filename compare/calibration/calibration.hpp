@@ -92,10 +92,14 @@ Calibration calibrate(const CalibrationCase& asked, double damping_ratio);
 /// first mode.
 Calibration calibration_of(const CalibrationCase& asked);
 
-/// What a run found: released from the first mode at a small deflection (y / L = 1/300) and rung down.
+/// What a run found. Without an amplitude asked for it is released from the first mode at y / L = 1/300, else
+/// from its equilibrium at that deflection, and the first mode's peaks are measured
+/// (measure/first_mode_damping.hpp), which have swung down by then.
 struct Verification {
-  double damping_ratio;  ///< measured from four peaks
-  double difference;     ///< over the calibration's, - 1
+  double damping_ratio;  ///< measured
+  double amplitude;      ///< y / L of the peaks measured, in the mean of their squares
+  double expected;       ///< the calibration's, changed by these amplitudes
+  double difference;     ///< over `expected`, - 1
   double time_step;      ///< [s]
   double bond_steps;     ///< its cost
 };
@@ -104,9 +108,11 @@ struct Verification {
 inline constexpr double largest_verification = 3e9;
 
 /// Bond-steps that verify() would take.
-double verification_cost(const Calibration& found);
+double verification_cost(const Calibration& found, double amplitude = 0);
 
-/// Marches the calibrated chain. Throws InputError, with the estimate, beyond largest_verification.
-Verification verify(const Calibration& found);
+/// Marches the calibrated chain at the amplitude y / L asked for; 0: at a vanishing one. Throws InputError,
+/// with the estimate, beyond largest_verification, and where at that amplitude higher modes outlive the
+/// first.
+Verification verify(const Calibration& found, double amplitude = 0);
 
 }  // namespace fiberchain::compare

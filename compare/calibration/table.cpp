@@ -34,7 +34,7 @@ dem::NamedRow material_row(const CalibrationAnswer& answer) {
           {"target_damping", optional(answer.target)}};
 }
 
-dem::NamedRow damping_row(const Calibration& found) {
+dem::NamedRow damping_row(const Calibration& found, double amplitude) {
   const bool retarded = found.fiber.dashpots == dem::DashpotLaw::retardation_time;
   return {{"bond_damping", retarded ? dem::Cell{} : dem::Cell{found.setting}},
           {"retardation_time", found.retardation_time},
@@ -49,7 +49,7 @@ dem::NamedRow damping_row(const Calibration& found) {
           {"stable_time_step", found.stable_step},
           {"stable_step_ratio", found.stable_step / found.bond_time},
           {"step_ratio", found.step / found.bond_time},
-          {"verification_cost", verification_cost(found)}};
+          {"verification_cost", verification_cost(found, amplitude)}};
 }
 
 dem::NamedRow error_row(const CalibrationAnswer& answer) {
@@ -70,8 +70,13 @@ dem::NamedRow error_row(const CalibrationAnswer& answer) {
 }
 
 dem::NamedRow run_row(const CalibrationAnswer& answer) {
-  return {{"fiber_damping", answer.run ? dem::Cell{answer.run->damping_ratio} : dem::Cell{}},
-          {"verified_difference", answer.run ? dem::Cell{answer.run->difference} : dem::Cell{}}};
+  const auto cell = [&](double Verification::*part) {
+    return answer.run ? dem::Cell{*answer.run.*part} : dem::Cell{};
+  };
+  return {{"fiber_damping", cell(&Verification::damping_ratio)},
+          {"verified_amplitude", cell(&Verification::amplitude)},
+          {"verified_expected", cell(&Verification::expected)},
+          {"verified_difference", cell(&Verification::difference)}};
 }
 
 /// Without the fiber's size and material nothing in meters, seconds or pascals is known.
@@ -94,18 +99,24 @@ std::string mass_text(const dem::Fiber& fiber) {
 std::string run_note(const CalibrationAnswer& answer) {
   if (!answer.run) return "";
   const Verification& run = *answer.run;
+  const std::string start = answer.asked.amplitude > 0
+                                ? fmt::format("its equilibrium at y/L = {:.3g}", answer.asked.amplitude)
+                                : "the first mode at y/L = 1/300";
   return fmt::format(
-      "Run: released from the first mode at y/L = 1/300 and marched at {:.4g} t_b, the chain has xi_f = "
-      "{:.8g}, {:+.2e} of the value above ({:.2g} bond-steps).\n",
-      run.time_step / answer.found.bond_time, run.damping_ratio, run.difference, run.bond_steps);
+      "Run: released from {} and marched at {:.4g} t_b, the chain has xi_f = {:.8g} at peaks of y/L = {:.3g} "
+      "(root mean square), {:+.2e} of the {:.8g} expected at these ({:.2g} bond-steps).\n",
+      start, run.time_step / answer.found.bond_time, run.damping_ratio, run.amplitude, run.difference,
+      run.expected, run.bond_steps);
 }
 
 }  // namespace
 
 dem::Table calibration_table(const std::vector<CalibrationAnswer>& answers) {
   return tabulate(answers, [](const CalibrationAnswer& answer) {
-    dem::NamedRow row = joined(
-        joined(joined(material_row(answer), damping_row(answer.found)), error_row(answer)), run_row(answer));
+    dem::NamedRow row =
+        joined(joined(joined(material_row(answer), damping_row(answer.found, answer.asked.amplitude)),
+                      error_row(answer)),
+               run_row(answer));
     if (!answer.asked.dimensional) leave_out_dimensional(row);
     return row;
   });

@@ -8,6 +8,7 @@
 
 #include "compare/damping/references.hpp"
 #include "compare/fit/law.hpp"
+#include "compare/measure/first_mode_damping.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
@@ -20,35 +21,25 @@ namespace fiberchain::compare {
 namespace {
 
 constexpr double vanishing_load = 1e-5;
-constexpr int mode_release_peaks = 4;  // after the release
-constexpr int clean_peaks = 6;         // used for fiber_damping after a static release
 
 /// What is marched for one case and how its peaks are counted.
 struct Plan {
   dem::Fiber fiber;
   reference::ChainMode mode;
-  bool from_mode;   ///< fiber_damping from the first mode
-  PeakRange clean;  ///< peaks of fiber_damping, counted in its own release
-  double periods;   ///< of the static release
-  bool watched;     ///< long enough for mode 2 to go
+  CleanPeaks from_mode;  ///< of the releases from the first mode
+  CleanPeaks clean;      ///< of fiber_damping, from the first mode or from equilibrium
+  double periods;        ///< of the static release
 };
 
-double bond_steps(const dem::Fiber& fiber, const reference::ChainMode& mode, double periods) {
-  const dem::Release<2> release{{fiber, {}, {}}, {}, {}, {}, 2 * std::numbers::pi / mode.eigenvalue.imag(),
-                                periods};
-  return periods * release.period / dem::release_step(release, dem::ReleaseOptions{}) * fiber.aspect_ratio;
-}
+bool starts_from_mode(const Plan& plan) { return plan.clean.way == CleanPeaks::Way::mode_release; }
 
-Plan plan_of(const DampingCase& asked, const DampingOptions& options) {
-  Plan plan{damped_fiber(asked), reference::first_bending_mode(linear_chain_of(asked)), false, {}, 0, true};
-  plan.from_mode = asked.load <= largest_mode_release_load;
-  const int first = first_clean_peak(plan.mode.damping);
-  plan.clean =
-      plan.from_mode ? PeakRange{0, mode_release_peaks - 1} : PeakRange{first, first + clean_peaks - 1};
-  const int last = plan.from_mode ? asked.peaks.last : std::max(asked.peaks.last, plan.clean.last);
-  plan.periods = last + 0.7;
-  plan.watched = plan.from_mode || bond_steps(plan.fiber, plan.mode, plan.periods) <= options.largest_cost;
-  if (!plan.watched) plan.periods = asked.peaks.last + 0.7;
+Plan plan_of(const DampingCase& asked) {
+  const reference::LinearChain chain = linear_chain_of(asked);
+  Plan plan{damped_fiber(asked), reference::first_bending_mode(chain), {}, {}, asked.peaks.last + 0.7};
+  if (!plan.mode.oscillates) throw InputError("the first mode is overdamped: there is no vibration");
+  plan.from_mode = mode_release_peaks(plan.mode);
+  plan.clean = asked.load <= largest_mode_release_load ? plan.from_mode : clean_peaks(chain, plan.mode);
+  if (!starts_from_mode(plan)) plan.periods = std::max(plan.periods, plan.clean.periods());
   return plan;
 }
 
@@ -60,10 +51,11 @@ struct Marches {
 };
 
 std::vector<dem::Release<2>> releases_of(const DampingCase& asked, const Plan& plan) {
-  const double mode_periods = mode_release_peaks + 0.7;
+  const double mode_periods = plan.from_mode.periods();
   std::vector<dem::Release<2>> all{mode_release(plan.fiber, plan.mode, vanishing_load / 3, mode_periods),
                                    static_release(plan.fiber, plan.mode, asked.load, plan.periods)};
-  if (plan.from_mode) all.push_back(mode_release(plan.fiber, plan.mode, asked.load / 3, mode_periods));
+  if (starts_from_mode(plan))
+    all.push_back(mode_release(plan.fiber, plan.mode, asked.load / 3, mode_periods));
   return all;
 }
 
@@ -72,30 +64,40 @@ DampingPoint unmeasured(const DampingCase& asked, std::string why) {
           nan,   nan, {},  nan, 0,   std::move(why)};
 }
 
-/// Damping of the part of the motion that the plan calls clean, by both routes.
-void measure_clean(DampingPoint& point, const TipHistory& history, PeakRange range) {
-  const std::vector<Peak> peaks = positive_peaks(history);
-  const Damping found = damping_from_peaks(peaks, range);
-  point.damping = found.ratio;
-  point.half_width = found.half_width;
-  point.frequency = found.frequency;
-  point.damping_sine =
-      damping_from_sine(history, peaks[range.first].time, peaks[range.last].time, found).ratio;
+/// Does a measurement; where it cannot be done the status says what is missing and why.
+template <class Measurement>
+void attempt(DampingPoint& point, const char* missing, const Measurement& measurement) {
+  try {
+    measurement();
+  } catch (const InputError& error) {
+    point.status +=
+        fmt::format("{} {}: {}", point.status == "measured" ? ", but not" : ";", missing, error.what());
+  }
+}
+
+void measure_motion(DampingPoint& point, const Plan& plan, const Marches& marches) {
+  const double frequency = plan.mode.eigenvalue.imag();
+  attempt(point, "as the paper", [&] {  // mode 2 can make the first peaks grow
+    point.damping_paper = damping_from_peaks(positive_peaks(marches.released), point.asked.peaks).ratio;
+  });
+  attempt(point, "without mode 2", [&] {
+    const TipHistory& history = starts_from_mode(plan) ? marches.loaded : marches.released;
+    const FirstModeDamping found = first_mode_damping(history, plan.clean, frequency);
+    point.damping = found.peaks.ratio;
+    point.half_width = found.peaks.half_width;
+    point.frequency = found.peaks.frequency;
+    point.damping_sine = found.sine;
+  });
 }
 
 DampingPoint measured(const DampingCase& asked, const Plan& plan, const Marches& marches,
                       const DampingOptions& options) {
-  DampingPoint point = unmeasured(asked, plan.watched ? "measured" : "mode 2 outlives the watch");
+  DampingPoint point = unmeasured(asked, "measured");
+  measure_motion(point, plan, marches);
   const double vanishing =
-      damping_from_peaks(positive_peaks(marches.vanishing), {0, mode_release_peaks - 1}).ratio;
-  try {
-    point.damping_paper = damping_from_peaks(positive_peaks(marches.released), asked.peaks).ratio;
-  } catch (const InputError& error) {  // mode 2 can make the first peaks grow
-    if (plan.watched) point.status = std::string("measured, but not as the paper: ") + error.what();
-  }
-  if (plan.watched) measure_clean(point, plan.from_mode ? marches.loaded : marches.released, plan.clean);
-  const DampingReferences known =
-      damping_references(asked, plan.mode, plan.clean, plan.from_mode, options.elastica && plan.watched);
+      first_mode_damping(marches.vanishing, plan.from_mode, plan.mode.eigenvalue.imag()).peaks.ratio;
+  const bool beside = options.elastica && std::isfinite(point.damping);
+  const DampingReferences known = damping_references(asked, plan.mode, plan.clean, beside);
   point.damping_modes = known.modes;
   point.damping_elastica = known.elastica;
   point.damping_closed_form = known.closed_form;
@@ -127,8 +129,7 @@ void run_group(const std::vector<DampingCase>& cases, const std::vector<std::siz
   std::vector<dem::Release<2>> all;
   for (const std::size_t i : members) {
     try {
-      const Plan plan = plan_of(cases[i], options);
-      if (!plan.mode.oscillates) throw InputError("the first mode is overdamped: there is no vibration");
+      const Plan plan = plan_of(cases[i]);
       const std::vector<dem::Release<2>> own = releases_of(cases[i], plan);
       started.push_back({i, plan, all.size(), own.size()});
       all.insert(all.end(), own.begin(), own.end());
@@ -190,13 +191,6 @@ dem::Fiber damped_fiber(const DampingCase& asked) {
 
 double equation_20(int aspect_ratio, double bond_damping) {
   return kPaperA * std::exp(-kPaperB * aspect_ratio) * bond_damping;
-}
-
-int first_clean_peak(double ratio) {
-  // (beta_1/beta_2)^4 of mode 1 to begin with, decaying (beta_2/beta_1)^4 times as fast
-  constexpr double faster = 39.2738, start = 1 / faster, wanted = 1e-4;
-  const double per_period = 2 * std::numbers::pi * ratio * (faster - 1);
-  return std::max(static_cast<int>(std::ceil(std::log(start / wanted) / per_period)), 1);
 }
 
 std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases,

@@ -40,7 +40,7 @@ struct DampingBudget {
 
 struct DampingPoint {
   DampingCase asked;
-  double damping;              ///< xi_f measured without mode 2
+  double damping;              ///< xi_f of the first mode alone (first_mode_damping.hpp)
   double half_width;           ///< 95 %, of its fit
   double damping_sine;         ///< second route: damped sine fitted to the same part of the motion
   double damping_paper;        ///< xi_f measured as the paper does
@@ -64,8 +64,6 @@ using DampingPoints = std::vector<DampingPoint>;
 struct DampingOptions {
   int jobs = 1;
   bool elastica = true;  ///< run the damped Elastica too
-  double largest_cost =
-      2e10;  ///< bond-steps of one fiber beyond which it is not watched until mode 2 is gone
   std::function<void()> advance = [] {};
 };
 
@@ -79,9 +77,5 @@ reference::LinearChain linear_chain_of(const DampingCase& asked);
 
 /// The paper's Eq 20: 0.03709 exp(-0.1615 r_f) xi_b.
 double equation_20(int aspect_ratio, double bond_damping);
-
-/// First peak, counted from the release, at which mode 2 of a static release is below 1e-4 of mode 1: it
-/// decays 39.3 times as fast and starts with 2.5 %.
-int first_clean_peak(double damping_ratio);
 
 }  // namespace fiberchain::compare

@@ -73,6 +73,20 @@ double higher_modes(const DampingCase& asked, double beam) {
   }
 }
 
+/// The damped Elastica measured as the chain.
+void measure_elastica(DampingReferences& found, const DampingCase& asked, CleanPeaks clean) {
+  const bool from_mode = clean.way == CleanPeaks::Way::mode_release;
+  // a mode release starts at its peak 0 here: the beam's mode is let go at rest
+  if (from_mode) clean.range = {clean.range.first + 1, clean.range.last + 1};
+  const reference::BeamHistory beam = elastica_history(asked, from_mode, clean.periods(), 120);
+  found.cvode = beam.statistics;
+  try {
+    const double frequency = reference::beam_frequencies(layout_of(asked)).front();
+    found.elastica = first_mode_damping(history_of(beam), clean, frequency).peaks.ratio;
+  } catch (const InputError&) {  // so much damped that its integrator's tolerance hides these peaks
+  }
+}
+
 double unsheared_damping(const DampingCase& asked) {
   reference::LinearChain chain = linear_chain_of(asked);
   chain.stiffness.shear *= 1e8;
@@ -94,7 +108,7 @@ TipHistory elastica_at(const DampingCase& asked, const std::vector<double>& time
 }
 
 DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode,
-                                     PeakRange clean, bool from_mode, bool with_elastica) {
+                                     const CleanPeaks& clean, bool with_elastica) {
   const double beam = reference::damped_beam_ratio({reduced_retardation(asked), 0}, 1);
   const double r = asked.aspect_ratio, half = r + 0.5;
   DampingReferences found{beam,
@@ -104,13 +118,7 @@ DampingReferences damping_references(const DampingCase& asked, const reference::
                           nan,
                           higher_modes(asked, beam),
                           {}};
-  if (with_elastica) {
-    // a mode release starts at its peak 0 here: the beam's mode is let go at rest
-    const PeakRange range = from_mode ? PeakRange{clean.first + 1, clean.last + 1} : clean;
-    const reference::BeamHistory beam_history = elastica_history(asked, from_mode, range.last + 0.7, 120);
-    found.elastica = damping_from_peaks(positive_peaks(history_of(beam_history)), range).ratio;
-    found.cvode = beam_history.statistics;
-  }
+  if (with_elastica) measure_elastica(found, asked, clean);
   return found;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "compare/damping/case.hpp"
+#include "compare/measure/first_mode_damping.hpp"
 #include "reference/cvode.hpp"
 
 // What the references say of a case of point.hpp.
@@ -16,10 +17,10 @@ struct DampingReferences {
   reference::CvodeStatistics cvode;  ///< what the damped Elastica cost
 };
 
-/// `clean` are the peaks that fiber_damping is measured on, of a release from the first mode or from
-/// equilibrium.
+/// `clean` are the peaks that fiber_damping is measured on. The damped Elastica's is NaN where its motion
+/// does not show them.
 DampingReferences damping_references(const DampingCase& asked, const reference::ChainMode& mode,
-                                     PeakRange clean, bool from_mode, bool with_elastica);
+                                     const CleanPeaks& clean, bool with_elastica);
 
 /// Deflection over L of the damped Elastica's free end with the chain's mass layout, let go from its
 /// equilibrium, at times in seconds; `unit` is the beam's time unit [s].

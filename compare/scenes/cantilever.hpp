@@ -34,6 +34,9 @@ struct CantileverRest {
 /// @throws dem::InvalidInput, dem::NoConvergence, dem::Diverged
 CantileverRest rest_of(const dem::CantileverScene& scene);
 
+/// Largest strain that stretch or shear can have under the scene's load and weight (measure/strain.hpp).
+double strain_bound(const dem::CantileverScene& scene);
+
 /// One row: what was asked, the free end, the Elastica's and the departure from it (missing unless the load
 /// is across the fiber), and what the run cost.
 dem::Table cantilever_table(const dem::CantileverScene& scene, const CantileverRest& rest);

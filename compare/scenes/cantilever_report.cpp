@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compare/measure/strain.hpp"
 #include "compare/scenes/cantilever.hpp"
 #include "compare/study/nan.hpp"
 #include "compare/study/tabulate.hpp"
@@ -38,6 +39,11 @@ dem::Cell cell_of(const std::optional<std::int64_t>& count) {
 
 }  // namespace
 
+double strain_bound(const CantileverScene& scene) {
+  const auto& g = scene.gravity;
+  return strain_bound(scene.fiber, scene.load, dem::fiber_mass(scene.fiber) * std::hypot(g[0], g[1], g[2]));
+}
+
 dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& rest) {
   const Station& tip = rest.spheres.back();
   const bool marched = scene.method == dem::Method::march;
@@ -54,7 +60,8 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
       {"tip_x", 1 - tip.x},
       {"tip_z", tip.z},
       {"tip_angle", tip.angle}};
-  const dem::NamedRow end = {{"residual", rest.residual},
+  const dem::NamedRow end = {{"largest_strain", strain_bound(scene)},
+                             {"residual", rest.residual},
                              {"stability", std::string(name(rest.stability))},
                              {"iterations", cell_of(rest.iterations)},
                              {"steps", cell_of(rest.steps)},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/measure/first_mode_damping.hpp"
+#include "compare/measure/first_mode_filter.hpp"
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
@@ -26,16 +28,77 @@ reference::ChainMode first_mode(const ReleaseScene& scene) {
   return mode;
 }
 
-/// Damping of all peaks after the release; the release itself is no free maximum.
-void measure(ReleaseRun& run, const TipHistory& history) {
-  const std::vector<Peak> peaks = positive_peaks(history);
-  if (peaks.size() < 3) return;
+template <int Dim>
+ReleasePlan plan_in(const ReleaseScene& scene) {
+  const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
+  const dem::Release<Dim> release = dem::build_release<Dim>(scene, period);
+  dem::ReleaseOptions options = scene.motion;
+  std::string reason;
+  if (options.integrator == dem::Integrator::automatic) {
+    const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
+    options.integrator = choice.integrator;
+    options.step_ratio = choice.step_ratio;
+    reason = choice.reason;
+  }
+  const double step = dem::release_step(release, options), interval = period / options.samples_per_period;
+  const double samples = std::ceil(scene.periods * options.samples_per_period);
+  return {options.integrator, reason, step, samples * std::round(interval / step)};
+}
+
+/// Why a mean step [s] is not the one asked for, or the one planned where none was; empty where it is.
+std::string step_note(const ReleaseScene& scene, const ReleasePlan& plan, double period, double taken) {
+  const double t_b = dem::bond_time_step(scene.fiber), interval = period / scene.motion.samples_per_period;
+  const bool chosen = scene.motion.integrator == dem::Integrator::automatic || !scene.motion.step_ratio;
+  if (plan.integrator == dem::Integrator::cvode) return "";
+  const double asked = chosen ? plan.time_step : *scene.motion.step_ratio * t_b;
+  if (!(taken < 0.99 * asked)) return "";
+  std::string why;
+  if (plan.time_step < 0.99 * asked) {
+    why = fmt::format("a whole number of them makes a sample interval of {:.4g} t_b", interval / t_b);
+  }
+  if (taken < 0.99 * plan.time_step) {
+    why += fmt::format("{}steps were halved where Newton's method did not converge", why.empty() ? "" : ", ");
+  }
+  return fmt::format("steps of {:.4g} t_b in the mean in place of {:.4g}: {}", taken / t_b, asked / t_b, why);
+}
+
+/// Frequency from one crossing of zero downward to the next, of which higher modes make none; by the filtered
+/// motion where it is long enough [rad/s].
+double frequency_of(const TipHistory& history, double of_mode) {
+  const double seen = history.time.empty() ? 0 : history.time.back() * of_mode / (2 * std::numbers::pi);
+  const TipHistory motion = seen > 2 * filter_reach + 3 ? first_mode_part(history, of_mode) : history;
+  std::vector<double> crossings;
+  for (std::size_t i = 1; i < motion.y.size(); ++i) {
+    const double before = motion.y[i - 1], after = motion.y[i];
+    if (!(before > 0 && after <= 0)) continue;
+    crossings.push_back(std::lerp(motion.time[i - 1], motion.time[i], before / (before - after)));
+  }
+  if (crossings.size() < 2) return nan;
+  return 2 * std::numbers::pi * static_cast<double>(crossings.size() - 1) /
+         (crossings.back() - crossings.front());
+}
+
+/// @returns why there is no fiber_damping; empty where there is
+std::string measure(ReleaseRun& run, const ReleaseScene& scene, const reference::ChainMode& mode,
+                    const TipHistory& history) {
+  run.frequency = frequency_of(history, mode.eigenvalue.imag());
+  const bool dashpots = mode.damping > 1e-12;  // rolling friction damps no mode of the linear chain
+  if (!dashpots && scene.fiber.rolling_friction == 0) return "nothing damps the fiber";
+  const reference::LinearChain chain = linear_chain_of(scene.fiber);
+  const CleanPeaks by_friction{CleanPeaks::Way::filter, {4, 6}},
+      wanted = dashpots ? clean_peaks(chain, mode) : by_friction,
+      clean = dashpots ? clean_peaks(chain, mode, scene.periods) : by_friction;
+  if (wanted.way != CleanPeaks::Way::none &&
+      (clean.way == CleanPeaks::Way::none || scene.periods < clean.periods()))
+    return fmt::format("the first mode is seen alone in {:.1f} periods", wanted.periods());
   try {
-    const Damping found = damping_from_peaks(peaks, {1, static_cast<int>(peaks.size()) - 1});
+    const Damping found = first_mode_damping(history, clean, mode.eigenvalue.imag()).peaks;
     run.damping = found.ratio;
     run.frequency = found.frequency;
-  } catch (const InputError&) {  // peaks that grow
+  } catch (const InputError& error) {
+    return error.what();
   }
+  return "";
 }
 
 template <int Dim>
@@ -55,42 +118,37 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   run.reason = record.reason;
   run.work = record.work;
   run.time_step = record.time_step;
+  run.step_note = step_note(scene, plan_in<Dim>(scene), run.period, record.time_step);
   run.failure = record.failure;
   const double L = dem::fiber_length(scene.fiber);
   TipHistory history;
-  const double sign = scene.pull.direction[1] > 0 ? 1 : -1;
+  const double across = std::hypot(scene.pull.direction[1], scene.pull.direction[2]);
+  const std::array<double, 2> along = {across > 0 ? scene.pull.direction[1] / across : 1,
+                                       across > 0 ? scene.pull.direction[2] / across : 0};
   for (const dem::TipSample<Dim>& sample : record.samples) {
     run.time.push_back(sample.time);
     run.y.push_back(sample.position[1] / L);
     run.z.push_back(Dim == 3 ? sample.position[Dim - 1] / L : 0.0);
     run.energy.push_back(sample.energy);
     history.time.push_back(sample.time);
-    history.y.push_back(sign * run.y.back());
-    history.velocity.push_back(sign * sample.velocity[1] / L);
+    history.y.push_back(along[0] * run.y.back() + along[1] * run.z.back());
+    history.velocity.push_back(
+        (along[0] * sample.velocity[1] + along[1] * (Dim == 3 ? sample.velocity[Dim - 1] : 0)) / L);
   }
   for (const dem::Pose<double, Dim>& pose : record.last.poses) {
     run.last.push_back(
         {pose.position[0] / L, pose.position[1] / L, Dim == 3 ? pose.position[Dim - 1] / L : 0.0});
   }
-  measure(run, history);
+  if (run.failure.empty()) run.damping_note = measure(run, scene, mode, history);
   return run;
 }
 
-template <int Dim>
-ReleasePlan plan_in(const ReleaseScene& scene) {
-  const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
-  const dem::Release<Dim> release = dem::build_release<Dim>(scene, period);
-  dem::ReleaseOptions options = scene.motion;
-  std::string reason;
-  if (options.integrator == dem::Integrator::automatic) {
-    const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
-    options.integrator = choice.integrator;
-    options.step_ratio = choice.step_ratio;
-    reason = choice.reason;
-  }
-  const double step = dem::release_step(release, options), interval = period / options.samples_per_period;
-  const double samples = std::ceil(scene.periods * options.samples_per_period);
-  return {options.integrator, reason, step, samples * std::round(interval / step)};
+std::string status_of(const ReleaseRun& run) {
+  if (!run.failure.empty()) return run.failure;
+  std::string status = run.reason.empty() ? "finished" : run.reason;
+  if (!run.step_note.empty()) status += "; " + run.step_note;
+  if (!run.damping_note.empty()) status += "; no fiber_damping: " + run.damping_note;
+  return status;
 }
 
 }  // namespace
@@ -119,6 +177,7 @@ dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
        {"rolling_friction", scene.fiber.rolling_friction},
        {"integrator", std::string(name(run.integrator))},
        {"time_step", run.time_step},
+       {"step_ratio_asked", scene.motion.step_ratio ? dem::Cell{*scene.motion.step_ratio} : dem::Cell{}},
        {"step_ratio", run.time_step / dem::bond_time_step(scene.fiber)},
        {"steps", static_cast<std::int64_t>(run.work.steps)},
        {"bond_evaluations", static_cast<std::int64_t>(run.work.bond_evaluations)},
@@ -127,8 +186,7 @@ dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
        {"fiber_damping_modes", run.damping_modes},
        {"frequency", dem::known(run.frequency)},
        {"run_time", run.run_time},
-       {"status",
-        run.failure.empty() ? (run.reason.empty() ? std::string("finished") : run.reason) : run.failure}});
+       {"status", status_of(run)}});
 }
 
 dem::Table release_history_table(const ReleaseRun& run) {

@@ -13,11 +13,13 @@ struct ReleaseRun {
   dem::Integrator integrator;
   std::string reason;  ///< why this integrator, if it was chosen here
   dem::Work work;
-  double time_step;                         ///< [s]
+  double time_step;                         ///< mean [s]
+  std::string step_note;                    ///< empty, or why it is not the step asked for
   double period;                            ///< first mode of the straight chain, damped [s]
   double damping_modes;                     ///< its damping ratio
-  double damping;                           ///< xi_f of the peaks after the release; NaN if there are too few
-  double frequency;                         ///< of the same [rad/s]
+  double damping;                           ///< xi_f of the first mode alone (measure/first_mode_damping.hpp)
+  std::string damping_note;                 ///< empty, or why it is NaN
+  double frequency;                         ///< of the same, else from crossings of zero [rad/s]
   double run_time;                          ///< [s]
   std::vector<double> time, y, z, energy;   ///< samples [s], over L, [J]
   std::string failure;                      ///< empty, else where and why the run stopped

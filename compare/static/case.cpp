@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/measure/strain.hpp"
 #include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
@@ -27,6 +28,8 @@ StaticPoint compared(const StaticCase& asked, const dem::Fiber& fiber, const Cha
   const TipState sheared =
       reference::reissner_tip(asked.load, std::numeric_limits<double>::infinity(), shear);
   const TipState both = reference::reissner_tip(asked.load, axial, shear);
+  const double strain = strain_bound(fiber, asked.load);
+  const std::string warning = strain_warning(strain);
   const TipState stretch = both - sheared, off = chain.tip - elastica, unstretched = off - stretch;
   return {asked,
           chain.tip,
@@ -42,7 +45,8 @@ StaticPoint compared(const StaticCase& asked, const dem::Fiber& fiber, const Cha
           chain.iterations,
           chain.steps,
           chain.run_time,
-          "converged"};
+          strain,
+          warning.empty() ? "converged" : "converged, but " + warning};
 }
 
 StaticPoint failed(const StaticCase& asked, const std::string& why) {
@@ -53,7 +57,8 @@ StaticPoint failed(const StaticCase& asked, const std::string& why) {
           nan,   nan,
           nan,   dem::Stability::undecided,
           0,     0,
-          nan,   why};
+          nan,   nan,
+          why};
 }
 
 void check(const StaticCase& asked) {
@@ -123,6 +128,8 @@ std::string_view name(StaticMethod method) { return method == StaticMethod::solv
 dem::Fiber nominal_fiber(int aspect_ratio, double poisson_ratio, dem::BondModel bond) {
   return {dem::isotropic_material(2.6e6, poisson_ratio, 1000), 2e-3, aspect_ratio, bond};
 }
+
+bool has_converged(const StaticPoint& point) { return point.status.starts_with("converged"); }
 
 std::vector<StaticPoint> static_points(const std::vector<StaticCase>& cases, const StaticOptions& options) {
   for (const StaticCase& asked : cases) check(asked);

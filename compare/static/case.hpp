@@ -54,7 +54,8 @@ struct StaticPoint {
   long iterations;              ///< Newton iterations
   double steps;                 ///< time steps
   double run_time;              ///< of the chain [s]; a lane's share of its block when marching
-  std::string status;           ///< "converged", else the reason, and every number is NaN
+  double strain;                ///< largest that stretch or shear can have (measure/strain.hpp)
+  std::string status;           ///< "converged", with a warning, else the reason, and every number is NaN
 };
 
 struct StaticOptions {
@@ -62,6 +63,9 @@ struct StaticOptions {
   dem::RelaxOptions march = {};
   std::function<void()> advance = [] {};  ///< called after each case, from any thread
 };
+
+/// Whether there is an answer.
+bool has_converged(const StaticPoint& point);
 
 /// Every case, in the order given. A case that fails keeps its place with its status. Throws
 /// dem::InvalidInput or reference::InvalidArgument for a case out of range, and InputError for the

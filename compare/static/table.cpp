@@ -54,6 +54,7 @@ dem::NamedRow row_of(const StaticPoint& p) {
           {"leftover_motion_y", b.leftover_motion.y},
           {"leftover_motion_x", b.leftover_motion.x},
           {"leftover_motion_angle", b.leftover_motion.angle},
+          {"largest_strain", p.strain},
           {"status", p.status},
           {"residual", p.residual},
           {"stability", std::string(name(p.stability))},

@@ -16,6 +16,8 @@
 namespace fiberchain::dem {
 namespace {
 
+constexpr double most_steps_per_sample = 1e9;
+
 bool marches(Integrator integrator) {
   return integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped;
 }
@@ -65,7 +67,13 @@ int steps_per_sample(const Release<Dim>& release, const ReleaseOptions& options)
                       *options.step_ratio, limit / t_b));
     }
   }
-  return static_cast<int>(std::max(std::ceil(interval / step * (1 - 1e-12)), 1.0));
+  const double steps = std::max(std::ceil(interval / step * (1 - 1e-12)), 1.0);
+  if (!(steps <= most_steps_per_sample)) {
+    throw InvalidInput(
+        fmt::format("step_ratio = {} is not allowed: {:.2g} steps between two samples, at most {:g} are",
+                    options.step_ratio.value_or(step / t_b), steps, most_steps_per_sample));
+  }
+  return static_cast<int>(steps);
 }
 
 template <int Dim>

@@ -255,6 +255,37 @@ BOOST_AUTO_TEST_CASE(settings_without_vibration_say_why) {
   BOOST_TEST(names(message_of<InputError>([&] { calibrate(stepping, 0.01); }), "largest stable step"));
 }
 
+BOOST_AUTO_TEST_CASE(a_run_at_an_amplitude_is_held_against_what_is_expected_there) {
+  for (const double ratio : {0.002, 0.02, 0.1}) {
+    const Calibration found = calibrate(case_of(10), ratio);
+    const Verification run = verify(found, 0.5);
+    BOOST_TEST_CONTEXT("xi_f " << ratio) {
+      BOOST_TEST(run.amplitude > 0.1);
+      BOOST_TEST(run.amplitude < 0.5);
+      // of peaks far apart in size the root mean square is more than the slope between them goes by
+      BOOST_TEST(run.expected / ratio < 1 - 0.2 * run.amplitude * run.amplitude);
+      BOOST_TEST(run.expected / ratio > 1 - 0.6 * run.amplitude * run.amplitude);
+      BOOST_TEST(std::abs(run.difference) < 4e-3);
+      BOOST_TEST(std::abs(run.bond_steps / verification_cost(found, 0.5) - 1) < 0.05);
+    }
+  }
+  BOOST_TEST(names(message_of<InputError>([] { verify(calibrate(case_of(10), 0.8), 0.5); }),
+                   "cannot be verified at an amplitude"));
+}
+
+BOOST_AUTO_TEST_CASE(a_step_too_small_for_a_double_is_refused) {
+  for (const double step : {1e-300, 1e-200, 1e-12}) {
+    CalibrationCase asked = case_of(10);
+    asked.step_ratio = step;
+    BOOST_TEST(names(message_of<InputError>([&] { calibrate(asked, 0.01); }), "step ratio"));
+    asked.fiber.bond_damping = 1;
+    BOOST_TEST(names(message_of<InputError>([&] { calibration_of(asked); }), "a double resolves"));
+  }
+  CalibrationCase fine = case_of(10);
+  fine.step_ratio = 1e-7;
+  BOOST_TEST(std::abs(calibrate(fine, 0.01).time_step_effect) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(run_that_costs_too_much_is_refused_with_its_cost) {
   const Calibration found = calibrate(case_of(500), 0.05);
   BOOST_TEST(verification_cost(found) > largest_verification);

@@ -7,6 +7,8 @@
 
 #include "compare/damping/references.hpp"
 #include "compare/damping/table.hpp"
+#include "compare/measure/first_mode_damping.hpp"
+#include "compare/measure/first_mode_filter.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
@@ -222,6 +224,82 @@ BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_measured) {
   BOOST_TEST(overdamped.status != "measured");
   BOOST_CHECK_THROW(compare::damping_from_peaks({{0, 1.0}}, {0, 1}), compare::InputError);
   BOOST_CHECK_THROW(compare::damping_from_peaks({{0, 1.0}, {1, 1.0}, {2, 1.0}}, {0, 2}), compare::InputError);
+}
+
+// From a hundredth to half of critical, let go from equilibrium: the first mode's damping, whatever the
+// others do.
+BOOST_AUTO_TEST_CASE(the_first_mode_is_parted_from_the_others_at_every_damping) {
+  for (const double damping : {0.002, 0.05, 0.3, 1.0, 1.6, 3.0, 10.0, 30.0, 60.0}) {
+    for (const auto& [aspect_ratio, nu] : {std::pair{10, 0.3}, std::pair{7, 0.1}}) {
+      if (aspect_ratio == 7 && damping > 30) continue;  // nine tenths of critical
+      const DampingPoint p = point({.aspect_ratio = aspect_ratio,
+                                    .poisson_ratio = nu,
+                                    .load = 0.02,
+                                    .bond_damping = damping,
+                                    .peaks = {0, 2}});
+      BOOST_TEST_CONTEXT("r_f " << aspect_ratio << " xi_b " << damping << " " << p.status) {
+        BOOST_TEST(std::abs(p.damping / p.damping_modes - 1) < 2e-4);
+        BOOST_TEST(std::abs(p.frequency / p.frequency_modes - 1) < 5e-4);
+        if (std::isfinite(p.damping_sine)) BOOST_TEST(std::abs(p.damping_sine / p.damping - 1) < 1e-3);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(light_damping_at_large_load_is_the_damped_elasticas) {
+  const auto p = compare::damping_points({{.load = 0.6, .bond_damping = 0.05}}).front();
+  BOOST_TEST(std::abs(p.damping / p.damping_elastica - 1) < 6e-3);                       // finite bonds
+  BOOST_TEST(std::abs(p.damping_elastica / p.damping_closed_form - 1 + 0.014) < 0.006);  // the amplitude
+}
+
+BOOST_AUTO_TEST_CASE(heavy_damping_is_measured_where_it_can_be_and_only_what_was_asked_for_is_spoken_of) {
+  const DampingPoint heavy =
+      point({.aspect_ratio = 9, .poisson_ratio = 0.2, .load = 2, .bond_damping = 60, .peaks = {0, 2}});
+  BOOST_TEST(heavy.status == "measured");
+  // of the small peaks behind the release, counted from the bend that the incremental form leaves
+  BOOST_TEST(std::abs(heavy.damping / heavy.damping_modes - 1) < 1e-4);
+  BOOST_TEST(std::isfinite(heavy.damping_paper));
+  const DampingPoint more =
+      point({.aspect_ratio = 9, .poisson_ratio = 0.2, .load = 0.5, .bond_damping = 85, .peaks = {0, 1}});
+  BOOST_TEST(std::isnan(more.damping));
+  BOOST_TEST(std::isfinite(more.damping_paper));
+  BOOST_TEST(more.status ==
+             "measured, but not without mode 2: higher modes outlive the first, which cannot be "
+             "seen alone");
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_of_two_modes_is_filtered) {
+  const double w = 7.3, xi = 0.0008, period = 2 * pi / w;
+  compare::TipHistory h;
+  for (int i = 0; i <= 2600; ++i) {
+    const double t = i * period / 200, e = std::exp(-xi * w * t), f = 0.03 * std::exp(-xi * 39 * w * t);
+    const double w2 = 6.27 * w;
+    h.time.push_back(t);
+    h.y.push_back(e * std::cos(w * t) + f * std::cos(w2 * t));
+    h.velocity.push_back(e * (-xi * w * std::cos(w * t) - w * std::sin(w * t)) +
+                         f * (-xi * 39 * w * std::cos(w2 * t) - w2 * std::sin(w2 * t)));
+  }
+  const auto raw = compare::damping_from_peaks(compare::positive_peaks(h), {4, 9});
+  BOOST_TEST(std::abs(raw.ratio / (xi / std::sqrt(1 + xi * xi)) - 1) > 0.01);  // what the filter is for
+  const compare::CleanPeaks clean{compare::CleanPeaks::Way::filter, {4, 9}};
+  const auto found = compare::first_mode_damping(h, clean, 1.002 * w);
+  BOOST_TEST(std::abs(found.peaks.ratio / (xi / std::sqrt(1 + xi * xi)) - 1) < 1e-5);
+  BOOST_TEST(std::abs(found.peaks.frequency / w - 1) < 1e-6);
+  BOOST_TEST(std::abs(found.measured.front().time / (4 * period) - 1) < 1e-3);
+  for (std::size_t i = 0; i < h.time.size(); ++i) {  // a third harmonic goes with the cube of the swing
+    const double e = 0.2 * std::exp(-3 * xi * w * h.time[i]), a = 3 * w * h.time[i];
+    h.y[i] += e * std::cos(a), h.velocity[i] -= e * (3 * xi * w * std::cos(a) + 3 * w * std::sin(a));
+  }
+  // ln(e + 0.2 e^3) falls by d ln e (1 + 0.6 e^2) / (1 + 0.2 e^2)
+  const auto peak = [&](int n) {
+    const double e = std::exp(-xi * w * period * n);
+    return e + 0.2 * e * e * e;
+  };
+  const double delta = std::log(peak(4) / peak(9)) / 5;
+  const auto swung = compare::first_mode_damping(h, clean, 1.002 * w);
+  BOOST_TEST(std::abs(swung.peaks.ratio / compare::damping_ratio(delta) - 1) < 2e-4);
+  h.time.resize(1000), h.y.resize(1000), h.velocity.resize(1000);
+  BOOST_CHECK_THROW(compare::first_mode_part(h, w), compare::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(peaks_of_a_known_motion) {

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "compare/measure/strain.hpp"
 #include "compare/static/table.hpp"
 #include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
@@ -166,6 +167,18 @@ BOOST_AUTO_TEST_CASE(refuses_cases_out_of_range) {
   compare::StaticSweep sweep;
   sweep.form = {dem::BondForm::incremental};
   BOOST_CHECK_THROW(compare::cases(sweep), compare::InputError);
+}
+
+// The rod's own beam, stretched threefold, is no rod.
+BOOST_AUTO_TEST_CASE(a_stretch_beyond_the_rods_linear_law_is_said) {
+  const auto points =
+      compare::static_points({{.aspect_ratio = 1, .load = 50}, {.aspect_ratio = 6, .load = 6}});
+  BOOST_TEST(compare::has_converged(points[0]));
+  BOOST_TEST(points[0].status.starts_with("converged, but stretch or shear up to "));
+  BOOST_TEST(std::abs(points[0].strain / (2.6 * 50 / 16) - 1) < 1e-9);  // P/(G A) at nu = 0.3
+  BOOST_TEST(points[1].status == "converged");
+  BOOST_TEST(compare::strain_warning(compare::largest_linear_strain).empty());
+  BOOST_TEST(!compare::strain_warning(1.01 * compare::largest_linear_strain).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

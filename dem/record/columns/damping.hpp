@@ -18,8 +18,8 @@ inline constexpr Column damping[] = {
     {"peaks_first", integer, "1", "first peak of fiber_damping_paper; peak 0 is the point of release"},
     {"peaks_last", integer, "1", "last peak of fiber_damping_paper"},
     {"fiber_damping", number, "1",
-     "xi_f measured without mode 2: load up to 0.01 released from the first mode, else from rest, after mode "
-     "2 is gone"},
+     "xi_f of the first mode alone, to 1e-4 of it: load up to 0.01 released from that mode, else from rest: "
+     "peaks after the higher modes are gone or, lightly damped, of the motion filtered about its frequency"},
     {"fiber_damping_half_width", number, "1",
      "95 % half width of its fit: lack of fit, the data have no noise"},
     {"fiber_damping_sine", number, "1", "the same part of the motion fitted by a damped sine"},

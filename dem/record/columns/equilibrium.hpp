@@ -21,7 +21,8 @@ inline constexpr Column equilibrium[] = {
     {"method", text, "", "way to the equilibrium: solve (Newton) or march (time steps)"},
     {"dimension", text, "", "planar or spatial"},
     {"bond_damping", number, "1", "xi_b, damping coefficient of a bond"},
-    {"step_ratio", number, "1", "time step over t_b = sqrt(m/K_n)"},
+    {"step_ratio", number, "1", "time step over t_b = sqrt(m/K_n), in the mean where steps differ"},
+    {"step_ratio_asked", number, "1", "the same as asked for; empty where it was left to the program"},
     {"time_step", number, "s", "time step; of CVODE the mean"},
     {"rolling_friction", number, "1", "xi_r, rolling friction coefficient of a bond (Eq 21)"},
     {"bond_evaluations", integer, "1", "evaluations of the forces of one bond"},
@@ -82,6 +83,10 @@ inline constexpr Column equilibrium[] = {
     {"position_y", number, "1", "position along the part of the load across the fiber, over L"},
     {"position_z", number, "1", "position across fiber and load, over L"},
     {"angle", number, "rad", "angle of the fiber's axis at the sphere, from x toward y"},
+    {"largest_strain", number, "1",
+     "largest that stretch or shear of a bond can have: end load over the smaller of E A and G A; beyond 0.1 "
+     "the "
+     "linear laws are a rod's no more"},
 };
 
 }  // namespace fiberchain::dem::columns

@@ -84,7 +84,9 @@ inline constexpr Column fit[] = {
      "part of the chain's undamped frequency over beam_frequency - 1 from the mass of its spheres"},
     {"frequency_discretization", number, "1", "part from finite bonds and the end sphere"},
     {"frequency_shear", number, "1", "part from shear"},
-    {"verified_difference", number, "1", "fiber_damping of the run over fiber_damping_modes - 1"},
+    {"verified_amplitude", number, "1", "y/L of the run's peaks that were measured, root mean square"},
+    {"verified_expected", number, "1", "fiber_damping expected of peaks of these amplitudes"},
+    {"verified_difference", number, "1", "fiber_damping of the run over verified_expected - 1"},
 };
 
 }  // namespace fiberchain::dem::columns
