@@ -1,6 +1,12 @@
 # fiberchain_add_kernels(TARGET SOURCE...): compiles each kernel source once for every instruction set and adds the copies to
 # the target; which one runs is chosen at run time (dem/simd/instruction_set.hpp). tests/dem checks that the wide copies define
 # no symbol that another file could be linked to.
+set(FIBERCHAIN_INSTRUCTION_SETS scalar sse2 avx2 avx512)
+if(FIBERCHAIN_SANITIZE)
+  # The scalar copy is the same source; the wide ones would take the compiler minutes.
+  set(FIBERCHAIN_INSTRUCTION_SETS scalar)
+endif()
+
 function(fiberchain_add_kernels target)
   # The compiler's own vectorizer would pack the components of one sphere and wait on its own stores.
   set(options -fno-tree-vectorize -fno-tree-slp-vectorize)
@@ -10,7 +16,7 @@ function(fiberchain_add_kernels target)
   set(options_sse2)
   set(options_avx2 -mavx2 -mfma -ffp-contract=fast)
   set(options_avx512 -mavx512f -ffp-contract=fast -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
-  foreach(set IN ITEMS scalar sse2 avx2 avx512)
+  foreach(set IN LISTS FIBERCHAIN_INSTRUCTION_SETS)
     set(copy ${target}_kernels_${set})
     add_library(${copy} OBJECT ${ARGN})
     target_compile_definitions(${copy} PRIVATE FIBERCHAIN_INSTRUCTION_SET=${set})
@@ -22,14 +28,7 @@ function(fiberchain_add_kernels target)
     # Those of every target first: the last one that says whether to fuse wins.
     target_compile_options(${copy} PRIVATE
       $<TARGET_PROPERTY:fiberchain_flags,INTERFACE_COMPILE_OPTIONS> ${options} ${options_${set}})
-    if(FIBERCHAIN_SANITIZE)
-      # The sanitizers check the scalar copy, which is the same source; the wide ones would take the compiler minutes.
-      if(set STREQUAL scalar)
-        target_compile_definitions(${copy} PRIVATE FIBERCHAIN_SANITIZED)
-      else()
-        target_compile_options(${copy} PRIVATE -fno-sanitize=all)
-      endif()
-    endif()
+    target_compile_definitions(${copy} PRIVATE $<TARGET_PROPERTY:fiberchain_flags,INTERFACE_COMPILE_DEFINITIONS>)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${copy}>)
   endforeach()
 endfunction()

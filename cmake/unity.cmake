@@ -1,6 +1,6 @@
-# fiberchain_compile_by_folder(TARGET): where CMAKE_UNITY_BUILD is on (the release presets), the sources of a folder are one
+# fiberchain_compile_by_folder(TARGET): where CMAKE_UNITY_BUILD is on (all presets but dev), the sources of a folder are one
 # for the compiler, which reads their headers once: half the processor time of a build. By folder, so that a new file touches
-# the names of its neighbors only. The other presets compile file by file and so hold every file to its own includes.
+# the names of its neighbors only. The preset dev compiles file by file and so holds every file to its own includes.
 function(fiberchain_compile_by_folder target)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)

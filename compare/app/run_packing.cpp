@@ -41,9 +41,7 @@ std::optional<dem::InstructionSet> instruction_set_of(const Arguments& arguments
   using dem::InstructionSet;
   std::vector<InstructionSet> sets;
   std::vector<std::pair<std::string, InstructionSet>> words;
-  for (const auto set :
-       {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512})
-    words.emplace_back(dem::name(set), set);
+  for (const auto set : dem::instruction_sets) words.emplace_back(dem::name(set), set);
   read_choices(arguments, "--instruction-set", sets, words);
   if (sets.empty()) return std::nullopt;
   if (sets.size() > 1) throw compare::InputError("--instruction-set: give one");

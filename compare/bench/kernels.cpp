@@ -23,7 +23,7 @@ bool is_fastest_alone(const std::vector<KernelTime>& times, const KernelTime& ti
 std::vector<KernelTime> kernel_times(const BenchOptions& options) {
   std::vector<KernelTime> times;
   std::vector<std::function<void()>> runs;
-  const auto all = instruction_sets();
+  const auto all = dem::available_instruction_sets();
   for (const InstructionSet set : options.quick ? std::vector{all.front(), all.back()} : all) {
     for (const Physics& physics : dem::built_physics) {
       const int lanes = dem::chain_kernel(physics, set).width;

@@ -71,15 +71,6 @@ std::string text(const Physics& p) {
   return all;
 }
 
-std::vector<InstructionSet> instruction_sets() {
-  std::vector<InstructionSet> all;
-  for (const InstructionSet set :
-       {InstructionSet::scalar, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (set <= dem::best_instruction_set()) all.push_back(set);
-  }
-  return all;
-}
-
 std::function<void()> swinging_chains(const Physics& physics, InstructionSet set, int chains, int steps) {
   return physics.dimension == 2 ? swinging<2>(physics, set, chains, steps)
                                 : swinging<3>(physics, set, chains, steps);

@@ -34,9 +34,6 @@ SwingingChain<Dim> swinging_chain_of(const dem::Physics& physics);
 /// "spatial incremental damped": the features that a physics has.
 std::string text(const dem::Physics& physics);
 
-/// Those of this processor, the narrowest first.
-std::vector<dem::InstructionSet> instruction_sets();
-
 /// A function that marches `chains` equal cantilevers side by side by `steps` steps each time it is called.
 /// It throws dem::Diverged if numbers stop being finite, and what dem::ChainBatch throws.
 std::function<void()> swinging_chains(const dem::Physics& physics, dem::InstructionSet set, int chains,

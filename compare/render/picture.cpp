@@ -12,7 +12,6 @@
 namespace fiberchain::compare {
 namespace {
 
-constexpr int kColors = 64;
 /// viridis, from low to high; also in gnuplot's words
 constexpr std::array<Color, 8> kScale = {{{0.267f, 0.004f, 0.329f},
                                           {0.275f, 0.196f, 0.494f},
@@ -32,23 +31,17 @@ Color color_at(double place) {
           a.blue + part * (b.blue - a.blue)};
 }
 
-int place_of(double value, const std::pair<double, double>& range) {
-  const double place = (value - range.first) / (range.second - range.first);
-  if (!(place > 0)) return 0;
-  return place < 1 ? static_cast<int>(place * kColors) : kColors - 1;
-}
-
 /// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn.
 std::vector<Rod> rods_of(const dem::TrajectoryFrame& frame, const std::vector<double>& values,
                          const std::pair<double, double>& range) {
   std::vector<Rod> rods;
   for (std::size_t i = 0; i < frame.position.size(); ++i)
-    rods.push_back({frame.position[i], frame.position[i], frame.radius[i], place_of(values[i], range)});
+    rods.push_back({frame.position[i], frame.position[i], frame.radius[i], palette_place(values[i], range)});
   for (const dem::FrameBond& bond : frame.bonds) {
     const auto a = static_cast<std::size_t>(bond.first), b = a + 1;
     if (norm(frame.position[b] - frame.position[a]) > 4 * frame.radius[a]) continue;
     rods.push_back({frame.position[a], frame.position[b], frame.radius[a],
-                    place_of((values[a] + values[b]) / 2, range)});
+                    palette_place((values[a] + values[b]) / 2, range)});
   }
   return rods;
 }
@@ -118,6 +111,13 @@ std::string tile_commands(const Tile& tile, bool with_scale) {
 }
 
 }  // namespace
+
+int palette_place(double value, const std::pair<double, double>& range) {
+  const double low = range.first / 2;  // halves: the difference of two doubles can be more than one holds
+  const double place = (value / 2 - low) / (range.second / 2 - low);
+  if (!(place > 0)) return 0;
+  return place < 1 ? static_cast<int>(place * kColors) : kColors - 1;
+}
 
 std::vector<double> shade_of(const dem::TrajectoryFrame& frame, Shade shade) {
   std::vector<double> values(frame.position.size(), 0);

@@ -31,6 +31,12 @@ struct PictureOptions {
 /// A number for each sphere of the frame.
 std::vector<double> shade_of(const dem::TrajectoryFrame& frame, Shade shade);
 
+inline constexpr int kColors = 64;
+
+/// Color of a value, 0 for the lowest to kColors - 1: what is beyond the scale has the color of its end, NaN
+/// the lowest.
+int palette_place(double value, const std::pair<double, double>& range);
+
 /// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the
 /// end colors.
 std::pair<double, double> range_of(std::vector<double> values);

@@ -49,10 +49,8 @@ std::vector<InstructionSet> sets_of(const PackingJob& job) {
     require_supported(*job.instruction_set);
     return {*job.instruction_set};
   }
-  std::vector<InstructionSet> sets = {best_instruction_set()};
-  for (const auto set : {InstructionSet::avx2, InstructionSet::sse2, InstructionSet::scalar}) {
-    if (set < sets.back()) sets.push_back(set);
-  }
+  std::vector<InstructionSet> sets = available_instruction_sets();
+  std::ranges::reverse(sets);
   return sets;
 }
 

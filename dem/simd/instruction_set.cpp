@@ -2,12 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
 bool is_supported(InstructionSet set) {
+#ifdef FIBERCHAIN_SANITIZED
+  return set == InstructionSet::scalar;
+#endif
   switch (set) {
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f");
@@ -33,12 +39,13 @@ std::string_view name(InstructionSet set) {
   }
 }
 
-InstructionSet best_instruction_set() {
-  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2}) {
-    if (is_supported(set)) return set;
-  }
-  return InstructionSet::sse2;
+std::vector<InstructionSet> available_instruction_sets() {
+  std::vector<InstructionSet> all;
+  std::ranges::copy_if(instruction_sets, std::back_inserter(all), is_supported);
+  return all;
 }
+
+InstructionSet best_instruction_set() { return available_instruction_sets().back(); }
 
 void require_supported(InstructionSet set) {
   if (!is_supported(set))

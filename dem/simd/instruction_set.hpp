@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 // Inner loops are compiled once for each instruction set (cmake/kernels.cmake) and chosen when the program
 // runs.
@@ -9,9 +10,17 @@ namespace fiberchain::dem {
 
 enum class InstructionSet { scalar, sse2, avx2, avx512 };
 
+/// From narrow to wide.
+inline constexpr InstructionSet instruction_sets[] = {InstructionSet::scalar, InstructionSet::sse2,
+                                                      InstructionSet::avx2, InstructionSet::avx512};
+
 std::string_view name(InstructionSet set);
 
-/// The widest that this processor has.
+/// Those of this build that this processor has, from narrow to wide. Under the sanitizers the scalar one
+/// alone is built: it is the same source.
+std::vector<InstructionSet> available_instruction_sets();
+
+/// The widest of these.
 InstructionSet best_instruction_set();
 
 /// Throws InvalidInput when this processor lacks the instruction set.
@@ -22,6 +31,7 @@ void require_supported(InstructionSet set);
 template <template <InstructionSet> class Family>
 const auto& kernel_of(InstructionSet set, std::ptrdiff_t index) {
   require_supported(set);
+#ifndef FIBERCHAIN_SANITIZED
   switch (set) {
     case InstructionSet::avx512:
       return Family<InstructionSet::avx512>::table()[index];
@@ -30,8 +40,10 @@ const auto& kernel_of(InstructionSet set, std::ptrdiff_t index) {
     case InstructionSet::sse2:
       return Family<InstructionSet::sse2>::table()[index];
     default:
-      return Family<InstructionSet::scalar>::table()[index];
+      break;
   }
+#endif
+  return Family<InstructionSet::scalar>::table()[index];
 }
 
 }  // namespace fiberchain::dem

@@ -12,8 +12,6 @@ namespace dem = fiberchain::dem;
 
 namespace {
 
-bool available(dem::InstructionSet set) { return set <= dem::best_instruction_set(); }
-
 std::string text(const dem::Physics& p) {
   return std::to_string(p.dimension) + "D " + std::string(dem::name(p.form)) + (p.damped ? " damped" : "") +
          (p.settling_damping ? " drag" : "") + (p.curved ? " curved" : "") + (p.solved ? " solved" : "") +
@@ -110,12 +108,7 @@ BOOST_AUTO_TEST_CASE(every_combination_is_built_once) {
 }
 
 BOOST_AUTO_TEST_CASE(every_combination_in_every_width_equals_the_scalar_loop) {
-  for (const auto set : {dem::InstructionSet::scalar, dem::InstructionSet::sse2, dem::InstructionSet::avx2,
-                         dem::InstructionSet::avx512}) {
-    if (!available(set)) {
-      BOOST_TEST_MESSAGE("this machine lacks " << dem::name(set));
-      continue;
-    }
+  for (const auto set : dem::available_instruction_sets()) {
     for (const dem::Physics& physics : dem::built_physics) {
       BOOST_TEST_CONTEXT(text(physics) << " " << dem::name(set)) {
         physics.dimension == 2 ? lanes_equal_scalar<2>(physics, set) : lanes_equal_scalar<3>(physics, set);

@@ -101,9 +101,6 @@ BOOST_AUTO_TEST_CASE(neighbor_pairs_are_those_of_brute_force) {
 
 namespace {
 
-constexpr dem::InstructionSet kSets[] = {dem::InstructionSet::scalar, dem::InstructionSet::sse2,
-                                         dem::InstructionSet::avx2, dem::InstructionSet::avx512};
-
 /// Spheres at random in a box of sides 1, of one radius or of many, with pads behind them.
 struct RandomSpheres {
   dem::SphereStorage rows;
@@ -165,8 +162,7 @@ BOOST_AUTO_TEST_CASE(inner_pairs_are_those_of_brute_force) {
   constexpr int spheres = 61;
   for (int combination = 0; combination < dem::contact_combinations; ++combination) {
     const dem::ContactPhysics physics = dem::contact_physics(combination);
-    for (const dem::InstructionSet set : kSets) {
-      if (set > dem::best_instruction_set()) continue;
+    for (const dem::InstructionSet set : dem::available_instruction_sets()) {
       const dem::ContactKernel& kernel = dem::law_of({}).kernel(physics, set);
       dem::InnerPairList inner;
       // none, less than a vector, more than are looked at at once; cutoffs that rise and fall

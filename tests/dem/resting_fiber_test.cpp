@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "reference/supported_beam.hpp"
-#include "tests/dem/assembly_scenes.hpp"
+#include "tests/dem/assembly/assembly_scenes.hpp"
 #include "tests/dem/transverse_fibers.hpp"
 
 BOOST_AUTO_TEST_SUITE(resting_fiber_test)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dem/insertion/random_insertion.hpp"
-#include "tests/dem/assembly_scenes.hpp"
+#include "tests/dem/assembly/assembly_scenes.hpp"
 
 /// Fibers of two kinds, 9 spheres and 14 of another diameter and material, one curved, that fall and meet.
 namespace scenes {

@@ -22,12 +22,18 @@ void open_as(int descriptor, const fs::path& path) {
   if (file < 0 || ::dup2(file, descriptor) < 0) ::_exit(126);
 }
 
+void break_pipe(int descriptor) {
+  int ends[2];
+  if (::pipe(ends) != 0 || ::dup2(ends[1], descriptor) < 0) ::_exit(126);
+  ::close(ends[0]), ::close(ends[1]);
+}
+
 /// In the child: never returns.
 [[noreturn]] void become_program(const std::vector<std::string>& arguments,
                                  const Circumstances& circumstances, const fs::path& out,
                                  const fs::path& error) {
   open_as(STDOUT_FILENO, out);
-  open_as(STDERR_FILENO, error);
+  circumstances.nobody_reads_errors ? break_pipe(STDERR_FILENO) : open_as(STDERR_FILENO, error);
   for (const auto& [name, value] : circumstances.environment) ::setenv(name.c_str(), value.c_str(), 1);
   if (::chdir(circumstances.directory.c_str()) != 0) ::_exit(126);
   if (circumstances.largest_file) {

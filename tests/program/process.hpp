@@ -28,6 +28,7 @@ struct Circumstances {
   std::optional<std::filesystem::path> standard_output = std::nullopt;  ///< this file, instead of being kept
   std::optional<std::size_t> largest_file = std::nullopt;               ///< as on a full disk [bytes]
   std::optional<std::size_t> address_space = std::nullopt;              ///< as on a small machine [bytes]
+  bool nobody_reads_errors = false;                                     ///< a pipe whose reader has gone
 };
 
 struct Outcome {

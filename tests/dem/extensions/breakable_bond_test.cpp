@@ -4,7 +4,7 @@
 #include "dem/assembly/packing_law.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/time_step.hpp"
-#include "tests/dem/assembly_scenes.hpp"
+#include "tests/dem/assembly/assembly_scenes.hpp"
 #include "tests/dem/extensions/breakable_bond.hpp"
 
 // Bonds that break: the flag is part of the history.

@@ -158,10 +158,7 @@ BOOST_AUTO_TEST_CASE(instruction_sets_agree_to_round_off) {
       if (fluid) packing.stir_with_fluid();
       std::vector<double> first;
       std::int64_t touching = 0;
-      const dem::InstructionSet best = dem::best_instruction_set();
-      std::vector<dem::InstructionSet> sets{dem::InstructionSet::scalar, dem::InstructionSet::sse2, best};
-      if (best == dem::InstructionSet::avx512) sets.push_back(dem::InstructionSet::avx2);
-      for (const auto set : sets) {
+      for (const auto set : dem::available_instruction_sets()) {
         dem::Assembly assembly = packing.assembly({.instruction_set = set});
         for (int n = 0; n < 6; ++n) {
           assembly.march(50);

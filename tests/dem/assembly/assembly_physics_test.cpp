@@ -1,6 +1,6 @@
 // Fibers of an assembly that touch nothing move as each alone in dem's march, whatever they consist of.
 #include "dem/model/errors.hpp"
-#include "tests/dem/assembly_alone.hpp"
+#include "tests/dem/assembly/assembly_alone.hpp"
 
 BOOST_AUTO_TEST_SUITE(assembly_physics_test)
 

@@ -8,7 +8,7 @@
 #include "dem/motion/kernels/chain_batch.hpp"
 #include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/time_step.hpp"
-#include "tests/dem/assembly_scenes.hpp"
+#include "tests/dem/assembly/assembly_scenes.hpp"
 #include "tests/dem/marching_chains.hpp"
 
 /// Fibers of an assembly that touch nothing against each alone in a ChainBatch.
