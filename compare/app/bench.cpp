@@ -152,7 +152,8 @@ Command bench_command() {
                   {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
                   json_option(),
                   {"--out", "DIR",
-                   "directory for the results; with --json none are written unless given [results]"}},
+                   "directory for the results; with --json none are written unless given [results]"},
+                  no_figures_option()},
       .run = &run_bench};
 }
 

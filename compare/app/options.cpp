@@ -23,10 +23,15 @@ Option json_option() {
           OptionKind::flag};
 }
 
+Option no_figures_option() {
+  return {"--no-figures", "", "draw no pictures; with --json there are none anyway", OptionKind::flag};
+}
+
 std::vector<Option> with_output(std::vector<Option> options) {
   options.push_back(json_option());
   options.push_back(
       {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"});
+  options.push_back(no_figures_option());
   options.push_back({"--jobs", "N", "threads [all cores]", OptionKind::text, "--threads"});
   return options;
 }
@@ -34,6 +39,7 @@ std::vector<Option> with_output(std::vector<Option> options) {
 OutputOptions output_options(const Arguments& arguments) {
   OutputOptions options;
   options.json = arguments.has("--json");
+  options.figures = !options.json && !arguments.has("--no-figures");
   if (arguments.has("--out")) options.out = arguments.text("--out");
   options.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   read_number(arguments, "--jobs", {.low = 1, .high = 1024}, options.jobs);

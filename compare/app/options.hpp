@@ -18,12 +18,16 @@ struct OutputOptions {
   bool json = false;                         ///< rows as one JSON object on standard output
   std::optional<std::filesystem::path> out;  ///< results directory; without it "results", or none with --json
   int jobs = 1;                              ///< threads
+  bool figures = true;                       ///< pictures are drawn: none with --json
 };
 
 /// --json
 Option json_option();
 
-/// These options with --json, --out and --jobs behind them.
+/// --no-figures
+Option no_figures_option();
+
+/// These options with --json, --out, --no-figures and --jobs behind them.
 std::vector<Option> with_output(std::vector<Option> options);
 
 /// @throws compare::InputError if --jobs is no number of threads

@@ -72,7 +72,7 @@ std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, co
                                                 Draws draws) {
   if (options.json && !options.out) return std::nullopt;
   dem::OutputDirectory directory(options.out.value_or("results"));
-  if (draws == Draws::yes) warn_without_gnuplot(context);
+  if (draws == Draws::yes && options.figures) warn_without_gnuplot(context);
   context.leaving = std::make_shared<LeaveNothing>(directory.made() ? directory.path().string() : "");
   return directory;
 }
@@ -98,10 +98,11 @@ void deliver(const Results& results, const dem::Table& shown, const OutputOption
   }
   context.out.flush();
   if (context.stopped != 0) {
-    context.log->info("stopped: the rows measured are kept{}", directory ? ", no pictures are drawn" : "");
+    context.log->info("stopped: the rows measured are kept{}",
+                      directory && options.figures ? ", no pictures are drawn" : "");
     return;
   }
-  if (directory) draw_pictures(results, *directory, context);
+  if (directory && options.figures) draw_pictures(results, *directory, context);
 }
 
 }  // namespace fiberchain::app

@@ -44,7 +44,8 @@ void warn_of_values(const dem::SceneText& text, const Context& context);
 void warn_without_gnuplot(const Context& context);
 
 /// Writes the tables (CSV, Markdown), all or none, prints the rows (as JSON if asked for, else `shown` as
-/// Markdown), then draws: a picture that fails is a warning and costs nothing but itself.
+/// Markdown), then draws where the options want it: a picture that fails is a warning and costs nothing but
+/// itself.
 /// @throws dem::OutputError for tables
 void deliver(const Results& results, const dem::Table& shown, const OutputOptions& options,
              const std::optional<dem::OutputDirectory>& directory, Context& context);

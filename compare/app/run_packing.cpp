@@ -49,10 +49,19 @@ std::optional<dem::InstructionSet> instruction_set_of(const Arguments& arguments
 }
 
 Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
-  return {.name = job.files.name,
-          .heading = "Packing of fibers",
-          .table = compare::packing_run_table(job, end),
-          .pictures = {[&job] { return figures_of(job); }}};
+  Results results{
+      .name = job.files.name, .heading = "Packing of fibers", .table = compare::packing_run_table(job, end)};
+  if (job.scene.output.samples > 0) results.pictures = {[&job] { return figures_of(job); }};
+  return results;
+}
+
+/// What the parts of the run have cost.
+std::string cost_in_words(const dem::RunTimes& times) {
+  return fmt::format(
+      "processor time: march {:.3g} s, samples {:.2g} s, frames {:.2g} s, checkpoints {:.2g} s; output "
+      "{:.2g} % "
+      "of the march",
+      times.march, times.samples, times.frames, times.checkpoints, 100 * times.output() / times.march);
 }
 
 /// Run time of a run that had finished before, as its row has it; NaN if that is gone.
@@ -79,7 +88,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
                             .provenance = context.provenance,
                             .instruction_set = instruction_set_of(arguments)};
   const auto say = [&](const std::string& words) { context.log->info(words); };
-  warn_without_gnuplot(context);
+  if (output.figures && scene.output.samples > 0) warn_without_gnuplot(context);
   const StopSignals signals;
   const auto asked_to_stop = [&] { return signals.received() != 0; };
   std::optional<dem::OpenedRun> opened;
@@ -102,6 +111,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
     return kSignaled + signals.received();
   }
   if (end.begun_at >= end.steps) end.run_time = earlier_run_time(job);
+  if (end.times.march > 0) context.log->info("{}", cost_in_words(end.times));
   const Results results = results_of(job, end);
   const dem::Table shown = results.table.select({"fibers", "time_step", "step_set_by", "simulated_time",
                                                  "contacts", "height", "bending_mean", "run_time", "status"});

@@ -45,6 +45,18 @@ Mean turning_angles(FiberStates fibers) {
   return mean;
 }
 
+double quantile(std::vector<double>& values, double fraction) {
+  if (values.empty()) throw InvalidInput("quantile of no values");
+  if (!(fraction >= 0 && fraction <= 1)) {
+    throw InvalidInput(fmt::format("fraction = {} is not allowed: it must be 0 to 1", fraction));
+  }
+  const double at = fraction * static_cast<double>(values.size() - 1);
+  const auto below = values.begin() + static_cast<std::ptrdiff_t>(at);
+  std::ranges::nth_element(values, below);
+  const auto above = below + 1 == values.end() ? below : std::ranges::min_element(below + 1, values.end());
+  return std::lerp(*below, *above, at - std::floor(at));
+}
+
 Heights heights(const PlacedSpheres& spheres, const V& up, double fraction) {
   if (spheres.position.empty()) throw InvalidInput("height of no spheres");
   if (!(fraction >= 0 && fraction <= 1)) {

@@ -40,6 +40,10 @@ struct Heights {
   double mean;
 };
 
+/// The value below which this fraction of them lies, linear between two; they are put in another order.
+/// Throws InvalidInput for no values and a fraction outside of 0 to 1.
+double quantile(std::vector<double>& values, double fraction);
+
 /// Throws InvalidInput when there are no spheres or the fraction is not within [0, 1].
 Heights heights(const PlacedSpheres& spheres, const Vec<double, 3>& up, double fraction = 0.95);
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
-#include "dem/chain/bending.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
@@ -111,9 +110,9 @@ void Assembly::insert(FiberGroup group) {
         fmt::format("step = {:g} s is not allowed: at most {:g} s, which the fibers to be inserted bear",
                     s.step, largest));
   }
-  const double before = s.options.account_energy ? stored(s.energy()) : 0;
+  const double before = s.options.account_energy ? stored(s.sample().energy) : 0;
   s.start_blocks(s.add({group}));
-  if (s.options.account_energy) s.inserted += stored(s.energy()) - before;
+  if (s.options.account_energy) s.inserted += stored(s.sample().energy) - before;
 }
 
 void Assembly::march(std::int64_t steps) { state_->march(steps); }
@@ -127,6 +126,8 @@ int Assembly::fibers(int group) const { return state_->fibers[group]; }
 
 PlacedSpheres Assembly::placed() const {
   PlacedSpheres all;
+  all.position.reserve(static_cast<std::size_t>(state_->rows.count));
+  all.radius.reserve(static_cast<std::size_t>(state_->rows.count));
   for (std::int64_t i = 0; i < state_->rows.count; ++i) {
     all.position.push_back(state_->rows.position(i));
     all.radius.push_back(state_->rows.radius(i));
@@ -134,67 +135,13 @@ PlacedSpheres Assembly::placed() const {
   return all;
 }
 
+void Assembly::coordinates(const Vec<double, 3>& direction, std::vector<double>& all) const {
+  all.resize(static_cast<std::size_t>(state_->rows.count));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = dot(state_->rows.position(static_cast<std::int64_t>(i)), direction);
+}
+
 std::int64_t Assembly::first_sphere(int group, int fiber) const { return state_->first_sphere(group, fiber); }
-
-namespace {
-
-/// A block and its snapshot, to take fibers from.
-struct GroupSnapshot {
-  const Assembly::State& all;
-  const FiberBlock& block;
-  const GroupKind& kind;
-  BlockSnapshot now;
-
-  GroupSnapshot(const Assembly::State& s, int number)
-      : all(s), block(s.blocks[number]), kind(s.kinds[block.group()]), now(s.snapshot(block)) {}
-
-  ChainState<3> state(int lane) const {
-    ChainState<3> state;
-    const double unknown = std::nan("");
-    for (int i = 0; i < kind.spheres(); ++i) {
-      MovingSphere<double, 3> sphere = all.sphere_now(block, now, lane, i);
-      if (!all.rows.oriented()) sphere.pose.orientation = {unknown, {unknown, unknown, unknown}};
-      state.poses.push_back(sphere.pose);
-      state.velocity.push_back(sphere.velocity);
-      state.spin.push_back(sphere.spin);
-    }
-    return state;
-  }
-
-  BondState bond(const ChainState<3>& state, int lane, int i) const {
-    return kind.law->state(kind.chain, state, i, kind.history_of(now.history.data(), lane, i),
-                           kind.kernel->width);
-  }
-
-  std::vector<BondState> bonds(int lane) const { return bonds(state(lane), lane); }
-
-  std::vector<BondState> bonds(const ChainState<3>& own, int lane) const {
-    std::vector<BondState> bonds;
-    for (int i = 0; i + 1 < kind.spheres(); ++i) bonds.push_back(bond(own, lane, i));
-    return bonds;
-  }
-};
-
-/// visit(snapshot, lane) for all fibers of a group.
-template <class Visit>
-void each_fiber(const Assembly::State& s, int group, const Visit& visit) {
-  for (int fiber = 0; fiber < s.fibers[group];) {
-    const GroupSnapshot snapshot(s, s.slot(group, fiber).block);
-    for (int lane = 0; lane < snapshot.block.lanes(); ++lane, ++fiber) visit(snapshot, lane);
-  }
-}
-
-}  // namespace
-
-ChainState<3> Assembly::state(int group, int fiber) const {
-  const State::Slot at = state_->slot(group, fiber);
-  return GroupSnapshot(*state_, at.block).state(at.lane);
-}
-
-std::vector<BondState> Assembly::bonds(int group, int fiber) const {
-  const State::Slot at = state_->slot(group, fiber);
-  return GroupSnapshot(*state_, at.block).bonds(at.lane);
-}
 
 bool Assembly::is_broken(int group, int fiber, int bond) const {
   const State::Slot at = state_->slot(group, fiber);
@@ -206,27 +153,6 @@ void Assembly::break_bond(int group, int fiber, int bond) {
   state_->blocks[at.block].break_bond(state_->kinds[group], at.lane, bond);
 }
 
-std::vector<ChainState<3>> Assembly::states(int group) const {
-  std::vector<ChainState<3>> all;
-  each_fiber(*state_, group,
-             [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.state(lane)); });
-  return all;
-}
-
-std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
-  std::vector<std::vector<BondState>> all;
-  each_fiber(*state_, group,
-             [&](const GroupSnapshot& snapshot, int lane) { all.push_back(snapshot.bonds(lane)); });
-  return all;
-}
-
-void Assembly::visit(int group, const FiberVisit& fiber) const {
-  each_fiber(*state_, group, [&](const GroupSnapshot& snapshot, int lane) {
-    const ChainState<3> state = snapshot.state(lane);
-    fiber(state, snapshot.bonds(state, lane));
-  });
-}
-
 double Assembly::deepest_overlap() const { return state_->contacts.deepest(); }
 double Assembly::longest_path() const { return state_->longest_path / state_->smallest_radius(); }
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
@@ -234,6 +160,7 @@ std::vector<ContactState> Assembly::contacts() const {
   return state_->contacts.states(state_->rows, state_->time());
 }
 StepTimes Assembly::times() const { return state_->watch.times; }
-EnergyBalance Assembly::energy() const { return state_->energy(); }
+AssemblySample Assembly::sample() const { return state_->sample(); }
+EnergyBalance Assembly::energy() const { return state_->sample().energy; }
 
 }  // namespace fiberchain::dem

@@ -54,6 +54,15 @@ struct BondState {
   double bending_angle;  ///< |theta_b| of the bond law, 0 at rest [rad]
 };
 
+/// Sums over an assembly.
+struct AssemblySample {
+  EnergyBalance energy;
+  double bending;      ///< angles of all bonds [rad]
+  std::int64_t bonds;  ///< how many
+
+  double bending_mean() const { return bending / static_cast<double>(bonds); }
+};
+
 class Assembly {
  public:
   /// Throws InvalidInput for what makes no sense or is not built: no fibers, spheres beyond a wall, a fluid
@@ -79,6 +88,9 @@ class Assembly {
   int fibers(int group) const;   ///< how many
   PlacedSpheres placed() const;  ///< all spheres now, obstacles of further insertion
 
+  /// Of all sphere centers along a direction, into memory that is kept if it fits.
+  void coordinates(const Vec<double, 3>& direction, std::vector<double>& all) const;
+
   /// State now of a fiber, velocities of this moment; at the start itself those given to first order in the
   /// step where dashpots act. Orientations are not numbers where they are not followed.
   ChainState<3> state(int group, int fiber) const;
@@ -92,9 +104,11 @@ class Assembly {
   /// Of all fibers of a group, at a fraction of the cost of one after the other.
   std::vector<ChainState<3>> states(int group) const;
   std::vector<std::vector<BondState>> bonds(int group) const;
-  /// Both of one fiber of a group after the other: little memory, however many there are.
-  using FiberVisit = std::function<void(const ChainState<3>& state, const std::vector<BondState>& bonds)>;
-  void visit(int group, const FiberVisit& fiber) const;
+  /// Both of one fiber of a group after the other: little memory, however many there are. All threads call
+  /// it, for different fibers, in no order. Orientations that are not followed mean nothing.
+  using FiberVisit =
+      std::function<void(int fiber, const ChainState<3>& state, const std::vector<BondState>& bonds)>;
+  void visit(int group, const FiberVisit& visitor) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
   std::int64_t touching() const;   ///< contacts now
@@ -102,10 +116,13 @@ class Assembly {
   double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
   std::vector<ContactState> contacts() const;
   EnergyBalance energy() const;
-  StepTimes times() const;  ///< since the start; zero unless asked for
+  AssemblySample sample() const;  ///< the same and the bending, in one pass
+  StepTimes times() const;        ///< since the start; zero unless asked for
 
   /// The whole state by named fields: a restored assembly continues bit for bit.
   SavedState saved() const;
+  /// The same field by field, each made when it is used and gone behind it.
+  void each_saved(const UseField& use) const;
   /// Throws InvalidInput naming the field that is missing, unknown, of another version, type or size.
   void restore(const SavedState& saved);
 

@@ -16,6 +16,7 @@ namespace {
 using State = Assembly::State;
 using Reals = std::vector<double>;
 using Integers = std::vector<std::int64_t>;
+using Places = std::vector<ContactPlace>;
 
 /// Number of values of a field.
 enum class Extent {
@@ -26,11 +27,11 @@ enum class Extent {
 /// A field of the state.
 struct FieldRule {
   std::string_view name;
-  FieldValues (*get)(State& s);
+  FieldValues (*get)(State& s, const Places& contacts);
   void (*set)(State& s, const FieldValues& values);  ///< of the right type and number
   int version = 1;
   Extent extent = Extent::fixed;
-  std::size_t width = 1;
+  std::size_t (*width)(const State& s) = [](const State&) { return std::size_t{1}; };
 };
 
 /// A number of the state itself.
@@ -39,7 +40,7 @@ FieldRule number_field(std::string_view name) {
   using Number = std::remove_cvref_t<decltype(std::declval<State&>().*member)>;
   return {
       .name = name,
-      .get = [](State& s) -> FieldValues { return std::vector<Number>{s.*member}; },
+      .get = [](State& s, const Places&) -> FieldValues { return std::vector<Number>{s.*member}; },
       .set = [](State& s, const FieldValues& v) { s.*member = std::get<std::vector<Number>>(v).front(); }};
 }
 
@@ -48,7 +49,7 @@ template <LaneArray SphereStorage::*member>
 FieldRule sphere_field(std::string_view name) {
   return {
       .name = name,
-      .get = [](State& s) -> FieldValues {
+      .get = [](State& s, const Places&) -> FieldValues {
         const LaneArray& rows = s.rows.*member;
         return Reals(rows.data(), rows.data() + rows.size());
       },
@@ -60,8 +61,11 @@ FieldRule sphere_field(std::string_view name) {
 template <std::size_t index>
 FieldRule block_field(std::string_view name) {
   return {.name = name,
-          .get = [](State& s) -> FieldValues {
+          .get = [](State& s, const Places&) -> FieldValues {
             Reals all;
+            std::size_t numbers = 0;
+            for (FiberBlock& block : s.blocks) numbers += block.saved_arrays()[index].size();
+            all.reserve(numbers);
             for (FiberBlock& block : s.blocks) {
               const std::span<double> own = block.saved_arrays()[index];
               all.insert(all.end(), own.begin(), own.end());
@@ -79,8 +83,9 @@ FieldRule block_field(std::string_view name) {
               }};
 }
 
-FieldValues reference_positions(State& s) {
+FieldValues reference_positions(State& s, const Places&) {
   Reals all;
+  all.reserve(3 * s.contacts.reference_positions().size());
   for (const auto& x : s.contacts.reference_positions()) all.insert(all.end(), x.c, x.c + 3);
   return all;
 }
@@ -102,11 +107,11 @@ constexpr std::size_t key_size = 3;
   throw InvalidInput(fmt::format("field '{}' of the saved state {}", name, reason));
 }
 
-FieldValues contact_keys(State& s) {
+FieldValues contact_keys(State&, const Places& contacts) {
   Integers all;
-  for (const SavedContact& c : s.contacts.saved()) {
+  all.reserve(key_size * contacts.size());
+  for (const ContactPlace& c : contacts)
     all.insert(all.end(), {to_number(c.key.first), to_number(c.key.second), c.key.slot});
-  }
   return all;
 }
 
@@ -119,13 +124,15 @@ void set_contact_keys(State& s, const FieldValues& values) {
     contacts[n].key = {primitive_of(key[0]), primitive_of(key[1]), static_cast<std::int32_t>(key[2])};
   }
   s.contacts.restore(contacts);
-  if (contact_keys(s) != values)
+  if (contact_keys(s, s.contacts.places()) != values)
     refuse(keys_field, "names pairs that are not neighbors, or in another order");
 }
 
-FieldValues contact_histories(State& s) {
+FieldValues contact_histories(State& s, const Places& contacts) {
   Reals all;
-  for (const SavedContact& c : s.contacts.saved()) {
+  all.reserve(contact_history_size * contacts.size());
+  for (const ContactPlace& place : contacts) {
+    const SavedContact c = s.contacts.saved(place);
     all.insert(all.end(), c.history, c.history + contact_history_size);
   }
   return all;
@@ -147,14 +154,22 @@ void set_contact_histories(State& s, const FieldValues& values) {
   });
 }
 
-FieldValues contact_works(State& s) {
+/// Numbers of a contact that accounting needs.
+std::size_t work_size(const State& s) { return s.options.account_energy ? contact_account_size : 0; }
+
+FieldValues contact_works(State& s, const Places& contacts) {
   Reals all;
-  for (const SavedContact& c : s.contacts.saved())
+  if (!s.options.account_energy) return all;
+  all.reserve(contact_account_size * contacts.size());
+  for (const ContactPlace& place : contacts) {
+    const SavedContact c = s.contacts.saved(place);
     all.insert(all.end(), c.work, c.work + contact_account_size);
+  }
   return all;
 }
 
 void set_contact_works(State& s, const FieldValues& values) {
+  if (!s.options.account_energy) return;
   change_contacts(s, values, contact_account_size, [](SavedContact& c, const double* work) {
     std::copy_n(work, contact_account_size, c.work);
   });
@@ -170,7 +185,7 @@ const std::vector<FieldRule>& fields() {
       sphere_field<&SphereStorage::velocity_spin>("velocity_spin"),
       sphere_field<&SphereStorage::orientation>("orientation"),
       {.name = "load",
-       .get = [](State& s) -> FieldValues { return s.loads.all(); },
+       .get = [](State& s, const Places&) -> FieldValues { return s.loads.all(); },
        .set =
            [](State& s, const FieldValues& v) {
              s.loads.set(std::get<Reals>(v).data(), std::get<Reals>(v).size());
@@ -182,7 +197,7 @@ const std::vector<FieldRule>& fields() {
       block_field<4>("bond_previous_loads"),
       block_field<5>("bond_dissipation"),
       {.name = "reference_time",
-       .get = [](State& s) -> FieldValues { return Reals{s.contacts.reference_time()}; },
+       .get = [](State& s, const Places&) -> FieldValues { return Reals{s.contacts.reference_time()}; },
        .set = [](State& s,
                  const FieldValues& v) { s.contacts.set_reference_time(std::get<Reals>(v).front()); }},
       {.name = "reference_position", .get = reference_positions, .set = set_reference_positions},
@@ -190,19 +205,19 @@ const std::vector<FieldRule>& fields() {
        .get = contact_keys,
        .set = set_contact_keys,
        .extent = Extent::per_contact,
-       .width = key_size},
+       .width = [](const State&) { return key_size; }},
       {.name = "contact_history",
        .get = contact_histories,
        .set = set_contact_histories,
        .extent = Extent::per_contact,
-       .width = contact_history_size},
+       .width = [](const State&) { return std::size_t{contact_history_size}; }},
       {.name = "contact_work",
        .get = contact_works,
        .set = set_contact_works,
        .extent = Extent::per_contact,
-       .width = contact_account_size},
+       .width = work_size},
       {.name = "contact_accumulators",
-       .get = [](State& s) -> FieldValues { return s.contacts.accumulators(); },
+       .get = [](State& s, const Places&) -> FieldValues { return s.contacts.accumulators(); },
        .set = [](State& s, const FieldValues& v) { s.contacts.set_accumulators(std::get<Reals>(v).data()); }},
   };
   return all;
@@ -229,10 +244,10 @@ void check_field(State& s, const FieldRule& rule, const SavedState& saved) {
   if (field.version != rule.version)
     refuse(rule.name,
            fmt::format("is of version {}; this program reads version {}", field.version, rule.version));
-  const FieldValues own = rule.get(s);
+  const FieldValues own = rule.get(s, s.contacts.places());
   if (own.index() != field.values.index())
     refuse(rule.name, fmt::format("holds {}, not {}", type_of(field.values), type_of(own)));
-  const std::size_t wanted = rule.extent == Extent::fixed ? size_of(own) : rule.width * contacts_in(saved);
+  const std::size_t wanted = rule.extent == Extent::fixed ? size_of(own) : rule.width(s) * contacts_in(saved);
   if (size_of(field.values) != wanted)
     refuse(rule.name, fmt::format("has {} numbers; this assembly has {}", size_of(field.values), wanted));
 }
@@ -258,8 +273,13 @@ void check_state(State& s, const SavedState& saved) {
 
 SavedState Assembly::saved() const {
   SavedState all;
-  for (const FieldRule& rule : fields()) all.emplace(rule.name, StateField{rule.version, rule.get(*state_)});
+  each_saved([&](std::string_view name, const StateField& field) { all.emplace(name, field); });
   return all;
+}
+
+void Assembly::each_saved(const UseField& use) const {
+  const Places contacts = state_->contacts.places();
+  for (const FieldRule& rule : fields()) use(rule.name, {rule.version, rule.get(*state_, contacts)});
 }
 
 void Assembly::restore(const SavedState& saved) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "dem/model/errors.hpp"
-#include "dem/motion/half_step.hpp"
 #include "dem/motion/kernels/chain_lane.hpp"
 
 namespace fiberchain::dem {
@@ -21,15 +20,6 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
   copy(from.velocity_spin, rows.velocity_spin, velocity_spin_size);
   if (oriented && from.count > 0) copy(from.orientation, rows.orientation, quaternion_size);
   return rows;
-}
-
-/// Power dissipated by the dashpots of a bond at this moment [W].
-double dashpot_power(const BondParameters<double>& law, const MovingSphere<double, 3>& a,
-                     const MovingSphere<double, 3>& b) {
-  const Vec<double, 3> r = b.pose.position - a.pose.position;
-  const RelativeMotion<double, 3> motion{b.velocity - a.velocity, 0.5 * (a.spin + b.spin), b.spin - a.spin};
-  const BondLoads<double, 3> loads = act_at_middle(r, dashpot_action(law, r, unit(r), motion));
-  return power_taken(loads, motion.velocity, a.spin, b.spin);
 }
 
 /// Fibers of a block at most, over all instruction sets.
@@ -114,14 +104,6 @@ void Assembly::State::start_blocks(int from) {
   }
 }
 
-MovingSphere<double, 3> Assembly::State::sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot,
-                                                    int lane, int i) const {
-  const GroupKind& kind = kinds[block.group()];
-  MovingSphere<double, 3> s = block.sphere(kind, snapshot, lane, i);
-  move_half_step(s, i, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, gradient_now(), step, false);
-  return s;
-}
-
 Gradient Assembly::State::gradient_now() const {
   return domain.fluid ? gradient_at(domain.fluid->flow, time()) : Gradient{};
 }
@@ -173,49 +155,6 @@ void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
                   "for the bonds or for how hard contacts press{}",
                   place_of(sphere), from, steps, step, time(),
                   walls_come ? ", or a wall that came upon spheres or moves into them" : ""));
-}
-
-EnergyBalance Assembly::State::energy() const {
-  EnergyBalance sum{};
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const FiberBlock& block = blocks[b];
-    const GroupKind& kind = kinds[block.group()];
-    const BlockSnapshot now = snapshot(block);
-    for (int lane = 0; lane < block.lanes(); ++lane) {
-      ChainState<3> state;
-      MovingSphere<double, 3> before{};
-      for (int i = 0; i < kind.spheres(); ++i) {
-        const MovingSphere<double, 3> s = sphere_now(block, now, lane, i);
-        const double share = kind.share(i);
-        sum.kinetic +=
-            0.5 * share * (kind.mass * dot(s.velocity, s.velocity) + kind.inertia * dot(s.spin, s.spin));
-        sum.gravity -= share * dot(kind.weight, s.pose.position);
-        state.poses.push_back(s.pose), state.velocity.push_back(s.velocity), state.spin.push_back(s.spin);
-        // half of the work of the kick that is centered on this moment
-        if (options.account_energy && block.moved() && i > 0)
-          sum.bond_damping += 0.5 * step * dashpot_power(kind.parameters.bond, before, s);
-        before = s;
-      }
-      kind.law->add_stored_energy(kind.chain, state, kind.history_of(now.history.data(), lane, 0),
-                                  kind.kernel->width, kind.kernel->history * kind.kernel->width, sum.bonds);
-      if (!options.account_energy || !block.moved() || kind.law->dissipated == nullptr) continue;
-      for (int i = 0; i + 1 < kind.spheres(); ++i) {  // in the last step, which is not accounted yet
-        sum.bond_damping += kind.law->dissipated(
-            kind.chain, state, i, kind.history_of(block.histories(), lane, i), kind.kernel->width, step);
-      }
-    }
-    sum.bond_damping += block.bond_damping();
-    sum.bond_friction += block.bond_friction();
-    sum.fluid += block.fluid_dissipation();
-  }
-  sum.contacts = contacts.stored_energy();
-  const ContactAccount<double> dissipated = contacts.dissipated();
-  sum.contact_normal = dissipated.normal_dashpot;
-  sum.contact_tangential = dissipated.sliding;
-  sum.contact_rolling = dissipated.rolling;
-  sum.wall_work = contacts.wall_work();
-  sum.inserted = inserted;
-  return sum;
 }
 
 }  // namespace fiberchain::dem

@@ -108,18 +108,12 @@ struct Assembly::State {
   void start_blocks(int from);
 
   int part_of(const FiberBlock& block) const { return contacts.parts().of(block.first(0)); }
-  BlockSnapshot snapshot(const FiberBlock& block) const {
-    return block.snapshot(kinds[block.group()], rows, loads.of(part_of(block)), gradient.data());
-  }
-  /// A sphere with its velocities at this moment.
-  MovingSphere<double, 3> sphere_now(const FiberBlock& block, const BlockSnapshot& snapshot, int lane,
-                                     int i) const;
   Gradient gradient_now() const;
   void set_gradient();
   void rebuild_neighbor_list();
   void touch();
   void march(std::int64_t count);
-  EnergyBalance energy() const;
+  AssemblySample sample();
   std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"
   std::int64_t fastest_sphere() const;
   double fastest_wall() const;

@@ -56,10 +56,14 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
                  .drag = {},
                  .weight = {},
                  .mass = sphere_mass(fiber),
-                 .inertia = sphere_inertia(fiber)};
+                 .inertia = sphere_inertia(fiber),
+                 .half = {},
+                 .end_half = {}};
   kind.weight = kind.mass * domain.gravity;
   if (domain.fluid) kind.drag = stokes_drag(*domain.fluid, fiber);
   kind.parameters = march_parameters<3>(fiber, kind.drag, step);
+  kind.half = half_step(fiber, 1, kind.drag, step);
+  kind.end_half = half_step(fiber, end_mass_share(fiber), kind.drag, step);
   const std::size_t width = kind.kernel->width;
   kind.histories = LaneArray((fibers + width - 1) / width * kind.history_size());
   const std::size_t ends = numbers_of<NaturalEnds<double, 3>>;
@@ -135,18 +139,27 @@ void FiberBlock::account(const GroupKind& kind, SphereStorage& rows, LaneArray& 
 
 BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
                                    const double* gradient) const {
-  BlockSnapshot snapshot{LaneArray(kind.kernel->scratch(kind.chain.fiber.aspect_ratio)),
-                         LaneArray(history_size_)};
-  std::copy_n(history_, history_size_, snapshot.history.data());
-  LaneArray workspace(workspace_.size());
-  std::copy_n(workspace_.data(), workspace_.size(), workspace.data());
+  BlockSnapshot all;
+  snapshot(kind, rows, loads, gradient, all);
+  return all;
+}
+
+void FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                          const double* gradient, BlockSnapshot& into) const {
+  const auto fit = [](LaneArray& array, std::size_t size) {
+    if (array.size() != size) array = LaneArray(size);
+  };
+  fit(into.spheres, kind.kernel->scratch(kind.chain.fiber.aspect_ratio));
+  fit(into.history, history_size_);
+  fit(into.workspace, workspace_.size());
+  std::copy_n(history_, history_size_, into.history.data());
+  std::copy_n(workspace_.data(), workspace_.size(), into.workspace.data());
   // what a snapshot writes are its own copies
   PackingBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereStorage&>(rows), loads,
-                                                          snapshot.spheres, gradient);
-  view.history = snapshot.history.data();
-  view.workspace = workspace.data();
+                                                          into.spheres, gradient);
+  view.history = into.history.data();
+  view.workspace = into.workspace.data();
   kind.kernel->snapshot(view);
-  return snapshot;
 }
 
 Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const {
@@ -162,7 +175,7 @@ void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loa
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       Sphere s = sphere(kind, now, lane, i);
-      move_half_step(s, i, EndLoad<double, 3>{}, kind.chain.fiber, kind.drag, A, kind.parameters.step, true);
+      move_half_step(s, kind.half_of(i), EndLoad<double, 3>{}, A, true);
       double* own = rows.velocity_row(first_[lane] + i);
       for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];
     }

@@ -8,6 +8,7 @@
 #include "dem/chain/chain_state.hpp"
 #include "dem/chain/sphere_storage.hpp"
 #include "dem/model/domain.hpp"
+#include "dem/motion/half_step.hpp"
 #include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/motion/moving_sphere.hpp"
 #include "dem/parallel/force_buffers.hpp"
@@ -22,13 +23,17 @@ struct GroupKind {
   MarchParameters<double, 3> parameters;
   LaneArray histories;  ///< of the bonds, block after block
   LaneArray lane_parameters,
-      lane_natural;       ///< parameters and natural ends of the chain, the same in every lane
-  StokesDrag drag;        ///< zero without fluid
-  Vec<double, 3> weight;  ///< of a sphere that is not an end [N]
-  double mass, inertia;   ///< of a sphere that is not an end [kg], [kg m^2]
+      lane_natural;         ///< parameters and natural ends of the chain, the same in every lane
+  StokesDrag drag;          ///< zero without fluid
+  Vec<double, 3> weight;    ///< of a sphere that is not an end [N]
+  double mass, inertia;     ///< of a sphere that is not an end [kg], [kg m^2]
+  HalfStep half, end_half;  ///< of a sphere that is not an end, of one that is
 
   int spheres() const { return chain.fiber.aspect_ratio + 1; }
   double share(int sphere) const { return mass_share(chain.fiber, sphere); }
+  const HalfStep& half_of(int sphere) const {
+    return sphere == 0 || sphere == chain.fiber.aspect_ratio ? end_half : half;
+  }
   /// Numbers of a block's history.
   std::size_t history_size() const {
     return chain.fiber.aspect_ratio * kernel->history * static_cast<std::size_t>(kernel->width);
@@ -48,6 +53,7 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
 /// on to now.
 struct BlockSnapshot {
   LaneArray spheres, history;
+  LaneArray workspace;  ///< of the kernel
 };
 
 /// Up to `width` fibers of one group in the lanes of a kernel, with their bond histories; spheres are in
@@ -77,6 +83,9 @@ class FiberBlock {
 
   BlockSnapshot snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
                          const double* gradient) const;
+  /// Into the arrays of another one, which are kept if they fit.
+  void snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient,
+                BlockSnapshot& into) const;
   MovingSphere<double, 3> sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane,
                                  int index) const;
 

@@ -10,7 +10,13 @@
 // numbers `stride` doubles apart.
 namespace fiberchain::dem {
 
-/// Functions of one law.
+/// Over bonds.
+struct BondSums {
+  double energy;   ///< stored [J]
+  double bending;  ///< angles [rad]
+};
+
+/// Functions of one law. BondParameters are those of the chain's fiber.
 struct PackingLaw {
   BondForm form;
   bool from_poses;                            ///< orientations must be followed
@@ -18,15 +24,15 @@ struct PackingLaw {
   const PackingKernel& (*kernel)(const Physics&, InstructionSet);
   /// History of bond `bond` in the state its fiber starts from.
   void (*start)(const Chain<3>&, const ChainState<3>&, int bond, double* history, std::size_t stride);
-  /// Adds the energy of a fiber's bonds [J]; `bond_stride` doubles from one bond's history to the next.
-  void (*add_stored_energy)(const Chain<3>&, const ChainState<3>&, const double* histories,
-                            std::size_t stride, std::size_t bond_stride, double& sum);
-  BondState (*state)(const Chain<3>&, const ChainState<3>&, int bond, const double* history,
-                     std::size_t stride);
+  /// Of a fiber's bonds; `bond_stride` doubles from one bond's history to the next.
+  BondSums (*sums)(const BondParameters<double>&, const Chain<3>&, const ChainState<3>&,
+                   const double* histories, std::size_t stride, std::size_t bond_stride);
+  BondState (*state)(const BondParameters<double>&, const Chain<3>&, const ChainState<3>&, int bond,
+                     const double* history, std::size_t stride);
   /// Energy that bond `bond` took beside its dashpots in the step of `dt` that led to this state, from the
   /// history before it [J]; null where there is none.
-  double (*dissipated)(const Chain<3>&, const ChainState<3>&, int bond, const double* history,
-                       std::size_t stride, double dt);
+  double (*dissipated)(const BondParameters<double>&, const Chain<3>&, const ChainState<3>&, int bond,
+                       const double* history, std::size_t stride, double dt);
   /// Flag of a bond that can break: 1 intact, 0 broken. Its place in the history; -1 where bonds do not
   /// break.
   int intact_place;
@@ -39,41 +45,51 @@ void start(const Chain<3>& chain, const ChainState<3>& state, int bond, double* 
   put_strided(start_history<Law>(chain, state, bond), history, stride);
 }
 
+/// Angle between the bond's ends, 0 at rest [rad].
 template <class Law>
-void add_stored_energy(const Chain<3>& chain, const ChainState<3>& state, const double* histories,
-                       std::size_t stride, std::size_t bond_stride, double& sum) {
-  const BondParameters<double> law = bond_parameters(chain.fiber);
-  double own = 0;
-  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
-    const auto history = get_strided<BondLawHistory<Law, double, 3>>(histories + i * bond_stride, stride);
-    (Law::from_poses ? own : sum) += with_configuration(
-        chain, state, i,
-        [&](const BondConfiguration<double, 3>& now) { return Law::stored_energy(law, history, now); });
+double bending_of(const Chain<3>& chain, const ChainState<3>& state, int bond,
+                  const BondLawHistory<Law, double, 3>& history, const BondConfiguration<double, 3>& now) {
+  if constexpr (Law::from_poses) {
+    return bending_angle(chain, state.poses, bond);
+  } else {
+    return Law::bending_angle(history, now);
   }
-  sum += own;
 }
 
 template <class Law>
-BondState state(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers,
-                std::size_t stride) {
-  const BondParameters<double> law = bond_parameters(chain.fiber);
+BondSums sums(const BondParameters<double>& law, const Chain<3>& chain, const ChainState<3>& state,
+              const double* histories, std::size_t stride, std::size_t bond_stride) {
+  BondSums sum{};
+  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
+    const auto history = get_strided<BondLawHistory<Law, double, 3>>(histories + i * bond_stride, stride);
+    with_configuration(chain, state, i, [&](const BondConfiguration<double, 3>& now) {
+      sum.energy += Law::stored_energy(law, history, now);
+      sum.bending += bending_of<Law>(chain, state, i, history, now);
+    });
+  }
+  return sum;
+}
+
+template <class Law>
+BondState state(const BondParameters<double>& law, const Chain<3>& chain, const ChainState<3>& state,
+                int bond, const double* numbers, std::size_t stride) {
   const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
   return with_configuration(chain, state, bond, [&](const BondConfiguration<double, 3>& now) -> BondState {
+    const double angle = bending_of<Law>(chain, state, bond, history, now);
     if constexpr (Law::from_poses) {
-      return {(Law::loads(law, history, now) + dashpot_loads(law, now)).force_on_first,
-              bending_angle(chain, state.poses, bond)};
+      return {(Law::loads(law, history, now) + dashpot_loads(law, now)).force_on_first, angle};
     } else {
-      return {Law::template action<true>(law, history, now).force, Law::bending_angle(history, now)};
+      return {Law::template action<true>(law, history, now).force, angle};
     }
   });
 }
 
 template <class Law>
-double dissipated(const Chain<3>& chain, const ChainState<3>& state, int bond, const double* numbers,
-                  std::size_t stride, double dt) {
+double dissipated(const BondParameters<double>& law, const Chain<3>& chain, const ChainState<3>& state,
+                  int bond, const double* numbers, std::size_t stride, double dt) {
   const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
   return with_configuration(chain, state, bond, [&](const BondConfiguration<double, 3>& now) {
-    return Law::dissipated(bond_parameters(chain.fiber), history, now, dt);
+    return Law::dissipated(law, history, now, dt);
   });
 }
 
@@ -109,7 +125,7 @@ constexpr PackingLaw packing_law_with(const PackingKernel& (*kernel)(const Physi
       .largest_stiffness = [](const Fiber& fiber) { return Law::largest_stiffness(bond_parameters(fiber)); },
       .kernel = kernel,
       .start = packing_law_detail::start<Law>,
-      .add_stored_energy = packing_law_detail::add_stored_energy<Law>,
+      .sums = packing_law_detail::sums<Law>,
       .state = packing_law_detail::state<Law>,
       .dissipated = packing_law_detail::dissipated_of<Law>(),
       .intact_place = packing_law_detail::intact_place_of<Law>()};

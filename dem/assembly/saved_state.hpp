@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,5 +24,9 @@ struct StateField {
 
 /// All fields by name, sufficient to continue to the bit (Assembly::saved, Assembly::restore).
 using SavedState = std::map<std::string, StateField, std::less<>>;
+
+/// Somebody who takes the fields of a state one by one, and somebody who gives them.
+using UseField = std::function<void(std::string_view name, const StateField& field)>;
+using EachField = std::function<void(const UseField& use)>;
 
 }  // namespace fiberchain::dem

@@ -16,6 +16,12 @@ struct SavedContact {
   double work[contact_account_size] = {};     ///< accounted only
 };
 
+/// Where the history of a contact is.
+struct ContactPlace {
+  ContactKey key;
+  std::int32_t part, number;
+};
+
 /// The same of many contacts: a row each, which has the contact's number. Number 0 is nobody's: pairs that do
 /// not touch have it.
 struct ContactHistories {

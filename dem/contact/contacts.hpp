@@ -85,6 +85,12 @@ class Contacts {
   double stored_energy() const;  ///< in the springs now [J]
 
   std::vector<ContactState> states(const SphereStorage& rows, double time) const;
+  /// Where each contact's history is, part by part in the order of their keys, which those that give
+  /// contacts one after the other follow.
+  std::vector<ContactPlace> places() const;
+  SavedContact saved(const ContactPlace& place) const {
+    return parts_[place.part].histories.at(place.number, place.key);
+  }
   std::vector<SavedContact> saved() const;
   void clear();
   void restore(const std::vector<SavedContact>& contacts);

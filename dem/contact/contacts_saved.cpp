@@ -5,28 +5,34 @@
 // Contacts one by one: saved, restored, reported.
 namespace fiberchain::dem {
 
-std::vector<SavedContact> Contacts::saved() const {
-  std::vector<SavedContact> all;
-  for (const Part& part : parts_) {
+std::vector<ContactPlace> Contacts::places() const {
+  std::vector<ContactPlace> all;
+  for (std::int32_t k = 0; const Part& part : parts_) {
     const auto own = static_cast<std::ptrdiff_t>(all.size());
     const PairList& pairs = part.pairs;
     for (std::size_t p = 0; p < pairs.count; ++p) {
-      if (pairs.contact[p] != 0) {
-        all.push_back(part.histories.at(
-            pairs.contact[p], {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}));
-      }
+      if (pairs.contact[p] == 0) continue;
+      all.push_back(
+          {{sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}, k, pairs.contact[p]});
     }
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       const WallNeighbors& neighbors = part.walls[w];
       for (std::size_t n = 0; n < neighbors.count; ++n) {
         if (neighbors.contact[n] == 0) continue;
-        all.push_back(part.histories.at(
-            neighbors.contact[n],
-            {sphere_primitive(neighbors.slots[n]), facet_primitive(static_cast<std::int64_t>(w))}));
+        all.push_back({{sphere_primitive(neighbors.slots[n]), facet_primitive(static_cast<std::int64_t>(w))},
+                       k,
+                       neighbors.contact[n]});
       }
     }
-    std::ranges::sort(all.begin() + own, all.end(), {}, &SavedContact::key);
+    std::ranges::sort(all.begin() + own, all.end(), {}, &ContactPlace::key);
+    ++k;
   }
+  return all;
+}
+
+std::vector<SavedContact> Contacts::saved() const {
+  std::vector<SavedContact> all;
+  for (const ContactPlace& place : places()) all.push_back(saved(place));
   return all;
 }
 

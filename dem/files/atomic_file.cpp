@@ -18,17 +18,15 @@ std::filesystem::path staged_name(const std::filesystem::path& place) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path place, std::string_view content)
-    : place_(std::move(place)), staged_(staged_name(place_)) {
+AtomicFile::AtomicFile(std::filesystem::path place) : place_(std::move(place)), staged_(staged_name(place_)) {
   ::unlink(staged_.c_str());  // left by a killed run of the same process id
-  file_ = ::open(staged_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  file_ = ::open(staged_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file_ < 0) fail();
-  try {
-    fill(content);
-  } catch (...) {
-    discard();
-    throw;
-  }
+}
+
+AtomicFile::AtomicFile(std::filesystem::path place, std::string_view content) : AtomicFile(std::move(place)) {
+  fill(content);
+  close();
 }
 
 AtomicFile::~AtomicFile() { discard(); }
@@ -44,6 +42,9 @@ void AtomicFile::fill(std::string_view content) {
     if (written < 0 && errno != EINTR) fail();
     if (written > 0) done += static_cast<std::size_t>(written);
   }
+}
+
+void AtomicFile::close() {
   if (::fsync(file_) != 0) fail();
   if (::close(std::exchange(file_, -1)) != 0) fail();
 }

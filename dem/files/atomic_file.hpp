@@ -13,10 +13,18 @@ class AtomicFile {
   /// Writes the content and flushes it to the disk.
   /// @throws WriteError naming the place and the reason
   AtomicFile(std::filesystem::path place, std::string_view content);
+  /// Empty and open: who fills it by its temporary name or its descriptor calls `close` then.
+  /// @throws WriteError
+  explicit AtomicFile(std::filesystem::path place);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
+  const std::filesystem::path& staged() const { return staged_; }
+  int descriptor() const { return file_; }
+  /// Flushes it to the disk.
+  /// @throws WriteError
+  void close();
   /// @throws WriteError
   void take_place();
 

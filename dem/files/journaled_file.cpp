@@ -257,10 +257,26 @@ void JournaledFile::put(std::uint64_t page, const Page& content) const {
   if (failed) throw WriteError(path_, std::strerror(failed));
 }
 
+/// Pages that follow each other are written together.
+void JournaledFile::put(Pages::const_iterator from, Pages::const_iterator to) const {
+  constexpr std::size_t most = 64 * kPage;
+  std::string together;
+  together.reserve(most);
+  while (from != to) {
+    const std::uint64_t begin = from->first * kPage;
+    together.clear();
+    do {
+      together.append(from->second.data(), bytes_of(from->first));
+      ++from;
+    } while (from != to && from->first * kPage == begin + together.size() && together.size() < most);
+    const int failed = write_all(file_, begin, together.data(), together.size());
+    if (failed) throw WriteError(path_, std::strerror(failed));
+  }
+}
+
 void JournaledFile::write_beyond() {
   try {
-    for (auto at = changed_.lower_bound((old_size_ + kPage - 1) / kPage); at != changed_.end(); ++at)
-      put(at->first, at->second);
+    put(changed_.lower_bound((old_size_ + kPage - 1) / kPage), changed_.end());
     if (size_ > old_size_ && ::ftruncate(file_, static_cast<off_t>(size_)) != 0)
       throw WriteError(path_, std::strerror(errno));
     if (::fdatasync(file_) != 0) throw WriteError(path_, std::strerror(errno));

@@ -75,6 +75,8 @@ class JournaledFile {
   void write_journal() const;
   void write_within();
   void put(std::uint64_t page, const Page& content) const;
+  using Pages = std::map<std::uint64_t, Page>;
+  void put(Pages::const_iterator from, Pages::const_iterator to) const;
 
   std::filesystem::path path_;
   Mode mode_;
@@ -82,7 +84,7 @@ class JournaledFile {
   FileHead head_;               ///< as of opening, or of the last commit
   std::uint64_t old_size_ = 0;  ///< on the disk
   std::uint64_t size_ = 0;
-  std::map<std::uint64_t, Page> changed_;  ///< by number
+  Pages changed_;  ///< by number
 };
 
 /// The journal beside a file.

@@ -19,16 +19,30 @@ void relax(Vec<double, N>& v, const Relaxation& half, const Vec<double, N>& flui
   }
 }
 
+/// Half a step of a sphere's velocity and of its spin.
+struct HalfStep {
+  Relaxation move, turn;
+};
+
+/// Of a sphere with `share` of the mass and inertia of the fiber's spheres, in steps of `dt`.
+inline HalfStep half_step(const Fiber& fiber, double share, const StokesDrag& drag, double dt) {
+  return {relaxation(drag.translation, share * sphere_mass(fiber), dt / 2),
+          relaxation(drag.rotation, share * sphere_inertia(fiber), dt / 2)};
+}
+
+template <int Dim>
+void move_half_step(MovingSphere<double, Dim>& s, const HalfStep& half, const EndLoad<double, Dim>& load,
+                    const Gradient& A, bool back) {
+  relax(s.velocity, half.move, velocity_at<Dim>(A, s.pose.position), s.force + load.force, back);
+  relax(s.spin, half.turn, spin_of<Dim>(A), s.moment + load.moment, back);
+}
+
 /// Velocity and spin of sphere number `i` half a step of `dt` on, or back, under its forces, a load and the
 /// flow of gradient A.
 template <int Dim>
 void move_half_step(MovingSphere<double, Dim>& s, int i, const EndLoad<double, Dim>& load, const Fiber& fiber,
                     const StokesDrag& drag, const Gradient& A, double dt, bool back) {
-  const double share = mass_share(fiber, i);
-  relax(s.velocity, relaxation(drag.translation, share * sphere_mass(fiber), dt / 2),
-        velocity_at<Dim>(A, s.pose.position), s.force + load.force, back);
-  relax(s.spin, relaxation(drag.rotation, share * sphere_inertia(fiber), dt / 2), spin_of<Dim>(A),
-        s.moment + load.moment, back);
+  move_half_step(s, half_step(fiber, mass_share(fiber, i), drag, dt), load, A, back);
 }
 
 }  // namespace fiberchain::dem

@@ -48,6 +48,8 @@ void ForceBuffers::give_back(int part, int thread) {
 
 std::vector<double> ForceBuffers::all() const {
   std::vector<double> numbers;
+  if (parts_.count() > 0)
+    numbers.reserve(static_cast<std::size_t>(parts_.end(parts_.count() - 1)) * load_size);
   for (int k = 0; k < parts_.count(); ++k) {
     const double* own = rows_[k];
     numbers.insert(numbers.end(), own,

@@ -96,8 +96,10 @@ auto resumed(const fs::path& path, std::int64_t done, const Say& say, const Chec
 }  // namespace
 
 Companions begin_companions(const CompanionsOf& run) {
-  Companions all{RunLog(run.files.log(), run.log, run.provenance),
-                 TrajectoryWriter(run.files.trajectory(), run.header), std::nullopt};
+  Companions all;
+  if (run.schedule.samples.any()) all.log.emplace(run.files.log(), run.log, run.provenance);
+  if (!run.schedule.frames.any()) return all;
+  all.trajectory.emplace(run.files.trajectory(), run.header);
   if (run.vtk) all.vtk = VtkSeries(run.files.directory, run.files.name, entries(run.provenance));
   return all;
 }
@@ -106,15 +108,18 @@ Companions resume_companions(const CompanionsOf& run, std::int64_t done, const S
   const fs::path log = run.files.log(), trajectory = run.files.trajectory();
   const Entries from = entries(run.provenance);
   const std::string& name = run.files.name;
-  Companions all{resumed(
-                     log, done, say, [&] { check_log(run, done); },
-                     [&] { return RunLog::resume(log, run.log, run.provenance, done); },
-                     [&] { return RunLog(log, run.log, run.provenance); }),
-                 resumed(
-                     trajectory, done, say, [&] { check_trajectory(run, done); },
-                     [&] { return TrajectoryWriter::resume(trajectory, run.header, done); },
-                     [&] { return TrajectoryWriter(trajectory, run.header); }),
-                 std::nullopt};
+  Companions all;
+  if (run.schedule.samples.any()) {
+    all.log.emplace(resumed(
+        log, done, say, [&] { check_log(run, done); },
+        [&] { return RunLog::resume(log, run.log, run.provenance, done); },
+        [&] { return RunLog(log, run.log, run.provenance); }));
+  }
+  if (!run.schedule.frames.any()) return all;
+  all.trajectory.emplace(resumed(
+      trajectory, done, say, [&] { check_trajectory(run, done); },
+      [&] { return TrajectoryWriter::resume(trajectory, run.header, done); },
+      [&] { return TrajectoryWriter(trajectory, run.header); }));
   if (!run.vtk) return all;
   all.vtk = resumed(
       run.files.at(".pvd"), done, say, [&] { check_series(run, done); },
@@ -128,7 +133,8 @@ void look_at_companions(const CompanionsOf& run, std::int64_t done, const Say& s
     const std::string fault = fault_of(path, [&] { check(run, done); });
     if (!fault.empty()) say(fmt::format("warning: {}", fault));
   };
-  tell(run.files.log(), check_log);
+  if (run.schedule.samples.any()) tell(run.files.log(), check_log);
+  if (!run.schedule.frames.any()) return;
   tell(run.files.trajectory(), check_trajectory);
   if (run.vtk) tell(run.files.at(".pvd"), check_series);
 }

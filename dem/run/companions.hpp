@@ -23,9 +23,10 @@ struct CompanionsOf {
   RunSchedule schedule;
 };
 
+/// Those that the schedule has times for.
 struct Companions {
-  RunLog log;
-  TrajectoryWriter trajectory;
+  std::optional<RunLog> log;
+  std::optional<TrajectoryWriter> trajectory;
   std::optional<VtkSeries> vtk;
 };
 

@@ -20,16 +20,6 @@ double floor_of(const PackingScene& scene, const V& up) {
   return lowest;
 }
 
-double bending_mean(const Assembly& assembly) {
-  Mean mean;
-  for (int g = 0; g < assembly.groups(); ++g) {
-    for (const auto& bonds : assembly.bonds(g)) {
-      for (const BondState& bond : bonds) mean.sum += bond.bending_angle, ++mean.count;
-    }
-  }
-  return mean.value();
-}
-
 const std::vector<std::string> kColumns = {"step", "simulated_time", "contacts", "height", "bending_mean"};
 /// Terms of the balance that a run knows: those stored, and where energy is accounted all.
 std::vector<EnergyMechanism> known_terms(bool accounted) {
@@ -40,44 +30,73 @@ std::vector<EnergyMechanism> known_terms(bool accounted) {
   return terms;
 }
 
-/// A fiber that is not there: all spheres at one point, at rest.
-void add_nobody(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
-  const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
-  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
-    if (i > 0) frame.bonds.push_back({static_cast<std::int64_t>(frame.position.size()) - 1, {}, 0});
-    frame.position.push_back(place);
-    frame.velocity.push_back({});
-    frame.radius.push_back(sphere_radius(fiber));
-    frame.fiber.push_back(number);
+/// Rows of a frame that the next fiber takes.
+struct FrameEnd {
+  std::size_t sphere = 0, bond = 0;
+  std::int32_t fiber = 0;
+};
+
+/// What does not move of a fiber, and where its rows begin; the rest of them is at rest in one place.
+void put_fiber(TrajectoryFrame& frame, const Fiber& fiber, const V& place, FrameEnd& end) {
+  const double radius = sphere_radius(fiber);
+  for (int i = 0; i <= fiber.aspect_ratio; ++i, ++end.sphere) {
+    if (i > 0) frame.bonds[end.bond++] = {static_cast<std::int64_t>(end.sphere) - 1, {}, 0};
+    frame.position[end.sphere] = place;
+    frame.velocity[end.sphere] = {};
+    frame.radius[end.sphere] = radius;
+    frame.fiber[end.sphere] = end.fiber;
   }
+  ++end.fiber;
 }
 
 /// One to be inserted later.
-void add_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
-  add_nobody(frame, fiber, place);
+void put_absent(TrajectoryFrame& frame, const Fiber& fiber, const V& place, FrameEnd& end) {
+  put_fiber(frame, fiber, place, end);
   frame.absent += fiber.aspect_ratio + 1;
 }
 
 /// One that found no room.
-void add_missing(TrajectoryFrame& frame, const Fiber& fiber, const V& place) {
+void put_missing(TrajectoryFrame& frame, const Fiber& fiber, const V& place, FrameEnd& end) {
   for (int i = 0; i <= fiber.aspect_ratio; ++i)
-    frame.missing.push_back(static_cast<std::int64_t>(frame.position.size()) + i);
-  add_nobody(frame, fiber, place);
+    frame.missing.push_back(static_cast<std::int64_t>(end.sphere) + i);
+  put_fiber(frame, fiber, place, end);
 }
 
-void add_fiber(TrajectoryFrame& frame, const ChainState<3>& state, const std::vector<BondState>& bonds,
-               double radius) {
-  const std::int32_t number = frame.fiber.empty() ? 0 : frame.fiber.back() + 1;
-  auto sphere = static_cast<std::int64_t>(frame.position.size());
-  for (const BondState& bond : bonds) {
-    frame.bonds.push_back({sphere++, bond.force, bond.bending_angle});
+/// The fibers of a group that are there.
+void put_group(TrajectoryFrame& frame, const Assembly& assembly, int group, FrameEnd& end) {
+  const Fiber& fiber = assembly.chain(group).fiber;
+  const auto spheres = static_cast<std::size_t>(fiber.aspect_ratio) + 1, bonds = spheres - 1;
+  const FrameEnd begin = end;
+  for (int f = 0; f < assembly.fibers(group); ++f) put_fiber(frame, fiber, {}, end);
+  assembly.visit(group, [&](int f, const ChainState<3>& state, const std::vector<BondState>& states) {
+    const std::size_t sphere = begin.sphere + static_cast<std::size_t>(f) * spheres,
+                      bond = begin.bond + static_cast<std::size_t>(f) * bonds;
+    for (std::size_t i = 0; i < spheres; ++i) {
+      frame.position[sphere + i] = state.poses[i].position;
+      frame.velocity[sphere + i] = state.velocity[i];
+    }
+    for (std::size_t i = 0; i < bonds; ++i) {
+      frame.bonds[bond + i].force = states[i].force;
+      frame.bonds[bond + i].bending_angle = states[i].bending_angle;
+    }
+  });
+}
+
+/// Room for all fibers of the scene, those of batches to come included.
+void resize(TrajectoryFrame& frame, const PackingScene& scene, const Assembly& assembly) {
+  std::size_t spheres = 0, fibers = 0;
+  const auto add = [&](const Fiber& fiber, std::int64_t count) {
+    spheres += static_cast<std::size_t>(count) * (static_cast<std::size_t>(fiber.aspect_ratio) + 1);
+    fibers += static_cast<std::size_t>(count);
+  };
+  for (int g = 0; g < groups_at_start(scene); ++g) add(assembly.chain(g).fiber, assembly.fibers(g));
+  for (int n = 1; n < scene.batches.number; ++n) {
+    for (const auto& [chain, count] : batch_counts(scene, n)) add(chain.fiber, count);
   }
-  for (std::size_t i = 0; i < state.poses.size(); ++i) {
-    frame.position.push_back(state.poses[i].position);
-    frame.velocity.push_back(state.velocity[i]);
-    frame.radius.push_back(radius);
-    frame.fiber.push_back(number);
-  }
+  frame.position.resize(spheres), frame.velocity.resize(spheres), frame.radius.resize(spheres);
+  frame.fiber.resize(spheres), frame.bonds.resize(spheres - fibers);
+  frame.absent = 0;
+  frame.missing.clear();
 }
 
 }  // namespace
@@ -88,11 +107,19 @@ V upward(const PackingScene& scene) {
   return size > 0 ? (-1 / size) * gravity : V{0, 0, 1};
 }
 
-RunMoment measure(const Assembly& assembly, const PackingScene& scene) {
+RunMoment measure(const Assembly& assembly, const PackingScene& scene, std::vector<double>& room) {
+  constexpr double fraction = 0.95;
   const V up = upward(scene);
-  return {assembly.steps(),       assembly.time(),
-          assembly.touching(),    heights(assembly.placed(), up).quantile - floor_of(scene, up),
-          bending_mean(assembly), assembly.energy()};
+  assembly.coordinates(up, room);
+  const AssemblySample sample = assembly.sample();
+  return {assembly.steps(),      assembly.time(),
+          assembly.touching(),   quantile(room, fraction) - floor_of(scene, up),
+          sample.bending_mean(), sample.energy};
+}
+
+RunMoment measure(const Assembly& assembly, const PackingScene& scene) {
+  std::vector<double> room;
+  return measure(assembly, scene, room);
 }
 
 std::vector<std::string> energy_columns(bool accounted) {
@@ -130,37 +157,35 @@ Table run_log_row(const RunMoment& moment, const PackingScene& scene, double ste
   return table;
 }
 
-TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,
-                         const std::vector<std::int64_t>& inserted) {
-  TrajectoryFrame frame{};
+void fill_frame(const Assembly& assembly, const PackingScene& scene,
+                const std::vector<std::int64_t>& inserted, TrajectoryFrame& frame) {
   frame.time = assembly.time();
   frame.step = assembly.steps();
   frame.low = scene.scene_box.low;
   frame.high = scene.scene_box.high;
   for (int a = 0; a < 3; ++a) frame.periodic[a] = scene.domain.period[a] > 0;
-  const auto spheres = static_cast<std::size_t>(assembly.spheres());
-  frame.position.reserve(spheres), frame.velocity.reserve(spheres), frame.radius.reserve(spheres);
-  frame.fiber.reserve(spheres), frame.bonds.reserve(spheres);
+  resize(frame, scene, assembly);
+  FrameEnd end;
   int group = 0;
-  const auto add_group = [&] {
-    const double radius = sphere_radius(assembly.chain(group).fiber);
-    assembly.visit(group++, [&](const ChainState<3>& state, const std::vector<BondState>& bonds) {
-      add_fiber(frame, state, bonds, radius);
-    });
-  };
-  while (group < groups_at_start(scene)) add_group();
+  while (group < groups_at_start(scene)) put_group(frame, assembly, group++, end);
   std::size_t later = 0;
   for (int n = 1; n < scene.batches.number; ++n) {
     for (const auto& [chain, count] : batch_counts(scene, n)) {
       const bool is_in = later < inserted.size();
       const std::int64_t fibers = is_in ? inserted[later++] : 0;
-      if (fibers > 0) add_group();
+      if (fibers > 0) put_group(frame, assembly, group++, end);
       for (std::int64_t f = fibers; f < count; ++f) {
-        is_in ? add_missing(frame, chain.fiber, scene.scene_box.low)
-              : add_absent(frame, chain.fiber, scene.scene_box.low);
+        is_in ? put_missing(frame, chain.fiber, scene.scene_box.low, end)
+              : put_absent(frame, chain.fiber, scene.scene_box.low, end);
       }
     }
   }
+}
+
+TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,
+                         const std::vector<std::int64_t>& inserted) {
+  TrajectoryFrame frame{};
+  fill_frame(assembly, scene, inserted, frame);
   return frame;
 }
 

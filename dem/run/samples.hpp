@@ -21,6 +21,8 @@ struct RunMoment {
 Vec<double, 3> upward(const PackingScene& scene);
 
 RunMoment measure(const Assembly& assembly, const PackingScene& scene);
+/// The same with memory that is kept from one moment to the next.
+RunMoment measure(const Assembly& assembly, const PackingScene& scene, std::vector<double>& room);
 
 /// Columns of the stored energies and, where energy is accounted, of all mechanisms and the total.
 std::vector<std::string> energy_columns(bool accounted);
@@ -36,5 +38,8 @@ Table run_log_row(const RunMoment& moment, const PackingScene& scene, double ste
 /// `inserted` has the fibers of each group that came after the start.
 TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,
                          const std::vector<std::int64_t>& inserted = {});
+/// The same into a frame before, whose memory is kept.
+void fill_frame(const Assembly& assembly, const PackingScene& scene,
+                const std::vector<std::int64_t>& inserted, TrajectoryFrame& frame);
 
 }  // namespace fiberchain::dem

@@ -7,16 +7,21 @@
 
 namespace fiberchain::dem {
 
-/// Steps that divide a run into so many intervals, equal but for one step: 0, ..., steps.
+/// Steps that divide a run into so many intervals, equal but for one step: 0, ..., steps. Of no intervals:
+/// none.
 class EvenSteps {
  public:
   EvenSteps(std::int64_t steps, int intervals)
       : steps_(steps), intervals_(std::min<std::int64_t>(intervals, steps)) {}
 
+  bool any() const { return intervals_ > 0; }
+  /// The last at or before this one, where there are any.
   std::int64_t at_or_before(std::int64_t step) const { return at(index_of(step)); }
-  bool holds(std::int64_t step) const { return at(index_of(step)) == step; }
-  /// The first after this one; none after the last.
-  std::int64_t after(std::int64_t step) const { return step >= steps_ ? steps_ : at(index_of(step) + 1); }
+  bool holds(std::int64_t step) const { return any() && at(index_of(step)) == step; }
+  /// The first after this one, or the run's end.
+  std::int64_t after(std::int64_t step) const {
+    return !any() || step >= steps_ ? steps_ : at(index_of(step) + 1);
+  }
 
  private:
   std::int64_t at(std::int64_t n) const { return n * steps_ / intervals_; }

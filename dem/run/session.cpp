@@ -12,6 +12,7 @@
 #include "dem/run/companions.hpp"
 #include "dem/run/filling_watch.hpp"
 #include "dem/run/insertion_queue.hpp"
+#include "dem/run/processor_time.hpp"
 #include "dem/run/schedule.hpp"
 
 namespace fiberchain::dem {
@@ -71,37 +72,42 @@ class RunWriter {
             bool resumed, const Say& say)
       : job_(job),
         set_(set),
+        fingerprint_(scene_fingerprint(job.text, job.scene)),
         files_(resumed ? resume_companions(companions_of(job, schedule), done, say)
                        : begin_companions(companions_of(job, schedule))) {}
 
   void write_line(const RunMoment& moment, const Pace& pace) {
-    files_.log.append(
+    files_.log->append(
         run_log_row(moment, job_.scene, pace.step_rate(moment.step), pace.time_left(moment.step)));
   }
 
   void write_frame(const Assembly& assembly, const std::vector<std::int64_t>& inserted) {
-    const TrajectoryFrame frame = frame_of(assembly, job_.scene, inserted);
+    fill_frame(assembly, job_.scene, inserted, frame_);
     const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
-    files_.trajectory.append(frame, scalars);
-    if (files_.vtk) files_.vtk->append(frame);
+    files_.trajectory->append(frame_, scalars);
+    if (files_.vtk) files_.vtk->append(frame_);
   }
 
   void write_checkpoint(const Assembly& assembly, const std::vector<std::int64_t>& inserted) const {
-    files_.log.flush();
-    dem::write_checkpoint(job_.files.checkpoint(), {.program = program_of(job_.provenance, set_),
-                                                    .threads = job_.threads,
-                                                    .scene_sha256 = scene_fingerprint(job_.text, job_.scene),
-                                                    .scene = job_.text.text,
-                                                    .step = assembly.steps(),
-                                                    .time = assembly.time(),
-                                                    .inserted = inserted,
-                                                    .state = assembly.saved()});
+    if (files_.log) files_.log->flush();
+    dem::write_checkpoint(job_.files.checkpoint(),
+                          {.program = program_of(job_.provenance, set_),
+                           .threads = job_.threads,
+                           .scene_sha256 = fingerprint_,
+                           .scene = job_.text.text,
+                           .step = assembly.steps(),
+                           .time = assembly.time(),
+                           .inserted = inserted,
+                           .state = {}},
+                          [&](const UseField& use) { assembly.each_saved(use); });
   }
 
  private:
   const PackingJob& job_;
   InstructionSet set_;
+  std::string fingerprint_;
   Companions files_;
+  TrajectoryFrame frame_{};  ///< its memory is kept from one to the next
 };
 
 /// Marches and writes until the end, or until asked to stop.
@@ -132,7 +138,7 @@ class Session {
         return;
       }
       const std::int64_t next = std::min({schedule_.after(now), batches_.next_step(now), now + kStride});
-      if (next > now) assembly_.march(next - now);
+      if (next > now) march(next - now);
       batches_.insert_due(assembly_);
       write_due();
       display.show({next, assembly_.time(), last_.contacts, last_.energy.kinetic, last_.height,
@@ -151,23 +157,36 @@ class Session {
   const InsertionQueue& batches() const { return batches_; }
   const RunMoment& last() const { return last_; }
   std::int64_t checkpointed() const { return checkpointed_; }
+  const RunTimes& times() const { return times_; }
 
  private:
+  void march(std::int64_t steps) {
+    const ProcessorTimer timer(times_.march);
+    assembly_.march(steps);
+  }
+
   /// The checkpoint last: whatever it stands for is written by then.
   void write_due() {
     const std::int64_t step = assembly_.steps();
     if (step == written_) return;
     written_ = step;
-    if (schedule_.samples.holds(step)) {
-      last_ = measure(assembly_, job_.scene);
-      writer_.write_line(last_, pace_);
-      if (watchers_.sampled) watchers_.sampled(assembly_);
+    if (schedule_.samples.holds(step)) write_sample();
+    if (schedule_.frames.holds(step)) {
+      const ProcessorTimer timer(times_.frames);
+      writer_.write_frame(assembly_, batches_.inserted());
     }
-    if (schedule_.frames.holds(step)) writer_.write_frame(assembly_, batches_.inserted());
     if (schedule_.checkpoints.holds(step)) write_checkpoint();
   }
 
+  void write_sample() {
+    const ProcessorTimer timer(times_.samples);
+    last_ = measure(assembly_, job_.scene, room_);
+    writer_.write_line(last_, pace_);
+    if (watchers_.sampled) watchers_.sampled(assembly_);
+  }
+
   void write_checkpoint() {
+    const ProcessorTimer timer(times_.checkpoints);
     writer_.write_checkpoint(assembly_, batches_.inserted());
     checkpointed_ = assembly_.steps();
   }
@@ -181,6 +200,8 @@ class Session {
   Pace pace_;
   RunWriter writer_;
   RunMoment last_;
+  std::vector<double> room_;  ///< of a sample's numbers
+  RunTimes times_;
   std::int64_t checkpointed_;  ///< step of the last checkpoint
   std::int64_t written_;       ///< step up to which log and trajectory are
 };
@@ -241,6 +262,7 @@ void run_to_end(const PackingJob& job, RunBegin begin, const PackingWatchers& wa
     throw;
   }
   end.checkpointed = session.checkpointed();
+  end.times = session.times();
   take_counts(session.assembly(), end);
 }
 

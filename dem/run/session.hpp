@@ -37,6 +37,13 @@ struct PackingWatchers {
   std::function<void(const Assembly&)> sampled = {};  ///< called at every sample of the log, where given
 };
 
+/// What the parts of a run have had of the processors [s].
+struct RunTimes {
+  double march = 0, samples = 0, frames = 0, checkpoints = 0;
+
+  double output() const { return samples + frames + checkpoints; }
+};
+
 struct PackingEndState {
   StepChoice choice;
   double step;                ///< [s]
@@ -50,6 +57,7 @@ struct PackingEndState {
   std::int64_t fibers = 0, spheres = 0;  ///< that are in
   int next_batch = 0;             ///< the first batch that found no room, numbered from 0; 0 if all are in
   std::int64_t checkpointed = 0;  ///< step of the last checkpoint
+  RunTimes times = {};            ///< of this session
 
   bool finished() const { return failure.empty() && last.step == steps; }
 };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLargestStarts = 256 * 1024 * 1024;
 constexpr ValueRange kCounts{.low = 1, .high = 1e7};
-constexpr ValueRange kIntervals{.low = 1, .high = 1e6};
+constexpr ValueRange kIntervals{.low = 0, .high = 1e6};
 constexpr ValueRange kBondAngle{.low = -std::numbers::pi, .high = std::numbers::pi};
 
 /// An entry of list "fibers" as typed.
@@ -121,13 +121,13 @@ KeyTable<PackingScene> output_keys() {
   KeyTable<PackingScene> table;
   table.integer(
       "samples", [](PackingScene & scene) -> auto& { return scene.output.samples; }, kIntervals,
-      "intervals of NAME-log.csv");
+      "intervals of NAME-log.csv; 0: no log");
   table.integer(
       "frames", [](PackingScene & scene) -> auto& { return scene.output.frames; }, kIntervals,
-      "intervals of the trajectory NAME.h5");
+      "intervals of the trajectory NAME.h5; 0: no trajectory");
   table.integer(
       "checkpoints", [](PackingScene & scene) -> auto& { return scene.output.checkpoints; }, kIntervals,
-      "intervals of NAME.checkpoint");
+      "intervals of NAME.checkpoint; 0: one only where the run is stopped");
   table.flag(
       "vtk", [](PackingScene & scene) -> auto& { return scene.output.vtk; }, "frames as VTK files too");
   table.flag("energy", &PackingScene::account_energy, "sum the energy that each mechanism dissipates");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -10,17 +11,23 @@
 #include "dem/scene/read_common.hpp"
 
 namespace fiberchain::dem {
+
 SceneText read_scene_text(const std::filesystem::path& path, std::size_t largest) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  std::string text(largest + 1, '\0');
-  const std::size_t size = file ? std::fread(text.data(), 1, text.size(), file.get()) : 0;
+  std::string text;
+  std::array<char, 64 * 1024> piece{};
+  while (file && text.size() <= largest) {
+    const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get());
+    text.append(piece.data(), count);
+    if (count < piece.size()) break;
+  }
   if (!file || std::ferror(file.get())) {
     throw SceneError(fmt::format("{}: cannot read this scene: {}", path.string(), std::strerror(errno)));
   }
-  if (size > largest) {
+  if (text.size() > largest) {
     throw SceneError(fmt::format("{}: is no scene: more than {} bytes", path.string(), largest));
   }
-  text.resize(size);
+  text.shrink_to_fit();
   return {path.string(), std::move(text)};
 }
 

@@ -1,12 +1,11 @@
 #include "dem/trajectory/checkpoint.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "dem/files/atomic_file.hpp"
 #include "dem/files/file_error.hpp"
@@ -25,17 +24,26 @@ constexpr int kFormat = 2;
 constexpr const char *kState = "state", *kVersion = "version";
 constexpr std::size_t kHead = 512;  ///< HDF5 looks for itself at 0, 512, 1024 ...
 
-std::string head_of(const std::string& image) {
-  std::string head = fmt::format("{}{}\nsha256 {}\nbytes {}\n", kMagic, kFormat, sha256(image), image.size());
+std::string head_of(const std::string& sum, std::uint64_t bytes) {
+  std::string head = fmt::format("{}{}\nsha256 {}\nbytes {}\n", kMagic, kFormat, sum, bytes);
   head.resize(kHead, '\0');
   return head;
 }
 
-/// Access to an HDF5 file in memory.
-Handle in_memory() {
+/// Access to a file that nobody else has: locks, which not all file systems have, are not needed.
+Handle plain_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose, "make a property list");
-  hdf5::check(H5Pset_fapl_core(access, 1 << 20, false), "work in memory");
+#if H5_VERSION_GE(1, 10, 7)
+  hdf5::check(H5Pset_file_locking(access, false, true), "do without locks");
+#endif
   return access;
+}
+
+/// Behind a head.
+Handle create_behind_head(const std::filesystem::path& path) {
+  const Handle properties(H5Pcreate(H5P_FILE_CREATE), &H5Pclose, "make a property list");
+  hdf5::check(H5Pset_userblock(properties, kHead), "leave room for the head");
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, plain_access()), &H5Fclose, "make a file"};
 }
 
 void set_number(hid_t file, const char* name, hid_t memory, hid_t stored, const void* value) {
@@ -45,40 +53,55 @@ void set_number(hid_t file, const char* name, hid_t memory, hid_t stored, const 
 hdf5::Stored type_of(const std::vector<double>&) { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }
 hdf5::Stored type_of(const std::vector<std::int64_t>&) { return {H5T_NATIVE_INT64, H5T_STD_I64LE}; }
 
-/// A dataset a field, of reals or integers, with its version.
-void write_state(hid_t file, const SavedState& state) {
+/// A dataset of reals or integers, with its version.
+void write_field(hid_t group, std::string_view name, const StateField& field) {
+  const Handle dataset = std::visit(
+      [&](const auto& numbers) {
+        return hdf5::write_array(group, std::string(name).c_str(), type_of(numbers), {numbers.size()},
+                                 numbers.data(), false);
+      },
+      field.values);
+  hdf5::set_attribute(dataset, kVersion, std::vector<std::int32_t>{field.version});
+}
+
+void write_content(const std::filesystem::path& path, const Checkpoint& head, const EachField& fields) {
+  const Handle file = create_behind_head(path);
+  hdf5::set_attribute(file, "program", head.program);
+  hdf5::set_attribute(file, "scene_sha256", head.scene_sha256);
+  hdf5::write_array(file, "scene", {H5T_NATIVE_UCHAR, H5T_STD_U8LE}, {head.scene.size()}, head.scene.data(),
+                    false);
+  const std::int64_t threads = head.threads;
+  set_number(file, "threads", H5T_NATIVE_INT64, H5T_STD_I64LE, &threads);
+  set_number(file, "step", H5T_NATIVE_INT64, H5T_STD_I64LE, &head.step);
+  set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &head.time);
+  hdf5::write_array(file, "inserted", type_of(head.inserted), {head.inserted.size()}, head.inserted.data(),
+                    false);
   const Handle group = hdf5::make_group(file, kState);
-  for (const auto& [name, field] : state) {
-    const Handle dataset = std::visit(
-        [&](const auto& numbers) {
-          return hdf5::write_array(group, name.c_str(), type_of(numbers), {numbers.size()}, numbers.data(),
-                                   false);
-        },
-        field.values);
-    hdf5::set_attribute(dataset, kVersion, std::vector<std::int32_t>{field.version});
+  fields([&](std::string_view name, const StateField& field) { write_field(group, name, field); });
+  hdf5::flush(file);
+}
+
+/// use(bytes) with what stands behind the head, piece by piece; how much that was.
+/// @throws ReadError
+template <class Use>
+std::uint64_t each_piece(int file, const std::filesystem::path& path, const Use& use) {
+  std::vector<char> piece(256 * 1024);
+  std::uint64_t bytes = 0;
+  while (true) {
+    const ssize_t count = ::pread(file, piece.data(), piece.size(), static_cast<off_t>(kHead + bytes));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw ReadError(path, std::strerror(errno));
+    if (count == 0) return bytes;
+    use(std::string_view(piece.data(), static_cast<std::size_t>(count)));
+    bytes += static_cast<std::uint64_t>(count);
   }
 }
 
-std::string image_of(const Checkpoint& checkpoint) {
-  const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), &H5Fclose,
-                    "make a file");
-  hdf5::set_attribute(file, "program", checkpoint.program);
-  hdf5::set_attribute(file, "scene_sha256", checkpoint.scene_sha256);
-  const std::vector<char> scene(checkpoint.scene.begin(), checkpoint.scene.end());
-  hdf5::write_array(file, "scene", {H5T_NATIVE_UCHAR, H5T_STD_U8LE}, {scene.size()}, scene.data(), false);
-  const std::int64_t threads = checkpoint.threads;
-  set_number(file, "threads", H5T_NATIVE_INT64, H5T_STD_I64LE, &threads);
-  set_number(file, "step", H5T_NATIVE_INT64, H5T_STD_I64LE, &checkpoint.step);
-  set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &checkpoint.time);
-  hdf5::write_array(file, "inserted", type_of(checkpoint.inserted), {checkpoint.inserted.size()},
-                    checkpoint.inserted.data(), false);
-  write_state(file, checkpoint.state);
-  hdf5::flush(file);
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
-  if (size <= 0 || H5Fget_file_image(file, image.data(), image.size()) != size)
-    throw hdf5::Failure("HDF5 gives no image");
-  return image;
+/// The head that goes with what stands behind it.
+std::string head_for(int file, const std::filesystem::path& path) {
+  Sha256 sum;
+  const std::uint64_t bytes = each_piece(file, path, [&](std::string_view piece) { sum.add(piece); });
+  return head_of(sum.hex(), bytes);
 }
 
 template <class Number>
@@ -120,10 +143,8 @@ SavedState state_in(hid_t file) {
   return state;
 }
 
-Checkpoint checkpoint_in(std::string& image) {
-  const Handle access = in_memory();
-  hdf5::check(H5Pset_file_image(access, image.data(), image.size()), "take the image");
-  const Handle file(H5Fopen("checkpoint", H5F_ACC_RDONLY, access), &H5Fclose, "open the image");
+Checkpoint checkpoint_in(const std::filesystem::path& path) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, plain_access()), &H5Fclose, "open the file");
   Checkpoint checkpoint;
   checkpoint.program = hdf5::text_attribute(file, "program").value_or("");
   checkpoint.scene_sha256 = hdf5::text_attribute(file, "scene_sha256").value_or("");
@@ -145,9 +166,30 @@ std::string_view line_of(std::string_view head, std::string_view word) {
   return end == std::string_view::npos ? "" : head.substr(from, end - from);
 }
 
-/// The image behind the head, checked.
-std::string checked_image(const std::filesystem::path& path, const std::string& content) {
-  const std::string_view head = std::string_view(content).substr(0, kHead);
+/// A file open for reading.
+class ReadFile {
+ public:
+  explicit ReadFile(const std::filesystem::path& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (file_ < 0)
+      throw ReadError(path, fmt::format("cannot open this checkpoint: {}", std::strerror(errno)));
+  }
+  ReadFile(const ReadFile&) = delete;
+  ReadFile& operator=(const ReadFile&) = delete;
+  ~ReadFile() { ::close(file_); }
+  operator int() const { return file_; }
+
+ private:
+  int file_;
+};
+
+/// Refuses what is not whole.
+void check_content(const std::filesystem::path& path) {
+  const ReadFile file(path);
+  if (std::filesystem::is_directory(path)) throw ReadError(path, "is a directory, not a checkpoint");
+  std::string head(kHead, '\0');
+  const ssize_t there = ::pread(file, head.data(), kHead, 0);
+  if (there < 0) throw ReadError(path, std::strerror(errno));
+  head.resize(static_cast<std::size_t>(there));
   if (!head.starts_with(kMagic)) throw ReadError(path, "is no checkpoint");
   const auto format = parse_integer(line_of(head, kMagic));
   if (!format) throw ReadError(path, "is corrupt: no format");
@@ -162,20 +204,13 @@ std::string checked_image(const std::filesystem::path& path, const std::string& 
         path, fmt::format("is a checkpoint of format {}; this program reads format {}", *format, kFormat));
   const auto size = parse_integer(line_of(head, "\nbytes "));
   if (!size)
-    throw ReadError(path, content.size() < kHead ? "is cut off within its head" : "is corrupt: no size");
-  const auto bytes = static_cast<std::int64_t>(content.size() - std::min(content.size(), kHead));
+    throw ReadError(path, head.size() < kHead ? "is cut off within its head" : "is corrupt: no size");
+  Sha256 sum;
+  const auto bytes =
+      static_cast<std::int64_t>(each_piece(file, path, [&](std::string_view piece) { sum.add(piece); }));
   if (bytes < *size) throw ReadError(path, fmt::format("is cut off: {} of {} bytes", bytes, *size));
-  std::string image = content.substr(kHead);
-  if (head_of(image) != head) throw ReadError(path, "is corrupt: its checksum is not that of its content");
-  return image;
-}
-
-std::string content_of(const std::filesystem::path& path) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw ReadError(path, fmt::format("cannot open this checkpoint: {}", std::strerror(errno)));
-  if (std::filesystem::is_directory(path)) throw ReadError(path, "is a directory, not a checkpoint");
-  return {std::istreambuf_iterator<char>(file), {}};
+  if (head_of(sum.hex(), static_cast<std::uint64_t>(bytes)) != head)
+    throw ReadError(path, "is corrupt: its checksum is not that of its content");
 }
 
 /// Gives the file a second name, in place of what had it; on a file system without such, that name alone: who
@@ -199,26 +234,34 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
   return path.string() + ".previous";
 }
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& head, const EachField& fields) {
   const hdf5::Quiet quiet;
-  std::string content;
+  AtomicFile file(path);
   try {
-    const std::string image = image_of(checkpoint);
-    content = head_of(image) + image;
+    write_content(file.staged(), head, fields);
+    const std::string text = head_for(file.descriptor(), path);
+    if (::pwrite(file.descriptor(), text.data(), kHead, 0) != static_cast<ssize_t>(kHead))
+      throw WriteError(path, std::strerror(errno));
   } catch (const hdf5::Failure& failure) {
     throw WriteError(path, failure.what());
   }
-  AtomicFile file(path, content);
+  file.close();
   keep_as(path, previous_checkpoint(path));
   file.take_place();
   flush_directory(path.parent_path());
 }
 
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  write_checkpoint(path, checkpoint, [&](const UseField& use) {
+    for (const auto& [name, field] : checkpoint.state) use(name, field);
+  });
+}
+
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
   const hdf5::Quiet quiet;
-  std::string image = checked_image(path, content_of(path));
+  check_content(path);
   try {
-    return checkpoint_in(image);
+    return checkpoint_in(path);
   } catch (const hdf5::Failure& failure) {
     throw ReadError(path, fmt::format("is no checkpoint of this program: {}", failure.what()));
   }

@@ -30,6 +30,11 @@ struct Checkpoint {
 /// @throws WriteError; what stood there before then still does
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
+/// The same with a state whose fields come one after the other, in place of `checkpoint.state`: it need not
+/// be in memory twice. `fields` calls what it is given with each field's name and values.
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                      const EachField& fields);
+
 /// Reads a checkpoint. Not a byte of it is believed before its checksum is right.
 /// @throws ReadError naming the file and the reason: absent, no checkpoint, of another format, cut off,
 /// corrupt; or the field of the state that cannot be read

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,8 @@ struct TrajectoryHeader {
   bool growing = false;         ///< frames have absent spheres, which come later
 };
 
+struct FrameRoom;
+
 /// Appends frames to a file, whole or not at all: each frame opens the file, brings it to the disk in one
 /// step and closes it again, so that readers can open a run in progress and nothing is lost but the frame
 /// being written when the run is killed or the disk is full. A kill within the microseconds of that step
@@ -52,6 +55,10 @@ class TrajectoryWriter {
  public:
   /// A new file; it appears with the first frame, in place of what stood there.
   TrajectoryWriter(std::filesystem::path path, TrajectoryHeader header);
+
+  TrajectoryWriter(TrajectoryWriter&&) noexcept;
+  TrajectoryWriter& operator=(TrajectoryWriter&&) noexcept;
+  ~TrajectoryWriter();
 
   /// Goes on with a file (or begins it, if there is none), without its frames later than `last_step`.
   /// @throws ReadError if it is no such file, WriteError
@@ -72,6 +79,7 @@ class TrajectoryWriter {
   TrajectoryHeader header_;
   std::vector<double> times_;
   std::int64_t last_step_ = 0;
+  std::unique_ptr<FrameRoom> room_;
 };
 
 /// Reads a trajectory of ours as it is now; open another to see later frames.

@@ -10,9 +10,17 @@
 #include "dem/files/file_error.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/trajectory/h5md_layout.hpp"
+#include "dem/trajectory/hdf5_chunks.hpp"
 #include "dem/trajectory/xdmf.hpp"
 
 namespace fiberchain::dem {
+
+/// What frames are made in, kept from one to the next.
+struct FrameRoom {
+  std::vector<double> numbers;
+  hdf5::ChunkWriter chunks;
+};
+
 namespace {
 
 using namespace h5md;
@@ -172,26 +180,38 @@ double rounded(double value) {
   return std::isfinite(value) ? std::bit_cast<double>((bits + 0x8000) & ~std::uint64_t{0xffff}) : value;
 }
 
-std::vector<Vec<double, 3>> rounded(std::vector<Vec<double, 3>> all) {
-  for (Vec<double, 3>& vector : all) vector = {rounded(vector[0]), rounded(vector[1]), rounded(vector[2])};
-  return all;
+void round_positions(const TrajectoryFrame& frame, std::vector<double>& numbers) {
+  numbers.resize(3 * frame.position.size());
+  double* to = numbers.data();
+  for (const Vec<double, 3>& x : frame.position) {
+    for (int c = 0; c < 3; ++c) *to++ = rounded(x[c]);
+  }
 }
 
-void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scalars& scalars) {
+void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scalars& scalars,
+                 FrameRoom& room) {
+  std::vector<double>& numbers = room.numbers;
   const auto put = [&](const std::string& name, hid_t type, const void* values) {
     hdf5::write_entry(hdf5::open_array(file, name.c_str()), n, type, values);
   };
   const Vec<double, 3> edges = frame.high - frame.low;
   put(std::string(kPosition) + "/step", H5T_NATIVE_INT64, &frame.step);
   put(std::string(kPosition) + "/time", H5T_NATIVE_DOUBLE, &frame.time);
-  put(value_of(kPosition), H5T_NATIVE_DOUBLE, rounded(frame.position).data());
-  for (const OutputField& field : sphere_fields)
-    put(value_of(sphere_element(field)), H5T_NATIVE_DOUBLE, field.values(frame).data());
+  const auto put_numbers = [&](const std::string& name) {
+    room.chunks.write(hdf5::open_array(file, name.c_str()), n, numbers);
+  };
+  round_positions(frame, numbers);
+  put_numbers(value_of(kPosition));
+  for (const OutputField& field : sphere_fields) {
+    field.get(frame, numbers);
+    put_numbers(value_of(sphere_element(field)));
+  }
   put(value_of(kEdges), H5T_NATIVE_DOUBLE, &edges);
   put(value_of(kOrigin), H5T_NATIVE_DOUBLE, &frame.low);
   for (const OutputField& field : bond_fields) {
-    if (!frame.bonds.empty())
-      put(value_of(bond_element(field)), H5T_NATIVE_DOUBLE, field.values(frame).data());
+    if (frame.bonds.empty()) continue;
+    field.get(frame, numbers);
+    put_numbers(value_of(bond_element(field)));
   }
   if (has_growing_id(file)) put(value_of(kId), H5T_NATIVE_INT32, ids(frame).data());
   for (const auto& [name, value] : scalars) put(value_of("observables/" + name), H5T_NATIVE_DOUBLE, &value);
@@ -203,9 +223,7 @@ void check_frame(const TrajectoryFrame& frame) {
     return bond.first < 0 || bond.first + 1 >= static_cast<std::int64_t>(spheres);
   };
   if (spheres == 0) throw InvalidInput("a frame without spheres");
-  const auto incomplete = [&](const OutputField& field) {
-    return field.values(frame).size() != field.width * spheres;
-  };
+  const auto incomplete = [&](const OutputField& field) { return field.rows(frame) != spheres; };
   if (std::ranges::any_of(sphere_fields, incomplete) || frame.radius.size() != spheres ||
       frame.fiber.size() != spheres)
     throw InvalidInput("a frame's positions, velocities, radii and fibers differ in number");
@@ -217,7 +235,11 @@ void check_frame(const TrajectoryFrame& frame) {
 }  // namespace
 
 TrajectoryWriter::TrajectoryWriter(std::filesystem::path path, TrajectoryHeader header)
-    : path_(std::move(path)), header_(std::move(header)) {}
+    : path_(std::move(path)), header_(std::move(header)), room_(std::make_unique<FrameRoom>()) {}
+
+TrajectoryWriter::TrajectoryWriter(TrajectoryWriter&&) noexcept = default;
+TrajectoryWriter& TrajectoryWriter::operator=(TrajectoryWriter&&) noexcept = default;
+TrajectoryWriter::~TrajectoryWriter() = default;
 
 TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, TrajectoryHeader header,
                                           std::int64_t last_step) {
@@ -251,7 +273,7 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scala
     const Handle file = open_in(journaled, first ? Access::create : Access::change);
     first ? write_layout(file, header_, frame, scalars) : check_same(file, frame, scalars);
     set_frames(file, times_.size() + 1);
-    write_frame(file, times_.size(), frame, scalars);
+    write_frame(file, times_.size(), frame, scalars, *room_);
     hdf5::flush(file);
   });
   journaled.commit();

@@ -14,21 +14,28 @@
 namespace fiberchain::dem {
 
 struct OutputField {
-  const char* name;         ///< of the H5MD element
-  const char* point_array;  ///< in VTK; OVITO knows velocities as "v"
-  const char* unit;         ///< H5MD's attribute
-  int width;                ///< numbers a sphere or bond: 1 or 3
-  /// All values, row after row.
-  std::vector<double> (*values)(const TrajectoryFrame& frame);
+  const char* name;                                   ///< of the H5MD element
+  const char* point_array;                            ///< in VTK; OVITO knows velocities as "v"
+  const char* unit;                                   ///< H5MD's attribute
+  int width;                                          ///< numbers a sphere or bond: 1 or 3
+  std::size_t (*rows)(const TrajectoryFrame& frame);  ///< how many it has
+  /// All values, row after row, into memory that is kept if it fits.
+  void (*get)(const TrajectoryFrame& frame, std::vector<double>& values);
   /// Sets as many rows as `values` has.
   void (*set)(TrajectoryFrame& frame, const std::vector<double>& values);
+
+  std::vector<double> values(const TrajectoryFrame& frame) const {
+    std::vector<double> all;
+    get(frame, all);
+    return all;
+  }
 };
 
 namespace output {
 
-inline void append(std::vector<double>& row, double value) { row.push_back(value); }
-inline void append(std::vector<double>& row, const Vec<double, 3>& value) {
-  row.insert(row.end(), value.c, value.c + 3);
+inline void give(double* to, double value) { *to = value; }
+inline void give(double* to, const Vec<double, 3>& value) {
+  for (int c = 0; c < 3; ++c) to[c] = value[c];
 }
 inline void take(const double* from, double& value) { value = *from; }
 inline void take(const double* from, Vec<double, 3>& value) { value = {from[0], from[1], from[2]}; }
@@ -45,11 +52,11 @@ constexpr OutputField of_spheres(const char* name, const char* point_array, cons
           point_array,
           unit,
           width,
-          [](const TrajectoryFrame& frame) {
-            std::vector<double> all;
-            all.reserve(width * (frame.*member).size());
-            for (const Value& value : frame.*member) append(all, value);
-            return all;
+          [](const TrajectoryFrame& frame) { return (frame.*member).size(); },
+          [](const TrajectoryFrame& frame, std::vector<double>& values) {
+            values.resize(width * (frame.*member).size());
+            double* to = values.data();
+            for (const Value& value : frame.*member) give(to, value), to += width;
           },
           [](TrajectoryFrame& frame, const std::vector<double>& values) {
             (frame.*member).resize(values.size() / width);
@@ -67,11 +74,11 @@ constexpr OutputField of_bonds(const char* name, const char* unit) {
           name,
           unit,
           width,
-          [](const TrajectoryFrame& frame) {
-            std::vector<double> all;
-            all.reserve(width * frame.bonds.size());
-            for (const FrameBond& bond : frame.bonds) append(all, bond.*member);
-            return all;
+          [](const TrajectoryFrame& frame) { return frame.bonds.size(); },
+          [](const TrajectoryFrame& frame, std::vector<double>& values) {
+            values.resize(width * frame.bonds.size());
+            double* to = values.data();
+            for (const FrameBond& bond : frame.bonds) give(to, bond.*member), to += width;
           },
           [](TrajectoryFrame& frame, const std::vector<double>& values) {
             for (std::size_t i = 0; i < frame.bonds.size(); ++i)

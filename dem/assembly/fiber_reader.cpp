@@ -1,0 +1,101 @@
+#include "dem/assembly/fiber_reader.hpp"
+
+#include <cmath>
+
+#include "dem/motion/half_step.hpp"
+
+// Fibers one by one or all: their states and bonds.
+namespace fiberchain::dem {
+namespace {
+
+/// Orientations that are not followed are not numbers.
+ChainState<3> known_part(const Assembly::State& s, ChainState<3> state) {
+  if (s.rows.oriented()) return state;
+  const double unknown = std::nan("");
+  for (auto& pose : state.poses) pose.orientation = {unknown, {unknown, unknown, unknown}};
+  return state;
+}
+
+/// visit(reader, lane) for all fibers of a group in their order.
+template <class Visit>
+void each_fiber(const Assembly::State& s, int group, const Visit& visit) {
+  FiberReader reader(s);
+  for (int fiber = 0; fiber < s.fibers[group];) {
+    const FiberBlock& block = s.blocks[s.slot(group, fiber).block];
+    reader.take(block);
+    for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) visit(reader, lane);
+  }
+}
+
+}  // namespace
+
+void FiberReader::take(const FiberBlock& block) {
+  block_ = &block;
+  kind_ = &all_.kinds[block.group()];
+  block.snapshot(*kind_, all_.rows, all_.loads.of(all_.part_of(block)), all_.gradient.data(), now_);
+}
+
+const ChainState<3>& FiberReader::read(int lane) {
+  const auto spheres = static_cast<std::size_t>(kind_->spheres());
+  state_.poses.resize(spheres), state_.velocity.resize(spheres), state_.spin.resize(spheres);
+  for (int i = 0; i < kind_->spheres(); ++i) {
+    MovingSphere<double, 3> s = block_->sphere(*kind_, now_, lane, i);
+    move_half_step(s, kind_->half_of(i), EndLoad<double, 3>{}, gradient_, false);
+    state_.poses[i] = s.pose, state_.velocity[i] = s.velocity, state_.spin[i] = s.spin;
+  }
+  return state_;
+}
+
+const std::vector<BondState>& FiberReader::bonds(int lane) {
+  bonds_.resize(static_cast<std::size_t>(kind_->chain.fiber.aspect_ratio));
+  for (int i = 0; i + 1 < kind_->spheres(); ++i)
+    bonds_[i] = kind_->law->state(kind_->parameters.bond, kind_->chain, state_, i, history(lane, i),
+                                  kind_->kernel->width);
+  return bonds_;
+}
+
+ChainState<3> Assembly::state(int group, int fiber) const {
+  const State::Slot at = state_->slot(group, fiber);
+  FiberReader reader(*state_);
+  reader.take(state_->blocks[at.block]);
+  return known_part(*state_, reader.read(at.lane));
+}
+
+std::vector<BondState> Assembly::bonds(int group, int fiber) const {
+  const State::Slot at = state_->slot(group, fiber);
+  FiberReader reader(*state_);
+  reader.take(state_->blocks[at.block]);
+  reader.read(at.lane);
+  return reader.bonds(at.lane);
+}
+
+std::vector<ChainState<3>> Assembly::states(int group) const {
+  std::vector<ChainState<3>> all;
+  each_fiber(*state_, group,
+             [&](FiberReader& reader, int lane) { all.push_back(known_part(*state_, reader.read(lane))); });
+  return all;
+}
+
+std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
+  std::vector<std::vector<BondState>> all;
+  each_fiber(*state_, group, [&](FiberReader& reader, int lane) {
+    reader.read(lane);
+    all.push_back(reader.bonds(lane));
+  });
+  return all;
+}
+
+void Assembly::visit(int group, const FiberVisit& visitor) const {
+  State& s = *state_;
+  const int first = s.first_block[group],
+            last = s.fibers[group] > 0 ? s.slot(group, s.fibers[group] - 1).block + 1 : first;
+  for_blocks(s, first, last, [&](int b, FiberReader& reader) {
+    reader.take(s.blocks[b]);
+    for (int lane = 0; lane < s.blocks[b].lanes(); ++lane) {
+      const ChainState<3>& state = reader.read(lane);
+      visitor((b - first) * s.kinds[group].kernel->width + lane, state, reader.bonds(lane));
+    }
+  });
+}
+
+}  // namespace fiberchain::dem
