@@ -112,7 +112,7 @@ class Assembly {
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
   std::int64_t touching() const;   ///< contacts now
-  double deepest_overlap() const;  ///< over the smaller radius, largest since this was made
+  double deepest_overlap() const;  ///< over the smaller radius, largest since the start
   double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
   std::vector<ContactState> contacts() const;
   EnergyBalance energy() const;

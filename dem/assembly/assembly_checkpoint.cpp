@@ -181,6 +181,7 @@ const std::vector<FieldRule>& fields() {
       number_field<&State::steps>("steps"),
       number_field<&State::displacement_budget>("displacement_budget"),
       number_field<&State::inserted>("inserted_energy"),
+      number_field<&State::longest_path>("longest_path"),
       sphere_field<&SphereStorage::position_radius>("position_radius"),
       sphere_field<&SphereStorage::velocity_spin>("velocity_spin"),
       sphere_field<&SphereStorage::orientation>("orientation"),
@@ -219,6 +220,9 @@ const std::vector<FieldRule>& fields() {
       {.name = "contact_accumulators",
        .get = [](State& s, const Places&) -> FieldValues { return s.contacts.accumulators(); },
        .set = [](State& s, const FieldValues& v) { s.contacts.set_accumulators(std::get<Reals>(v).data()); }},
+      {.name = "deepest_overlap",
+       .get = [](State& s, const Places&) -> FieldValues { return Reals{s.contacts.deepest()}; },
+       .set = [](State& s, const FieldValues& v) { s.contacts.set_deepest(std::get<Reals>(v).front()); }},
   };
   return all;
 }

@@ -74,7 +74,7 @@ struct Assembly::State {
   Contacts contacts;
   LaneArray gradient;                ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;    ///< one a thread
-  double longest_path = 0;           ///< of all since this was made [m]
+  double longest_path = 0;           ///< of all since the start [m]
   std::vector<double> paths;         ///< largest displacement in the last step, one a part [m]
   std::vector<StepTimes> own_times;  ///< one a thread, of the last step
   WavefrontSchedule wavefront{0};

@@ -61,7 +61,8 @@ void Contacts::add(const Fiber& fiber, int count) {
 
 void Contacts::cut(int count) {
   ContactAccumulators sum;
-  for (const Part& part : parts_) sum += part.sums;
+  double deepest = 0;
+  for (const Part& part : parts_) sum += part.sums, deepest = std::max(deepest, part.deepest);
   parts_ = std::vector<Part>(count);
   for (Part& part : parts_) {
     part.walls.resize(domain_.walls.size());
@@ -69,6 +70,7 @@ void Contacts::cut(int count) {
     part.histories.accounted = accounted_;
   }
   parts_[0].sums = sum;
+  parts_[0].deepest = deepest;
 }
 
 void Contacts::pad(SphereStorage& rows) const {

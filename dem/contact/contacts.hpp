@@ -76,7 +76,8 @@ class Contacts {
   void work_out(const SphereStorage& rows, double time, ForceBuffers& loads, ThreadPool& pool);
 
   std::int64_t touching() const;
-  double deepest() const;  ///< largest overlap over the smaller radius since this was made
+  double deepest() const;  ///< largest overlap over the smaller radius since the start
+  void set_deepest(double overlap);
   /// Since the start up to this moment [J]: half of what the kick takes that is centered on it.
   ContactAccount<double> dissipated() const;
   double wall_work() const;  ///< likewise [J]

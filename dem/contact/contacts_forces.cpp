@@ -112,6 +112,11 @@ void Contacts::reduce_halo_forces(int k, LoadRange loads) {
 
 double Contacts::deepest() const { return std::ranges::max_element(parts_, {}, &Part::deepest)->deepest; }
 
+void Contacts::set_deepest(double overlap) {
+  for (Part& part : parts_) part.deepest = 0;
+  parts_[0].deepest = overlap;
+}
+
 std::int64_t Contacts::touching() const {
   std::int64_t sum = 0;
   for (const Part& part : parts_) sum += part.sums.contacts;

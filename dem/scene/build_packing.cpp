@@ -12,8 +12,8 @@
 #include "dem/chain/arc_chain.hpp"
 #include "dem/files/sha256.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/scene/check_starts.hpp"
 #include "dem/scene/expected_speed.hpp"
-#include "dem/scene/fiber_csv.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -52,30 +52,6 @@ StepChoice step_choice(const PackingScene& scene) {
 Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber); }
 
 namespace {
-
-/// Fibers of files may touch, but not lie in each other: contacts would burst.
-void check_apart(const PackingScene& scene, const PlacedSpheres& all) {
-  constexpr double deepest = 0.5;  // overlap over the smaller radius
-  if (all.radius.empty()) return;
-  const auto [least, largest] = std::ranges::minmax(all.radius);
-  InsertionGrid placed(box_around(all.position), scene.domain.period, largest, -deepest * least,
-                       std::ssize(all.radius));
-  std::size_t sphere = 0;
-  for (const PackingFiberKind& kind : scene.kinds) {
-    for (std::size_t f = 0; f < kind.starts.size(); ++f) {
-      for (int i = 0; i <= kind.fiber.aspect_ratio; ++i, ++sphere) {
-        if (!placed.free(all.position[sphere], all.radius[sphere])) {
-          throw InvalidInput(fmt::format(
-              "{}: sphere {} of fiber {} is not allowed there: it lies in another one by more "
-              "than half a radius",
-              kind.file ? fmt::format("{}:{}", kind.file->name, line_of_start(kind.file->text, f)) : "fibers",
-              i, f));
-        }
-        placed.add(all.position[sphere], all.radius[sphere]);
-      }
-    }
-  }
-}
 
 std::int64_t steps_in(double duration, double step) {
   const double steps = std::ceil(duration / step * (1 - 1e-12));
@@ -126,9 +102,9 @@ PackingPlan plan_of(const PackingScene& scene) {
 
 PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch) {
   const PackingPlan plan = plan_of(scene);
+  check_starts(scene);
   PackingStart start{groups_of_files(scene), scene.domain, {}, plan.choice, plan.steps};
   const PlacedSpheres of_files = spheres_of(start.groups);
-  check_apart(scene, of_files);
   for (FiberGroup& group : packing_batch(scene, 0, 0, of_files, watch)) {
     start.groups.push_back(std::move(group));
   }

@@ -5,32 +5,11 @@
 #include <cmath>
 #include <string_view>
 
-#include "dem/insertion/placement.hpp"
-#include "dem/insertion/random_insertion.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/scene/build_packing.hpp"
-#include "dem/scene/fiber_csv.hpp"
+#include "dem/scene/check_starts.hpp"
 
 namespace fiberchain::dem {
-namespace {
-
-void check_start(const StrictMapping& top, const PackingScene& scene, const PackingFiberKind& kind,
-                 const Chain<3>& chain, std::size_t n) {
-  int sphere = 0;
-  for (const auto& pose : placed(chain, kind.starts[n]).poses) {
-    for (std::size_t w = 0; w < scene.domain.walls.size(); ++w) {
-      const double gap = distance_to(scene.domain.walls[w], pose.position, 0);
-      if (gap > 0) continue;
-      top.fail("fibers",
-               fmt::format("{}:{}: sphere {} of fiber {} is not allowed there: its center is {:.4g} m behind "
-                           "wall {} (walls of the box first)",
-                           kind.file->name, line_of_start(kind.file->text, n), sphere, n, -gap, w + 1));
-    }
-    ++sphere;
-  }
-}
-
-}  // namespace
 
 void check_number(const StrictMapping& top, const PackingScene& scene) {
   constexpr std::int64_t most = 2'000'000'000;  // of 32 bits, some for walls
@@ -40,10 +19,10 @@ void check_number(const StrictMapping& top, const PackingScene& scene) {
 }
 
 void check_starts(const StrictMapping& top, const PackingScene& scene) {
-  for (const PackingFiberKind& kind : scene.kinds) {
-    if (!kind.file) continue;
-    const Chain<3> chain = chain_of(kind);
-    for (std::size_t n = 0; n < kind.starts.size(); ++n) check_start(top, scene, kind, chain, n);
+  try {
+    check_starts(scene);
+  } catch (const InvalidInput& error) {
+    top.fail("fibers", error.what());
   }
 }
 

@@ -10,7 +10,7 @@ namespace fiberchain::dem {
 /// No more spheres than there are numbers for.
 void check_number(const StrictMapping& top, const PackingScene& scene);
 
-/// Fibers of files before all walls that are there at the start.
+/// Fibers of files clear of each other and of the walls that are there at the start (check_starts.hpp).
 void check_starts(const StrictMapping& top, const PackingScene& scene);
 
 /// A time step, batches and a number of steps that make sense: plan_of.
