@@ -237,13 +237,14 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& head, const EachField& fields) {
   const hdf5::Quiet quiet;
   AtomicFile file(path);
+  errno = 0;
   try {
     write_content(file.staged(), head, fields);
     const std::string text = head_for(file.descriptor(), path);
     if (::pwrite(file.descriptor(), text.data(), kHead, 0) != static_cast<ssize_t>(kHead))
       throw WriteError(path, std::strerror(errno));
-  } catch (const hdf5::Failure& failure) {
-    throw WriteError(path, failure.what());
+  } catch (const hdf5::Failure& failure) {  // the system's reason where it is one
+    throw WriteError(path, errno != 0 ? std::strerror(errno) : failure.what());
   }
   file.close();
   keep_as(path, previous_checkpoint(path));

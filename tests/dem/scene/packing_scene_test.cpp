@@ -165,7 +165,7 @@ const Fault kFaults[] = {
      "walls: has the same cylinder twice (walls 5 and 6"},
     {with("motion:", "motion: {allow_unstable: true}"), "motion.allow_unstable"},
     {with("duration:", "steps: 0"), "test.yaml:12: steps: '0' is not allowed"},
-    {with("output:", "output: {frames: 0}"), "test.yaml:13: output.frames: '0' is not allowed"},
+    {with("output:", "output: {frames: -1}"), "test.yaml:13: output.frames: '-1' is not allowed"},
     {with("output:", "output: {vtk: 3}"), "test.yaml:13: output.vtk: '3' is not allowed"},
     {with("output:", "output: {film: true}"), "test.yaml:13: unknown key 'output.film'"},
 };

@@ -192,12 +192,15 @@ BOOST_AUTO_TEST_CASE(a_full_disk_keeps_the_last_good_one) {
   const fs::path path = scratch.path / "run.checkpoint";
   write_checkpoint(path, example(1, 2000));
   write_checkpoint(path, example(2, 2000));
-  {
-    const SizeLimit full(9000);
+  // wherever the disk ends, in what is written first or at the very end
+  for (std::size_t room = 100; room < fs::file_size(path); room += 483) {
+    const SizeLimit full(room);
     BOOST_CHECK_EXCEPTION(write_checkpoint(path, example(3, 2000)), WriteError, [&](const WriteError& error) {
       return std::string(error.what()) == "cannot write " + path.string() + ": File too large";
     });
   }
+  const SizeLimit full(fs::file_size(path) - 1);
+  BOOST_CHECK_THROW(write_checkpoint(path, example(3, 2000)), WriteError);
   BOOST_TEST((read_checkpoint(path) == example(2, 2000)));
   BOOST_TEST((read_checkpoint(previous_checkpoint(path)) == example(1, 2000)));
   BOOST_TEST(files_in(scratch.path) == 2);
