@@ -8,6 +8,7 @@
 #include "compare/study/json.hpp"
 #include "dem/record/columns.hpp"
 #include "dem/scene/key_reference.hpp"
+#include "dem/scene/located_error.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -47,7 +48,8 @@ int run_check(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
   const dem::SceneText text = dem::read_scene_text(path);
-  const dem::Table table = compare::scene_check_table(dem::parse_scene(text), output.jobs);
+  const dem::Table table =
+      dem::located(text, [&] { return compare::scene_check_table(dem::parse_scene(text), output.jobs); });
   context.provenance = dem::with_scene(context.provenance, path, text.text);
   warn_of_values(text, context);
   if (output.json) {

@@ -15,6 +15,7 @@
 #include "dem/record/csv.hpp"
 #include "dem/run/memory.hpp"
 #include "dem/run/packing_estimate.hpp"
+#include "dem/scene/located_error.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -121,7 +122,7 @@ int run_scene_file(const Arguments& arguments, Context& context) {
   context.provenance = dem::with_scene(context.provenance, path, text.text);
   warn_of_values(text, context);
   try {
-    return run_scene(text, scene, arguments, context);
+    return dem::located(text, [&] { return run_scene(text, scene, arguments, context); });
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("out of memory: " + wants_of(scene) + dem::memory_in_words());
   }

@@ -6,6 +6,7 @@
 
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -50,14 +51,14 @@ void check_periodic_invariance(const Domain& domain) {
   for (const Wall& wall : domain.walls) {
     for (int c = 0; c < 3; ++c) {
       if (domain.period[c] > 0 && !is_invariant_along(wall, c))
-        throw InvalidInput("a wall across or askew to a periodic side is not allowed");
+        throw InvalidKey("walls", "a wall across or askew to a periodic side is not allowed");
     }
   }
   if (!domain.fluid) return;
   for (const Gradient& A : {domain.fluid->flow.gradient, gradient_at(domain.fluid->flow, 0)}) {
     for (int c = 0; c < 3; ++c) {
       if (domain.period[c] > 0 && (A[0][c] != 0 || A[1][c] != 0 || A[2][c] != 0)) {
-        throw InvalidInput("a flow that varies along a periodic side is not allowed");
+        throw InvalidKey("fluid", "a flow that varies along a periodic side is not allowed");
       }
     }
   }

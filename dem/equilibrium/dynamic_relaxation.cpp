@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 #include "dem/motion/kernels/chain_batch.hpp"
 #include "dem/motion/physics_of.hpp"
 #include "dem/motion/time_step.hpp"
@@ -169,7 +170,8 @@ double chosen_step(const Fiber& fiber, const RelaxOptions& options) {
   if (!options.step_ratio) return 0.8 * limit;
   const double step = *options.step_ratio * bond_time_step(fiber);
   if (step >= limit) {
-    throw InvalidInput(
+    throw InvalidKey(
+        "step_ratio",
         fmt::format("step_ratio = {} is not allowed: with bond damping {} the largest stable step of "
                     "this chain is {:.4f} t_b",
                     *options.step_ratio, options.bond_damping, limit / bond_time_step(fiber)));

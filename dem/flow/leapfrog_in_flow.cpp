@@ -8,6 +8,7 @@
 
 #include "dem/flow/flow_batch.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -40,11 +41,13 @@ double largest_step(const Fiber& fiber, double stable, const FlowOptions& option
   if (!options.step_ratio) return 0.8 * stable;
   const double ratio = *options.step_ratio, t_b = bond_time_step(fiber);
   if (!(ratio > 0) || !std::isfinite(ratio)) {
-    throw InvalidInput(
+    throw InvalidKey(
+        "step_ratio",
         fmt::format("step_ratio = {} is not allowed: it must be finite and greater than 0", ratio));
   }
   if (ratio * t_b >= stable && !options.allow_unstable) {
-    throw InvalidInput(
+    throw InvalidKey(
+        "step_ratio",
         fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain in its fluid is "
                     "{:.6g} t_b",
                     ratio, stable / t_b));

@@ -98,7 +98,7 @@ PackingFileSizes file_sizes_of(const PackingScene& scene, std::int64_t steps) {
 
 StepCost measure_step_cost(const PackingScene& scene, double step, int threads, double seconds) {
   constexpr std::int64_t most_spheres = 40000;  // beyond the inner caches, as large scenes are
-  const Chain<3> chain = straight_chain<3>(scene.kinds.front().fiber);
+  const Chain<3> chain = chain_of(scene.kinds.front());
   const std::int64_t length = chain.fiber.aspect_ratio + 1;
   const std::int64_t fibers = std::max<std::int64_t>(1, std::min(spheres_in(scene), most_spheres) / length);
   Domain domain = scene.domain;

@@ -12,6 +12,7 @@
 #include "dem/chain/arc_chain.hpp"
 #include "dem/files/sha256.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 #include "dem/scene/check_starts.hpp"
 #include "dem/scene/expected_speed.hpp"
 
@@ -53,13 +54,29 @@ Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber); 
 
 namespace {
 
-std::int64_t steps_in(double duration, double step) {
-  const double steps = std::ceil(duration / step * (1 - 1e-12));
-  if (!(steps >= 1 && steps < 1e12)) {
-    throw InvalidInput(fmt::format("duration = {} s is not allowed: it takes {:.3g} steps of {:.3g} s",
-                                   duration, steps, step));
+/// Keys that set a chosen step: what is at fault where it is no step of a packing.
+std::string what_sets(const StepChoice& choice) {
+  if (choice.set_by == "speed" || choice.set_by == "restitution") return "gravity";
+  return "fibers";
+}
+
+std::int64_t steps_in(const PackingScene& scene, const PackingPlan& plan) {
+  constexpr double shortest = 1e-13, longest = 1e3;  // of any fibers [s]
+  const double steps = std::ceil(scene.duration / plan.step * (1 - 1e-12));
+  if (steps >= 1 && steps < 1e12) return static_cast<std::int64_t>(steps);
+  const bool odd_step = !(plan.step >= shortest && plan.step <= longest);
+  const std::string how = fmt::format("{:.3g} steps of {:.3g} s", steps, plan.step);
+  if (!odd_step || scene.step) {
+    throw InvalidKey("duration",
+                     fmt::format("duration = {} s is not allowed: it takes {}", scene.duration, how));
   }
-  return static_cast<std::int64_t>(steps);
+  throw InvalidKey(
+      what_sets(plan.choice),
+      fmt::format("the duration of {} s would take {}, a step set by {}{}; allowed: less than 1e12 "
+                  "steps; look at youngs_modulus, density, diameter and damping of fibers and walls, "
+                  "at gravity and speeds",
+                  scene.duration, how, plan.choice.set_by,
+                  plan.choice.speed > 0 ? fmt::format(" at {:.3g} m/s", plan.choice.speed) : ""));
 }
 
 /// A batch after the end, or within a step of another, would never come.
@@ -67,21 +84,22 @@ void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
   for (int n = 1; n < scene.batches.number; ++n) {
     const std::int64_t at = batch_step(scene, n, step);
     if (at > batch_step(scene, n - 1, step) && at < steps) continue;
-    throw InvalidInput(fmt::format(
-        "batches.interval = {:g} s is not allowed: batch {} would come at step {} of {} of {:.4g} s each; "
-        "each must come at a later one than that before, and before the end",
-        scene.batches.interval, n + 1, at, steps, step));
+    throw InvalidKey("batches.interval",
+                     fmt::format("batches.interval = {:g} s is not allowed: batch {} would come at step {} "
+                                 "of {} of {:.4g} s each; "
+                                 "each must come at a later one than that before, and before the end",
+                                 scene.batches.interval, n + 1, at, steps, step));
   }
 }
 
 /// Bonds refuse a step beyond their limits themselves; contacts have theirs where they are pressed.
 void check_step(const PackingScene& scene, const StepChoice& choice) {
   if (scene.allow_unstable || !scene.step || *scene.step <= choice.contacts) return;
-  throw InvalidInput(
-      fmt::format("motion.step = {:g} s is not allowed: contacts are stable up to {:.4g} s; "
-                  "motion.allow_unstable: true marches all "
-                  "the same",
-                  *scene.step, choice.contacts));
+  throw InvalidKey("motion.step",
+                   fmt::format("motion.step = {:g} s is not allowed: contacts are stable up to {:.4g} s; "
+                               "motion.allow_unstable: true marches all "
+                               "the same",
+                               *scene.step, choice.contacts));
 }
 
 }  // namespace
@@ -95,7 +113,7 @@ PackingPlan plan_of(const PackingScene& scene) {
   PackingPlan plan{step_choice(scene), 0, scene.steps};
   check_step(scene, plan.choice);
   plan.step = scene.step.value_or(plan.choice.step);
-  if (plan.steps == 0) plan.steps = steps_in(scene.duration, plan.step);
+  if (plan.steps == 0) plan.steps = steps_in(scene, plan);
   check_batches(scene, plan.step, plan.steps);
   return plan;
 }

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string_view>
 
-#include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 #include "dem/scene/build_packing.hpp"
 #include "dem/scene/check_starts.hpp"
 
@@ -31,22 +30,20 @@ void check_plan(const StrictMapping& top, const PackingScene& scene) {
     const PackingPlan plan = plan_of(scene);
     const double bonds = largest_bond_step(plan.choice);
     if (scene.step && *scene.step > bonds) {
-      top.mapping("motion").fail("step",
-                                 fmt::format("{:g} s is not allowed: at most {:g} s, beyond which bonds are "
-                                             "unstable",
-                                             *scene.step, bonds));
+      throw InvalidKey("motion.step",
+                       fmt::format("{:g} s is not allowed: at most {:g} s, beyond which bonds are "
+                                   "unstable",
+                                   *scene.step, bonds));
     }
     if (std::isnormal(plan.step)) return;
-    top.fail("fibers",
-             fmt::format("have a time step of {:g} s; allowed: diameter, youngs_modulus, density and damping "
-                         "that give one above 0",
-                         plan.step));
+    throw InvalidKey("fibers",
+                     fmt::format("have a time step of {:g} s; allowed: diameter, youngs_modulus, density "
+                                 "and damping that give one above 0",
+                                 plan.step));
+  } catch (const InvalidKey& error) {
+    top.fail_within(error.key, error.what());
   } catch (const InvalidInput& error) {
-    const std::string_view what = error.what();
-    if (what.starts_with("batches.interval"))
-      top.mapping("filling").mapping("batches").fail("interval", error.what());
-    if (what.starts_with("motion.step")) top.mapping("motion").fail("step", error.what());
-    top.fail(top.has("duration") ? "duration" : "steps", error.what());
+    top.fail("fibers", error.what());
   }
 }
 

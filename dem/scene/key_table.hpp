@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -70,9 +72,10 @@ class KeyTable {
   template <class Member>
   SceneKey<T>& quantity(const std::string& key, const std::string& unit, Member member,
                         const ValueRange& range, const std::string& meaning) {
-    return add(
-        key, unit, is_open(range) ? "finite number" : describe(range), shown(member), meaning,
-        [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.quantity(key, unit, range); });
+    const ValueRange sizes = in_unit(range, unit);
+    return add(key, unit, describe(sizes), shown(member), meaning, [=](const StrictMapping& from, T& to) {
+      std::invoke(member, to) = from.quantity(key, unit, sizes);
+    });
   }
 
   /// A number without dimension.
@@ -128,9 +131,10 @@ class KeyTable {
   template <class Member>
   SceneKey<T>& vector(const std::string& key, const std::string& unit, Member member,
                       const std::string& meaning) {
-    return add(key, unit, "three finite numbers", shown(member), meaning,
-               [=](const StrictMapping& from, T& to) {
-                 const std::vector<double> v = from.quantities(key, unit, 3);
+    const ValueRange sizes = in_unit(kFinite, unit);
+    return add(key, unit, fmt::format("three numbers of at most {:g} in size", sizes.high), shown(member),
+               meaning, [=](const StrictMapping& from, T& to) {
+                 const std::vector<double> v = from.quantities(key, unit, 3, sizes);
                  std::invoke(member, to) = {v[0], v[1], v[2]};
                });
   }
@@ -149,8 +153,10 @@ class KeyTable {
   template <class Member>
   SceneKey<T>& interval(const std::string& key, const std::string& unit, Member member,
                         const std::string& meaning) {
-    return add(key, unit, "`[low, high]`, low < high", "", meaning, [=](const StrictMapping& from, T& to) {
-      const std::vector<double> ends = from.quantities(key, unit, 2);
+    const ValueRange sizes = in_unit(kFinite, unit);
+    const std::string allowed = fmt::format("`[low, high]`, low < high, of at most {:g} in size", sizes.high);
+    return add(key, unit, allowed, "", meaning, [=](const StrictMapping& from, T& to) {
+      const std::vector<double> ends = from.quantities(key, unit, 2, sizes);
       if (!(ends[0] < ends[1])) from.fail(key, "must rise: [low, high]");
       std::invoke(member, to) = {ends[0], ends[1]};
     });
@@ -160,8 +166,10 @@ class KeyTable {
   template <class Member>
   SceneKey<T>& matrix(const std::string& key, const std::string& unit, Member member,
                       const std::string& meaning) {
-    return add(key, unit, "three rows of three finite numbers", "", meaning,
-               [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.matrix(key); });
+    const ValueRange sizes = in_unit(kFinite, unit);
+    return add(key, unit, fmt::format("three rows of three numbers of at most {:g} in size", sizes.high), "",
+               meaning,
+               [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.matrix(key, sizes); });
   }
 
   /// A mapping with keys of its own, handed to `store` as (mapping, value, T&) once read.
@@ -261,10 +269,6 @@ class KeyTable {
     std::vector<std::string> keys;
     bool or_none, several = false;
   };
-
-  static bool is_open(const ValueRange& range) {
-    return !std::isfinite(range.low) && !std::isfinite(range.high);
-  }
 
   SceneKey<T>& add(const std::string& key, const std::string& unit, const std::string& allowed,
                    const std::string& otherwise, const std::string& meaning,

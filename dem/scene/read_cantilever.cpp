@@ -5,20 +5,20 @@ namespace {
 
 KeyTable<RelaxOptions> march_keys() {
   KeyTable<RelaxOptions> table;
-  table.number("bond_damping", &RelaxOptions::bond_damping, kNonNegative,
+  table.number("bond_damping", &RelaxOptions::bond_damping, kCoefficient,
                "damping ratio ξ_b while settling, in place of the fiber's own");
-  table.number("drag", &RelaxOptions::drag, kNonNegative,
+  table.number("drag", &RelaxOptions::drag, kCoefficient,
                "drag on every sphere over the critical one of the first bending mode");
   table
-      .number("step_ratio", &RelaxOptions::step_ratio, kPositive,
+      .number("step_ratio", &RelaxOptions::step_ratio, kStepRatio,
               "time step over the bond's t_b = sqrt(m / K_n)")
       .otherwise("0.8 of the largest stable step");
-  table.number("ramp_periods", &RelaxOptions::ramp_periods, kNonNegative,
+  table.number("ramp_periods", &RelaxOptions::ramp_periods, {.low = 0, .high = 1e6},
                "length of the load's ramp in periods of the first bending mode");
   table.number(
-      "residual", &RelaxOptions::residual, kFraction,
+      "residual", &RelaxOptions::residual, {.low = 1e-12, .high = 1, .high_open = true},
       "at rest: moment out of balance and speeds, over those of the load and the first mode, below this");
-  table.number("max_periods", &RelaxOptions::max_periods, kPositive,
+  table.number("max_periods", &RelaxOptions::max_periods, {.low = 1e-3, .high = 1e6},
                "limit of the march, in periods of the first bending mode after the ramp");
   return table;
 }

@@ -1,5 +1,6 @@
 #include "dem/scene/read_common.hpp"
 
+#include <fmt/format.h>
 #include <cmath>
 
 #include "dem/model/errors.hpp"
@@ -30,6 +31,17 @@ Material material_of(const FiberKeys& keys) {
   return material;
 }
 
+/// A pull of E A doubles the length of straight bonds: P L^2 / (E I) = 16 r_f^2.
+void check_stretch(const StrictMapping& load, const LoadKeys& keys, const Fiber& fiber, double reduced) {
+  const double ratio = fiber.aspect_ratio, most = 16 * ratio * ratio;
+  if (reduced <= most) return;
+  load.fail(
+      keys.reduced ? "reduced" : "force",
+      fmt::format("{:g} is not allowed: it stretches the fiber to more than twice its length; allowed: "
+                  "at most {:g}",
+                  keys.reduced ? *keys.reduced : *keys.force, keys.reduced ? most : load_force(fiber, most)));
+}
+
 }  // namespace
 
 Fiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {
@@ -54,9 +66,9 @@ KeyTable<BondKeys> bond_keys(const BondParts& parts) {
     table.choice("form", &BondKeys::form, words_of({BondForm::total, BondForm::incremental}),
                  "strains from the poses of the spheres, or summed over the steps as the paper does");
   }
-  table.number("damping", &BondKeys::damping, kNonNegative, "damping ratio ξ_b of the bonds' dashpots");
+  table.number("damping", &BondKeys::damping, kCoefficient, "damping ratio ξ_b of the bonds' dashpots");
   if (parts.rolling_friction) {
-    table.number("rolling_friction", &BondKeys::rolling_friction, kNonNegative,
+    table.number("rolling_friction", &BondKeys::rolling_friction, kCoefficient,
                  "coefficient ξ_r of rolling friction between bonded spheres (Eq 21)");
   }
   if (parts.rolling) {
@@ -88,7 +100,7 @@ KeyTable<LoadKeys> load_keys() {
 EndPull pull_of(const StrictMapping& load, const LoadKeys& keys, const Fiber& fiber, Dimension dimension) {
   EndPull pull{};
   pull.load = keys.reduced ? *keys.reduced : keys.force.value() / load_force(fiber, 1.0);
-  if (!std::isfinite(pull.load)) load.fail("force", "is too large for this fiber");
+  check_stretch(load, keys, fiber, pull.load);
   check_planar(load, "direction", keys.direction, dimension);
   pull.direction = keys.direction;
   return pull;

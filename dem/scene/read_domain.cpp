@@ -31,10 +31,10 @@ void store_periods(const StrictMapping&, const PeriodKeys& sides, PackingScene& 
 
 KeyTable<ContactProperties> contact_keys() {
   KeyTable<ContactProperties> table;
-  table.number("restitution", &ContactProperties::restitution, {.low = 0, .high = 1, .low_open = true},
+  table.number("restitution", &ContactProperties::restitution, {.low = 1e-4, .high = 1},
                "normal coefficient of restitution e");
-  table.number("friction", &ContactProperties::friction, kNonNegative, "Coulomb's coefficient µ");
-  table.number("rolling_friction", &ContactProperties::rolling_friction, kNonNegative,
+  table.number("friction", &ContactProperties::friction, kCoefficient, "Coulomb's coefficient µ");
+  table.number("rolling_friction", &ContactProperties::rolling_friction, kCoefficient,
                "coefficient µ_r of a moment of at most µ_r R* F_n against rolling");
   return table;
 }

@@ -76,7 +76,7 @@ KeyTable<FlowOptions> flow_motion_keys() {
       .only_with("method: inertialess or cvode",
                  [=](const FlowOptions& options) { return !leapfrog(options); });
   table
-      .number("step_ratio", &FlowOptions::step_ratio, kPositive,
+      .number("step_ratio", &FlowOptions::step_ratio, kStepRatio,
               "time step over the bond's t_b = sqrt(m / K_n)")
       .otherwise("0.8 of the largest stable step")
       .only_with("method: leapfrog", leapfrog);
@@ -103,7 +103,7 @@ KeyTable<FlowKeys> flow_keys() {
   table.mapping("start", start_keys(), &store_start, "the fiber at the start").required();
   table.mapping_into("motion", motion, flow_motion_keys(), "integration in time");
   table.quantity("duration", "s", &FlowKeys::length_in_time, kPositive, "length of the run");
-  table.number("strain", &FlowKeys::length_in_strain, kPositive,
+  table.number("strain", &FlowKeys::length_in_strain, {.low = 1e-9, .high = 1e9},
                "the same as a strain: time times the size of the rate, or the gradient's Frobenius norm");
   table.one_of({"duration", "strain"});
   table.integer("samples", &FlowKeys::samples, {.low = 2, .high = 1e6}, "intervals of the history");

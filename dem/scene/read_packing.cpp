@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -100,7 +101,8 @@ KeyTable<PackingScene> packing_motion_keys() {
           "0.9 of the largest stable step, less where the speeds there are or may come and "
           "`restitution_error` want it");
   table
-      .number("restitution_error", &PackingScene::restitution_error, kFraction,
+      .number("restitution_error", &PackingScene::restitution_error,
+              {.low = 1e-5, .high = 1, .high_open = true},
               "how far the chosen step may take the coefficient of restitution off; where nothing is lost it "
               "bounds how far the energy wanders, too: 1e-3 to 4 %")
       .only_with("a step that is chosen", [](const PackingScene& scene) { return !scene.step; });
@@ -162,6 +164,28 @@ void check_walls_differ(const StrictMapping& top, const std::vector<Wall>& walls
   }
 }
 
+/// Plates that stand face to face for a while, nearer than a fiber is thick.
+void check_plates(const StrictMapping& top, const PackingScene& scene) {
+  double diameter = 0;
+  for (const PackingFiberKind& kind : scene.kinds) diameter = std::max(diameter, kind.fiber.diameter);
+  const std::vector<Wall>& walls = scene.domain.walls;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto *a = walls[j].shape.get_if<Plane>(), *b = walls[i].shape.get_if<Plane>();
+      if (!a || !b || dot(a->normal, b->normal) > -1 + 1e-12) continue;
+      const bool together = std::max(walls[i].active_from, walls[j].active_from) <
+                            std::min(walls[i].active_until, walls[j].active_until);
+      if (!together || dot(walls[i].velocity - walls[j].velocity, a->normal) != 0) continue;
+      const double gap = dot(b->point - a->point, a->normal);
+      if (gap >= diameter * (1 - 1e-9)) continue;
+      top.fail("walls",
+               fmt::format("leave {:g} m between walls {} and {} (those of the box first), which face each "
+                           "other; allowed: at least the fibers' diameter, {:g} m",
+                           gap, j + 1, i + 1, diameter));
+    }
+  }
+}
+
 /// What is not built together.
 void check_together(const StrictMapping& top, const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
@@ -172,6 +196,7 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
     if (scene.domain.fluid) top.fail("fluid", "is not built together with rolling friction of the bonds");
   }
   check_walls_differ(top, scene.domain.walls);
+  check_plates(top, scene);
   if (scene.duration > 0 && !((scene.batches.number - 1) * scene.batches.interval < scene.duration)) {
     top.fail("duration", "ends before the last batch of fibers comes");
   }

@@ -16,10 +16,12 @@ KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
                words_of({Integrator::automatic, Integrator::leapfrog, Integrator::leapfrog_damped,
                          Integrator::implicit, Integrator::cvode}),
                "integration in time; `auto`: the cheapest that keeps `error`");
-  table.number("error", &ReleaseOptions::error, kFraction, "wanted relative error of damping and frequency")
+  table
+      .number("error", &ReleaseOptions::error, {.low = 1e-9, .high = 1, .high_open = true},
+              "wanted relative error of damping and frequency")
       .only_with("integrator: auto", is(Integrator::automatic));
   table
-      .number("step_ratio", &ReleaseOptions::step_ratio, kPositive,
+      .number("step_ratio", &ReleaseOptions::step_ratio, kStepRatio,
               "time step over the bond's t_b = sqrt(m / K_n)")
       .otherwise("0.8 of the largest stable step; `implicit`: the sample interval")
       .only_with("integrator: leapfrog, leapfrog-damped or implicit", [](const ReleaseOptions& motion) {
@@ -27,7 +29,9 @@ KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
       });
   table.flag("allow_unstable", &ReleaseOptions::allow_unstable, "march even beyond the stable step")
       .only_with("integrator: leapfrog or leapfrog-damped", &is_leapfrog);
-  table.number("tolerance", &ReleaseOptions::tolerance, kFraction, "local error over the first deflection")
+  table
+      .number("tolerance", &ReleaseOptions::tolerance, {.low = 1e-13, .high = 1, .high_open = true},
+              "local error over the first deflection")
       .only_with("integrator: cvode", is(Integrator::cvode));
   table.integer("samples_per_period", &ReleaseOptions::samples_per_period, {.low = 4, .high = 1e5},
                 "samples of the free end in a period of the first mode");
@@ -67,7 +71,7 @@ KeyTable<ReleaseScene> release_keys() {
       mapping.fail("", "needs a direction with a part along y, which is what is watched");
   };
   table.mapping("load", load_keys(), store_load, "the load at the free end before the release").required();
-  table.number("periods", &ReleaseScene::periods, {.low = 0, .high = 1e6, .low_open = true},
+  table.number("periods", &ReleaseScene::periods, {.low = 1e-6, .high = 1e6},
                "length of the record in periods of the first mode");
   table.mapping_into("time", &ReleaseScene::motion, time_keys(table.defaults().motion),
                      "integration in time");

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <string>
 
 #include "dem/scene/read_common.hpp"
@@ -25,6 +28,21 @@ KeyTable<BoxKeys> box_keys() {
   return table;
 }
 
+double largest_diameter(const PackingScene& scene) {
+  double largest = 0;
+  for (const PackingFiberKind& kind : scene.kinds) largest = std::max(largest, kind.fiber.diameter);
+  return largest;
+}
+
+/// A wall around fibers leaves them room: they would be pressed from all sides for good.
+void check_width(const StrictMapping& mapping, const char* key, double width, double diameter,
+                 double of_width = 1) {
+  if (width >= diameter * (1 - 1e-12)) return;
+  mapping.fail(key, fmt::format("{:g} m is not allowed: it is narrower than the fibers, {:g} m in diameter; "
+                                "allowed: at least {:g} m",
+                                of_width * width, diameter, of_width * diameter));
+}
+
 Wall wall_across(int axis, double position, double into) {
   Plane plane{};
   plane.point[axis] = position;
@@ -41,7 +59,10 @@ void store_box(const StrictMapping& mapping, const BoxKeys& box, PackingScene& s
       continue;
     }
     if (!box.side[a] && !floor_alone) mapping.fail_missing(kAxes[a]);
-    if (box.side[a]) scene.scene_box.high[a] = *box.side[a];
+    if (box.side[a]) {
+      check_width(mapping, kAxes[a], *box.side[a], largest_diameter(scene));
+      scene.scene_box.high[a] = *box.side[a];
+    }
     scene.domain.walls.push_back(wall_across(a, 0, 1));
     if (!floor_alone) scene.domain.walls.push_back(wall_across(a, scene.scene_box.high[a], -1));
   }
@@ -101,6 +122,8 @@ auto store_wall(const char* along) {
             along, std::string("must leave the wall the same all along ") + kAxes[a] + ", which is periodic");
       }
     }
+    if (const auto* tube = wall.shape.get_if<Cylinder>())
+      check_width(mapping, "radius", 2 * tube->radius, largest_diameter(scene), 0.5);
     scene.domain.walls.push_back(wall);
   };
 }

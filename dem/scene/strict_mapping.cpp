@@ -95,7 +95,7 @@ double StrictMapping::to_si(const std::string& key, const std::string& typed, st
 }
 
 std::vector<double> StrictMapping::quantities(const std::string& key, std::string_view unit,
-                                              std::size_t count) const {
+                                              std::size_t count, const ValueRange& allowed) const {
   const YAML::Node list = value(key);
   const std::string what = fmt::format("must be a list of {} finite numbers{}", count,
                                        unit == "1" ? "" : fmt::format(" in {}", unit));
@@ -105,6 +105,10 @@ std::vector<double> StrictMapping::quantities(const std::string& key, std::strin
     if (!list[i].IsScalar()) fail(key, what);
     numbers.push_back(to_si(key, list[i].Scalar(), unit));
     if (!std::isfinite(numbers.back())) fail(key, what);
+    if (!allowed.holds(numbers.back())) {
+      fail(key, fmt::format("'{}' is out of range; allowed: numbers {}{}", printable(list[i].Scalar()),
+                            describe(allowed), unit == "1" ? "" : fmt::format(", in {}", unit)));
+    }
   }
   return numbers;
 }
@@ -146,19 +150,27 @@ std::size_t StrictMapping::choice(const std::string& key, const std::vector<std:
 std::array<double, 3> StrictMapping::direction(const std::string& key) const {
   auto direction = three_numbers(value(key));
   if (!direction) fail(key, "must be three finite numbers such as [0, 1, 0]");
+  double largest = 0;
+  for (const double component : *direction) largest = std::max(largest, std::abs(component));
+  if (!(largest > 0)) fail(key, "must not be zero");
+  for (double& component : *direction) component /= largest;  // squares of what is typed may be no numbers
   const double length = std::hypot((*direction)[0], (*direction)[1], (*direction)[2]);
-  if (!(length > 0) || !std::isfinite(length)) fail(key, "must not be zero");
   for (double& component : *direction) component /= length;
   return *direction;
 }
 
-std::array<std::array<double, 3>, 3> StrictMapping::matrix(const std::string& key) const {
+std::array<std::array<double, 3>, 3> StrictMapping::matrix(const std::string& key,
+                                                           const ValueRange& allowed) const {
   const YAML::Node node = value(key);
   std::array<std::array<double, 3>, 3> rows{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = node.IsSequence() && node.size() == 3 ? three_numbers(node[i]) : std::nullopt;
     if (!row)
       fail(key, "must be three rows of three finite numbers such as [[0, 1, 0], [0, 0, 0], [0, 0, 0]]");
+    for (const double number : *row) {
+      if (!allowed.holds(number))
+        fail(key, fmt::format("'{}' is out of range; allowed: numbers {}", number, describe(allowed)));
+    }
     rows[i] = *row;
   }
   return rows;
@@ -175,6 +187,35 @@ void StrictMapping::fail(const std::string& key, const std::string& message) con
   std::string path = path_ + key;
   if (path.ends_with('.')) path.pop_back();
   fail_at(mark_of(key), path.empty() ? message : fmt::format("{}: {}", path, message));
+}
+
+void StrictMapping::fail_within(const std::string& keys, const std::string& message) const {
+  struct Search {
+    const std::string& keys;
+    std::optional<YAML::Mark> mark = {};
+    std::string found = {};
+
+    void look_in(const YAML::Node& node, const std::string& path) {
+      if (node.IsSequence()) {
+        for (std::size_t i = 0; i < node.size() && !mark; ++i)
+          look_in(node[i], fmt::format("{}[{}]", path, i));
+      }
+      if (!node.IsMap()) return;
+      for (const auto& entry : node) {
+        if (mark || !entry.first.IsScalar()) return;
+        const std::string own = path.empty() ? entry.first.Scalar() : path + "." + entry.first.Scalar();
+        if (own == keys || own.ends_with("." + keys)) {
+          mark = entry.first.Mark(), found = own;
+          return;
+        }
+        look_in(entry.second, own);
+      }
+    }
+  };
+  Search search{keys};
+  search.look_in(node_, "");
+  if (search.mark) fail_at(*search.mark, fmt::format("{}{}: {}", path_, search.found, message));
+  fail("", message);
 }
 
 void StrictMapping::fail_missing(const std::string& key) const {

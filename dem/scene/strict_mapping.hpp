@@ -42,8 +42,9 @@ class StrictMapping {
     return quantity(key, "1", allowed);
   }
 
-  /// So many finite numbers, each alone or with a unit.
-  std::vector<double> quantities(const std::string& key, std::string_view unit, std::size_t count) const;
+  /// So many numbers, each alone or with a unit.
+  std::vector<double> quantities(const std::string& key, std::string_view unit, std::size_t count,
+                                 const ValueRange& allowed = kFinite) const;
 
   int integer(const std::string& key, const ValueRange& allowed) const;
 
@@ -59,8 +60,9 @@ class StrictMapping {
   /// Unit vector along three finite numbers that are not all zero.
   std::array<double, 3> direction(const std::string& key) const;
 
-  /// Three rows of three finite numbers.
-  std::array<std::array<double, 3>, 3> matrix(const std::string& key) const;
+  /// Three rows of three numbers.
+  std::array<std::array<double, 3>, 3> matrix(const std::string& key,
+                                              const ValueRange& allowed = kFinite) const;
 
   /// Exactly one of these keys must be there; its name.
   std::string one_of(const std::vector<std::string>& keys) const;
@@ -70,6 +72,10 @@ class StrictMapping {
 
   /// A SceneError about a key of this mapping ("" for the mapping itself).
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+
+  /// A SceneError about the first key of this mapping and of those in it whose path ends in these,
+  /// "motion.step", "fibers[0].density"; about the mapping itself where there is none.
+  [[noreturn]] void fail_within(const std::string& keys, const std::string& message) const;
 
   /// A SceneError for a key that is not there but must be.
   [[noreturn]] void fail_missing(const std::string& key) const;

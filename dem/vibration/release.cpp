@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/motion/time_step.hpp"
 #include "dem/vibration/choose.hpp"
@@ -61,7 +62,8 @@ int steps_per_sample(const Release<Dim>& release, const ReleaseOptions& options)
   if (options.step_ratio) {
     step = *options.step_ratio * t_b;
     if (step >= limit && !options.allow_unstable) {
-      throw InvalidInput(
+      throw InvalidKey(
+          "step_ratio",
           fmt::format("step_ratio = {} is not allowed: the largest stable step of this chain is {:.4f} "
                       "t_b",
                       *options.step_ratio, limit / t_b));

@@ -15,6 +15,14 @@ const std::string kScene =
     "kg/m^3}\n"
     "load: {reduced: 1}\n";
 
+const std::string kRelease = "scene: release\n" + kScene.substr(kScene.find('\n') + 1);
+
+const std::string kPacking =
+    "scene: packing\n"
+    "fibers: [{diameter: 2 mm, aspect_ratio: 5, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, density: 1000, "
+    "count: 3}]\n"
+    "filling: {region: {x: [0, 3 cm], y: [0, 3 cm], z: [0, 3 cm]}}\n";
+
 std::string with(const std::string& from, const std::string& to) {
   std::string text = kScene;
   return text.replace(text.find(from), from.size(), to);
@@ -50,6 +58,30 @@ const Fault kFaults[] = {
     {"zero", with("1000 kg/m^3", "0 kg/m^3"), "s.yaml:2: fiber.density: '0 kg/m^3' is out of range"},
     {"infinite", with("2 mm", ".inf"), "s.yaml:2: fiber.diameter: '.inf' is out of range"},
     {"no number", with("reduced: 1", "reduced: nan"), "s.yaml:3: load.reduced: 'nan' is out of range"},
+    {"a step that would be negative", kRelease + "time: {error: 1e-300}\n",
+     "s.yaml:4: time.error: '1e-300' is out of range; allowed: a number at least 1e-09 and below 1"},
+    {"density without end", with("1000 kg/m^3", "1e300 kg/m^3"),
+     "s.yaml:2: fiber.density: '1e300 kg/m^3' is out of"},
+    {"modulus without end", with("2.6 MPa", "1e300"),
+     "s.yaml:2: fiber.youngs_modulus: '1e300' is out of range"},
+    {"load without end", with("reduced: 1", "reduced: 1e300"),
+     "s.yaml:3: load.reduced: '1e300' is out of range"},
+    {"load that tears", with("reduced: 1", "reduced: 1601"),
+     "s.yaml:3: load.reduced: 1601 is not allowed: it stretches the fiber to more than twice its length; "
+     "allowed: at "
+     "most 1600"},
+    {"damping without end", kRelease + "bond: {damping: 1e300}\n",
+     "s.yaml:4: bond.damping: '1e300' is out of range"},
+    {"step beyond the stable one", kScene + "method: march\nmarch: {step_ratio: 5}\n",
+     "s.yaml:5: march.step_ratio: step_ratio = 5 is not allowed: "},
+    {"the same of a release", kRelease + "time: {integrator: leapfrog, step_ratio: 5}\n",
+     "s.yaml:4: time.step_ratio: step_ratio = 5 is not allowed: "},
+    {"gravity without end", kPacking + "gravity: [0, 0, -1e30]\nsteps: 10\n",
+     "s.yaml:4: gravity: '-1e30' is out of range"},
+    {"rolling friction without end", kPacking + "contacts: {rolling_friction: 1e30}\nsteps: 10\n",
+     "s.yaml:4: contacts.rolling_friction: '1e30' is out of range"},
+    {"stiff beyond any run", kPacking + "duration: 1e9 s\nwalls: {youngs_modulus: 1e18}\n",
+     "s.yaml:4: duration"},
     {"empty file", "", "s.yaml: holds no scene: it is empty"},
     {"10 MB of noise", noise(10'000'000), "s.yaml: is no scene: more than 262144 bytes"},
     {"noise of a scene's size", noise(5000), "s.yaml:1: "},

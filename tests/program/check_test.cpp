@@ -89,7 +89,8 @@ BOOST_AUTO_TEST_CASE(keys_are_those_of_the_page) {
   const Outcome keys = run({"check", "--keys"});
   BOOST_TEST(keys.status == 0);
   BOOST_TEST(content(kScenes + "README.md").find(keys.out) != std::string::npos);
-  BOOST_TEST(keys.out.find("| `fibers[].diameter` | m | above 0 | required |") != std::string::npos);
+  BOOST_TEST(keys.out.find("| `fibers[].diameter` | m | at least 1e-12 and at most 1e+09 | required |") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

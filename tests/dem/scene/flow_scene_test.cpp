@@ -53,7 +53,8 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << 
 
 const Fault kFaults[] = {
     {fluid("viscosity: 0 Pa s, flow: shear, rate: 1"),
-     "test.yaml:5: fluid.viscosity: '0 Pa s' is out of range; allowed: a number above 0, in Pa s"},
+     "test.yaml:5: fluid.viscosity: '0 Pa s' is out of range; allowed: a number at least 1e-12 and at most "
+     "1e+15, in Pa s"},
     {fluid("viscosity: 1 Pa, flow: shear, rate: 1"),
      "test.yaml:5: fluid.viscosity: '1 Pa' has a unit of another dimension"},
     {fluid("flow: shear, rate: 1"), "test.yaml:5: fluid: key 'viscosity' is missing"},

@@ -137,6 +137,25 @@ const Fault kFaults[] = {
     {walls("cylinders: [3]"), "test.yaml:6: walls.cylinders[0]: must be a list of mappings"},
     {walls("cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: -1 m}]"),
      "test.yaml:6: walls.cylinders[0].radius: '-1 m' is out of range"},
+    {walls("box: {x: 7 cm, z: 16 cm}, cylinders: [{point: [35 mm, 0, 0], axis: [0, 1, 0], radius: 0.9 mm}]"),
+     "test.yaml:6: walls.cylinders[0].radius: 0.0009 m is not allowed: it is narrower than the fibers, 0.002 "
+     "m in "
+     "diameter; allowed: at least 0.001 m"},
+    {walls("box: {x: 1.9 mm, z: 16 cm}"),
+     "test.yaml:6: walls.box.x: 0.0019 m is not allowed: it is narrower"},
+    {walls("box: {x: 7 cm, z: 16 cm}, planes: [{point: [0, 0, 0], normal: [0, 0, 3]}]"),
+     "test.yaml:6: walls: has the same plane twice (walls 3 and 5"},
+    {walls("box: {x: 7 cm, z: 16 cm}, planes: [{point: [1 mm, 1 m, 16 cm], normal: [0, 0, -1], from: 1 s}]"),
+     "test.yaml:6: walls: has the same plane twice (walls 4 and 5"},
+    {walls("planes: [{point: [0, 0, 17 cm], normal: [0, 0, -1], velocity: [0, 0, -1]}, "
+           "{point: [5, 0, 17 cm], normal: [0, 0, -1], velocity: [0, 0, -1], until: 2 s}]"),
+     "test.yaml:6: walls: has the same plane twice (walls 1 and 2"},
+    {walls("cylinders: [{point: [35 mm, 0, 0], axis: [0, 1, 0], radius: 90 mm}, "
+           "{point: [35 mm, 2, 0], axis: [0, -3, 0], radius: 9 cm}]"),
+     "test.yaml:6: walls: has the same cylinder twice (walls 1 and 2"},
+    {walls(
+         "planes: [{point: [0, 0, 2 cm], normal: [0, 0, 1]}, {point: [0, 0, 2.19 cm], normal: [0, 0, -1]}]"),
+     "test.yaml:6: walls: leave 0.0019 m between walls 1 and 2"},
     {with("periodic:", "periodic: {y: 0 m}"), "test.yaml:7: periodic.y: '0 m' is out of range"},
     {with("gravity:", "gravity: [0, 0, 9.81 m]"),
      "test.yaml:8: gravity: '9.81 m' has a unit of another dimension"},
@@ -427,9 +446,10 @@ BOOST_AUTO_TEST_CASE(walls_that_come_after_each_other_are_two) {
   const std::string planes =
       "planes: [{point: [0, 0, 1 cm], normal: [0, 0, 1], until: 1 s}, "
       "{point: [0, 0, 1 cm], normal: [0, 0, 1], from: 1 s}, {point: [0, 0, 1.0001 cm], normal: [0, 0, 1]}, "
-      "{point: [0, 0, 1 cm], normal: [0, 0, -1]}, "
+      "{point: [0, 0, 3 cm], normal: [0, 0, -1], until: 9 s}, {point: [0, 0, 3 cm], normal: [0, 0, 1], from: "
+      "9 s}, "
       "{point: [0, 0, 1 cm], normal: [0, 0, 1], until: 1 s, velocity: [0, 0, 1]}]";
-  BOOST_TEST(parse(walls("box: {x: 7 cm, z: 16 cm}, " + planes)).domain.walls.size() == 9u);
+  BOOST_TEST(parse(walls("box: {x: 7 cm, z: 16 cm}, " + planes)).domain.walls.size() == 10u);
 }
 
 BOOST_AUTO_TEST_CASE(a_given_step_is_held_to_what_contacts_bear) {
