@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -55,11 +56,14 @@ std::vector<std::vector<Point>> measured_groups(std::vector<Point> (*points_of)(
   return points;
 }
 
-/// Exit status, with an error in the log if a point's damping could not be measured.
-template <class Point>
-int status_of(const std::vector<Point>& points, const Context& context) {
-  const auto failed =
-      std::ranges::count_if(points, [](const auto& point) { return std::isnan(point.damping); });
+struct HasDamping {
+  bool operator()(const auto& point) const { return !std::isnan(point.damping); }
+};
+
+/// Exit status, with an error in the log if a point could not be measured: of its damping, unless told.
+template <class Point, class IsMeasured = HasDamping>
+int status_of(const std::vector<Point>& points, const Context& context, const IsMeasured& is_measured = {}) {
+  const auto failed = std::ranges::count_if(points, std::not_fn(is_measured));
   if (context.stopped != 0) return kSignaled + context.stopped;
   if (failed == 0) return kSuccess;
   context.log->error("error: {} of {} cases could not be measured, see column status", failed, points.size());

@@ -64,10 +64,9 @@ int run_tables_damping(const Arguments& arguments, Context& context) {
   results.table = compare::damping_table(points);
   deliver(results, results.table.select(tables_damping_shown), output, directory, context);
   // a row may have one of its dampings alone: its status says why
-  for (compare::DampingPoint& point : points) {
-    if (std::isnan(point.damping)) point.damping = point.damping_paper;
-  }
-  return status_of(points, context);
+  return status_of(points, context, [](const compare::DampingPoint& point) {
+    return !std::isnan(point.damping) || !std::isnan(point.damping_paper);
+  });
 }
 
 }  // namespace

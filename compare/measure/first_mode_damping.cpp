@@ -58,6 +58,10 @@ CleanPeaks mode_release_peaks(const reference::ChainMode& mode) {
   return {CleanPeaks::Way::mode_release, {0, std::clamp(last, 1, 3)}};
 }
 
+CleanPeaks filtered_peaks(int intervals) {
+  return {CleanPeaks::Way::filter, {first_filtered, first_filtered + intervals}};
+}
+
 CleanPeaks clean_peaks(const reference::LinearChain& chain, const reference::ChainMode& mode,
                        double most_periods) {
   const double delta = log_decrement(mode.damping);
@@ -73,7 +77,7 @@ CleanPeaks clean_peaks(const reference::LinearChain& chain, const reference::Cha
           CleanPeaks::Way::wait, {static_cast<int>(first), static_cast<int>(first) + n}, settling};
       if (wait.periods() <= most_periods) return wait;
     }
-    const CleanPeaks filter{CleanPeaks::Way::filter, {first_filtered, first_filtered + n}};
+    const CleanPeaks filter = filtered_peaks(n);
     if (first > first_filtered && filter.periods() <= most_periods) return filter;
   }
   return {CleanPeaks::Way::none, {0, 0}};

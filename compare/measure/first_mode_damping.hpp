@@ -33,6 +33,9 @@ struct CleanPeaks {
 CleanPeaks clean_peaks(const reference::LinearChain& chain, const reference::ChainMode& mode,
                        double most_periods = std::numeric_limits<double>::infinity());
 
+/// The first so many of the filtered motion and one more, whatever the damping.
+CleanPeaks filtered_peaks(int intervals);
+
 /// For a release from the first mode: four peaks, fewer where the last would be lost.
 CleanPeaks mode_release_peaks(const reference::ChainMode& mode);
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <span>
 
 #include "compare/study/errors.hpp"
 

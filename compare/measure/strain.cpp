@@ -16,8 +16,7 @@ std::string strain_warning(double strain) {
   if (strain <= largest_linear_strain) return "";
   return fmt::format(
       "stretch or shear up to {:.2g}: beyond {:g} their linear laws are a rod's no more, and tip and "
-      "departure "
-      "mean nothing",
+      "departure mean nothing",
       strain, largest_linear_strain);
 }
 

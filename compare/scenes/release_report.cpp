@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "compare/measure/first_mode_damping.hpp"
 #include "compare/measure/first_mode_filter.hpp"
@@ -28,35 +29,41 @@ reference::ChainMode first_mode(const ReleaseScene& scene) {
   return mode;
 }
 
+/// The scene's options with the integrator and step that are chosen where it leaves them; why these.
+template <int Dim>
+std::pair<dem::ReleaseOptions, std::string> options_of(const ReleaseScene& scene,
+                                                       const dem::Release<Dim>& release) {
+  dem::ReleaseOptions options = scene.motion;
+  if (options.integrator != dem::Integrator::automatic) return {options, ""};
+  const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
+  options.integrator = choice.integrator;
+  options.step_ratio = choice.step_ratio;
+  return {options, choice.reason};
+}
+
 template <int Dim>
 ReleasePlan plan_in(const ReleaseScene& scene) {
   const double period = 2 * std::numbers::pi / first_mode(scene).eigenvalue.imag();
   const dem::Release<Dim> release = dem::build_release<Dim>(scene, period);
-  dem::ReleaseOptions options = scene.motion;
-  std::string reason;
-  if (options.integrator == dem::Integrator::automatic) {
-    const dem::IntegratorChoice choice = dem::choose_integrator(release, options);
-    options.integrator = choice.integrator;
-    options.step_ratio = choice.step_ratio;
-    reason = choice.reason;
-  }
+  const auto [options, reason] = options_of(scene, release);
   const double step = dem::release_step(release, options), interval = period / options.samples_per_period;
   const double samples = std::ceil(scene.periods * options.samples_per_period);
   return {options.integrator, reason, step, samples * std::round(interval / step)};
 }
 
 /// Why a mean step [s] is not the one asked for, or the one planned where none was; empty where it is.
-std::string step_note(const ReleaseScene& scene, const ReleasePlan& plan, double period, double taken) {
+std::string step_note(const ReleaseScene& scene, dem::Integrator integrator, double planned, double period,
+                      double taken) {
   const double t_b = dem::bond_time_step(scene.fiber), interval = period / scene.motion.samples_per_period;
   const bool chosen = scene.motion.integrator == dem::Integrator::automatic || !scene.motion.step_ratio;
-  if (plan.integrator == dem::Integrator::cvode) return "";
-  const double asked = chosen ? plan.time_step : *scene.motion.step_ratio * t_b;
+  if (integrator == dem::Integrator::cvode) return "";
+  const double asked = chosen ? planned : *scene.motion.step_ratio * t_b;
   if (!(taken < 0.99 * asked)) return "";
   std::string why;
-  if (plan.time_step < 0.99 * asked) {
+  if (planned < 0.99 * asked) {
     why = fmt::format("a whole number of them makes a sample interval of {:.4g} t_b", interval / t_b);
   }
-  if (taken < 0.99 * plan.time_step) {
+  if (taken < 0.99 * planned) {
     why += fmt::format("{}steps were halved where Newton's method did not converge", why.empty() ? "" : ", ");
   }
   return fmt::format("steps of {:.4g} t_b in the mean in place of {:.4g}: {}", taken / t_b, asked / t_b, why);
@@ -81,13 +88,12 @@ double frequency_of(const TipHistory& history, double of_mode) {
 /// @returns why there is no fiber_damping; empty where there is
 std::string measure(ReleaseRun& run, const ReleaseScene& scene, const reference::ChainMode& mode,
                     const TipHistory& history) {
-  run.frequency = frequency_of(history, mode.eigenvalue.imag());
   const bool dashpots = mode.damping > 1e-12;  // rolling friction damps no mode of the linear chain
   if (!dashpots && scene.fiber.rolling_friction == 0) return "nothing damps the fiber";
   const reference::LinearChain chain = linear_chain_of(scene.fiber);
-  const CleanPeaks by_friction{CleanPeaks::Way::filter, {4, 6}},
-      wanted = dashpots ? clean_peaks(chain, mode) : by_friction,
-      clean = dashpots ? clean_peaks(chain, mode, scene.periods) : by_friction;
+  const CleanPeaks by_friction = filtered_peaks(2),
+                   wanted = dashpots ? clean_peaks(chain, mode) : by_friction,
+                   clean = dashpots ? clean_peaks(chain, mode, scene.periods) : by_friction;
   if (wanted.way != CleanPeaks::Way::none &&
       (clean.way == CleanPeaks::Way::none || scene.periods < clean.periods()))
     return fmt::format("the first mode is seen alone in {:.1f} periods", wanted.periods());
@@ -109,16 +115,17 @@ ReleaseRun run_in(const ReleaseScene& scene) {
   run.damping_modes = mode.damping;
   run.damping = run.frequency = nan;
   const dem::Release<Dim> release = dem::build_release<Dim>(scene, run.period);
-  dem::ReleaseOptions options = scene.motion;
-  options.energy = dem::has_energy(scene);
   const auto begin = std::chrono::steady_clock::now();
+  auto [options, reason] = options_of(scene, release);
+  options.energy = dem::has_energy(scene);
   const dem::ReleaseRecord<Dim> record = dem::ring_down<Dim>({release}, options)[0];
   run.run_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run.integrator = record.integrator;
-  run.reason = record.reason;
+  run.reason = reason;
   run.work = record.work;
   run.time_step = record.time_step;
-  run.step_note = step_note(scene, plan_in<Dim>(scene), run.period, record.time_step);
+  run.step_note =
+      step_note(scene, options.integrator, dem::release_step(release, options), run.period, record.time_step);
   run.failure = record.failure;
   const double L = dem::fiber_length(scene.fiber);
   TipHistory history;
@@ -140,6 +147,7 @@ ReleaseRun run_in(const ReleaseScene& scene) {
         {pose.position[0] / L, pose.position[1] / L, Dim == 3 ? pose.position[Dim - 1] / L : 0.0});
   }
   if (run.failure.empty()) run.damping_note = measure(run, scene, mode, history);
+  if (!run.damping_note.empty()) run.frequency = frequency_of(history, mode.eigenvalue.imag());
   return run;
 }
 

@@ -59,19 +59,13 @@ double quantile(std::vector<double>& values, double fraction) {
 
 Heights heights(const PlacedSpheres& spheres, const V& up, double fraction) {
   if (spheres.position.empty()) throw InvalidInput("height of no spheres");
-  if (!(fraction >= 0 && fraction <= 1)) {
-    throw InvalidInput(fmt::format("fraction = {} is not allowed: it must be 0 to 1", fraction));
-  }
   std::vector<double> h;
   h.reserve(spheres.position.size());
   for (const V& x : spheres.position) h.push_back(dot(x, up));
   std::ranges::sort(h);
-  const double at = fraction * static_cast<double>(h.size() - 1);
-  const auto below = static_cast<std::size_t>(at), above = std::min(below + 1, h.size() - 1);
   double sum = 0;
   for (const double x : h) sum += x;
-  return {h.back(), std::lerp(h[below], h[above], at - static_cast<double>(below)),
-          sum / static_cast<double>(h.size())};
+  return {h.back(), quantile(h, fraction), sum / static_cast<double>(h.size())};
 }
 
 double volume_below(double radius, double h) {

@@ -101,6 +101,10 @@ class Contacts {
   void set_accumulators(const double* from);
 
  private:
+  /// visit(place) for every contact, part by part, pairs before walls.
+  template <class Visit>
+  void each_place(const Visit& visit) const;
+
   struct Part {
     PairList pairs, next_pairs;  ///< the latter is scratch of updates
     InnerPairList inner;
@@ -165,5 +169,28 @@ class Contacts {
   std::vector<Part> parts_;
   PartDependencies reach_;
 };
+
+template <class Visit>
+void Contacts::each_place(const Visit& visit) const {
+  for (std::int32_t k = 0; const Part& part : parts_) {
+    const PairList& pairs = part.pairs;
+    for (std::size_t p = 0; p < pairs.count; ++p) {
+      if (pairs.contact[p] == 0) continue;
+      visit(ContactPlace{
+          {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}, k, pairs.contact[p]});
+    }
+    for (std::size_t w = 0; w < part.walls.size(); ++w) {
+      const WallNeighbors& neighbors = part.walls[w];
+      for (std::size_t n = 0; n < neighbors.count; ++n) {
+        if (neighbors.contact[n] == 0) continue;
+        visit(ContactPlace{
+            {sphere_primitive(neighbors.slots[n]), facet_primitive(static_cast<std::int64_t>(w))},
+            k,
+            neighbors.contact[n]});
+      }
+    }
+    ++k;
+  }
+}
 
 }  // namespace fiberchain::dem

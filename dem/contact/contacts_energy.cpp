@@ -51,20 +51,7 @@ double Contacts::energy_of(const SavedContact& c) const {
 
 double Contacts::stored_energy() const {
   double sum = 0;
-  for (std::int32_t k = 0; const Part& part : parts_) {
-    const auto add = [&](std::int32_t number, std::int32_t first, Primitive second) {
-      if (number != 0) sum += energy_of(saved({{sphere_primitive(first), second}, k, number}));
-    };
-    const PairList& pairs = part.pairs;
-    for (std::size_t p = 0; p < pairs.count; ++p)
-      add(pairs.contact[p], pairs.first[p], sphere_primitive(pairs.second[p]));
-    for (std::size_t w = 0; w < part.walls.size(); ++w) {
-      const WallNeighbors& neighbors = part.walls[w];
-      for (std::size_t n = 0; n < neighbors.count; ++n)
-        add(neighbors.contact[n], neighbors.slots[n], facet_primitive(static_cast<std::int64_t>(w)));
-    }
-    ++k;
-  }
+  each_place([&](const ContactPlace& place) { sum += energy_of(saved(place)); });
   return sum;
 }
 

@@ -7,26 +7,10 @@ namespace fiberchain::dem {
 
 std::vector<ContactPlace> Contacts::places() const {
   std::vector<ContactPlace> all;
-  for (std::int32_t k = 0; const Part& part : parts_) {
-    const auto own = static_cast<std::ptrdiff_t>(all.size());
-    const PairList& pairs = part.pairs;
-    for (std::size_t p = 0; p < pairs.count; ++p) {
-      if (pairs.contact[p] == 0) continue;
-      all.push_back(
-          {{sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}, k, pairs.contact[p]});
-    }
-    for (std::size_t w = 0; w < part.walls.size(); ++w) {
-      const WallNeighbors& neighbors = part.walls[w];
-      for (std::size_t n = 0; n < neighbors.count; ++n) {
-        if (neighbors.contact[n] == 0) continue;
-        all.push_back({{sphere_primitive(neighbors.slots[n]), facet_primitive(static_cast<std::int64_t>(w))},
-                       k,
-                       neighbors.contact[n]});
-      }
-    }
-    std::ranges::sort(all.begin() + own, all.end(), {}, &ContactPlace::key);
-    ++k;
-  }
+  each_place([&](const ContactPlace& place) { all.push_back(place); });
+  std::ranges::sort(all, [](const ContactPlace& a, const ContactPlace& b) {
+    return a.part != b.part ? a.part < b.part : a.key < b.key;
+  });
   return all;
 }
 

@@ -159,6 +159,9 @@ ReleaseScene read_release(const StrictMapping& top);
 FlowScene read_flow(const StrictMapping& top);
 PackingScene read_packing(const StrictMapping& top);
 
+/// Diameter of the thickest fibers [m].
+double largest_diameter(const PackingScene& scene);
+
 /// Declares keys periodic, walls, gravity, fluid and contacts of a packing.
 void declare_domain(KeyTable<PackingScene>& table);
 

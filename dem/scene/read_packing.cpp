@@ -166,8 +166,7 @@ void check_walls_differ(const StrictMapping& top, const std::vector<Wall>& walls
 
 /// Plates that stand face to face for a while, nearer than a fiber is thick.
 void check_plates(const StrictMapping& top, const PackingScene& scene) {
-  double diameter = 0;
-  for (const PackingFiberKind& kind : scene.kinds) diameter = std::max(diameter, kind.fiber.diameter);
+  const double diameter = largest_diameter(scene);
   const std::vector<Wall>& walls = scene.domain.walls;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

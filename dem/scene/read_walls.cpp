@@ -28,12 +28,6 @@ KeyTable<BoxKeys> box_keys() {
   return table;
 }
 
-double largest_diameter(const PackingScene& scene) {
-  double largest = 0;
-  for (const PackingFiberKind& kind : scene.kinds) largest = std::max(largest, kind.fiber.diameter);
-  return largest;
-}
-
 /// A wall around fibers leaves them room: they would be pressed from all sides for good.
 void check_width(const StrictMapping& mapping, const char* key, double width, double diameter,
                  double of_width = 1) {
@@ -145,6 +139,12 @@ KeyTable<PackingScene> wall_keys() {
 }
 
 }  // namespace
+
+double largest_diameter(const PackingScene& scene) {
+  double largest = 0;
+  for (const PackingFiberKind& kind : scene.kinds) largest = std::max(largest, kind.fiber.diameter);
+  return largest;
+}
 
 void declare_walls(KeyTable<PackingScene>& table) {
   table.mapping_into("walls", std::identity{}, wall_keys(), "walls, which may move").otherwise("none");

@@ -1,7 +1,6 @@
 #include "tests/fuzz/readers.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "dem/files/file_error.hpp"
@@ -11,17 +10,13 @@
 #include "dem/trajectory/checkpoint.hpp"
 #include "dem/trajectory/h5md.hpp"
 #include "dem/trajectory/vtk.hpp"
+#include "tests/dem/trajectory/files.hpp"
 #include "tests/dem/trajectory/frames.hpp"
 
 namespace fiberchain::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Only the errors that a reader is to throw are caught.
 template <class Error, class Action>
@@ -59,13 +54,13 @@ void read_series(const fs::path& place) {
 std::vector<std::string> scenes() {
   std::vector<std::string> all;
   for (const auto& file : fs::directory_iterator(fs::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes"))
-    if (file.path().extension() == ".yaml") all.push_back(bytes_of(file.path()));
+    if (file.path().extension() == ".yaml") all.push_back(content(file.path()));
   std::ranges::sort(all);
   return all;
 }
 
 std::string some_starts() {
-  const std::string all = bytes_of(fs::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes/crossed-layers.csv");
+  const std::string all = content(fs::path(FIBERCHAIN_SOURCE_DIR) / "data/scenes/crossed-layers.csv");
   return all.substr(0, all.find('\n', 3000) + 1);
 }
 
@@ -76,20 +71,20 @@ std::string checkpoint(const fs::path& place) {
   state.state["positions"] = {1, std::vector<double>(30, 0.5)};
   state.state["keys"] = {1, std::vector<std::int64_t>{1, 2, 3}};
   dem::write_checkpoint(place / "seed.checkpoint", state);
-  return bytes_of(place / "seed.checkpoint");
+  return content(place / "seed.checkpoint");
 }
 
 std::string trajectory(const fs::path& place) {
   const fs::path path = place / "seed.h5";
   dem::TrajectoryWriter writer(path, {"tester", "1", {{"command", "x"}}});
   for (const std::int64_t step : {0, 10}) writer.append(bent_fibers(2, 5, step), {{"height", 1.0}});
-  return bytes_of(path);
+  return content(path);
 }
 
 std::string series(const fs::path& place) {
   dem::VtkSeries written(place, "seed", {{"command", "x"}});
   for (const std::int64_t step : {0, 10}) written.append(bent_fibers(2, 5, step));
-  return bytes_of(place / "seed.pvd");
+  return content(place / "seed.pvd");
 }
 
 constexpr const char* kWords[] = {"1e300",
