@@ -1,6 +1,7 @@
 #include "dem/assembly/assembly.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -129,9 +130,10 @@ PlacedSpheres Assembly::placed() const {
   PlacedSpheres all;
   all.position.reserve(static_cast<std::size_t>(state_->rows.count));
   all.radius.reserve(static_cast<std::size_t>(state_->rows.count));
-  for (std::int64_t i = 0; i < state_->rows.count; ++i) {
-    all.position.push_back(state_->rows.position(i));
-    all.radius.push_back(state_->rows.radius(i));
+  for (std::int64_t number = 0; number < state_->rows.count; ++number) {
+    const std::int64_t row = state_->row_of(number);
+    all.position.push_back(state_->rows.position(row));
+    all.radius.push_back(state_->rows.radius(row));
   }
   return all;
 }
@@ -158,9 +160,21 @@ double Assembly::deepest_overlap() const { return state_->contacts.deepest(); }
 double Assembly::longest_path() const { return state_->longest_path / state_->smallest_radius(); }
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 std::vector<ContactState> Assembly::contacts() const {
-  return state_->contacts.states(state_->rows, state_->time());
+  std::vector<ContactState> all = state_->contacts.states(state_->rows, state_->time());
+  for (ContactState& contact : all) {
+    contact.key.first.number = state_->number_of(contact.key.first.number);
+    if (!is_sphere(contact.key.second)) continue;
+    contact.key.second.number = state_->number_of(contact.key.second.number);
+    if (contact.key.first.number < contact.key.second.number) continue;
+    std::swap(contact.key.first, contact.key.second);
+    contact.force = -1.0 * contact.force;
+  }
+  std::ranges::stable_sort(all, {}, &ContactState::key);
+  return all;
 }
+std::int64_t Assembly::sorted() const { return state_->sorted; }
 StepTimes Assembly::times() const { return state_->watch.times; }
+IdleTimes Assembly::idle_times() const { return state_->pool.idle_times(); }
 AssemblySample Assembly::sample() const { return state_->sample(); }
 EnergyBalance Assembly::energy() const { return state_->sample().energy; }
 

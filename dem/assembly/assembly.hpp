@@ -14,6 +14,7 @@
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
 #include "dem/motion/physics.hpp"
+#include "dem/parallel/idle_times.hpp"
 #include "dem/simd/instruction_set.hpp"
 
 // Many fibers in contact with each other and with walls, integrated by the leapfrog: bonds in SIMD lanes
@@ -37,6 +38,7 @@ struct AssemblyOptions {
   bool orientations =
       true;  ///< follow the orientations of spheres where the bonds do not need them (incremental form)
   bool placed_anywhere = false;  ///< fibers may start behind walls: their state comes from restore()
+  bool sort_in_space = true;     ///< keep fibers that are neighbors in space near each other in memory
   bool allow_passage = false;    ///< march on where bodies may have passed through each other or a wall
   InstructionSet instruction_set = best_instruction_set();
   double speed = 0;  ///< that bodies may come to [m/s], for the choice of a step beside those there are
@@ -86,9 +88,9 @@ class Assembly {
   int groups() const;
   const Chain<3>& chain(int group) const;
   int fibers(int group) const;   ///< how many
-  PlacedSpheres placed() const;  ///< all spheres now, obstacles of further insertion
+  PlacedSpheres placed() const;  ///< all spheres by their numbers now, obstacles of further insertion
 
-  /// Of all sphere centers along a direction, into memory that is kept if it fits.
+  /// Of all sphere centers along a direction, in no order, into memory that is kept if it fits.
   void coordinates(const Vec<double, 3>& direction, std::vector<double>& all) const;
 
   /// State now of a fiber, velocities of this moment; at the start itself those given to first order in the
@@ -114,10 +116,12 @@ class Assembly {
   std::int64_t touching() const;   ///< contacts now
   double deepest_overlap() const;  ///< over the smaller radius, largest since the start
   double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
-  std::vector<ContactState> contacts() const;
+  std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
+  std::int64_t sorted() const;  ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;
   AssemblySample sample() const;  ///< the same and the bending, in one pass
   StepTimes times() const;        ///< since the start; zero unless asked for
+  IdleTimes idle_times() const;   ///< of the threads, likewise
 
   /// The whole state by named fields: a restored assembly continues bit for bit.
   SavedState saved() const;

@@ -83,6 +83,29 @@ FieldRule block_field(std::string_view name) {
               }};
 }
 
+constexpr std::string_view order_field = "fiber_order";
+
+/// The fibers of all groups, place by place.
+FieldValues fiber_orders(State& s, const Places&) {
+  Integers all;
+  for (const FiberOrder& order : s.order) all.insert(all.end(), order.fibers().begin(), order.fibers().end());
+  return all;
+}
+
+std::vector<FiberOrder> orders_from(const State& s, const Integers& fibers) {
+  std::vector<FiberOrder> orders;
+  auto from = fibers.begin();
+  for (const FiberOrder& own : s.order) {
+    orders.emplace_back(std::vector<std::int32_t>(from, from + own.count()));
+    from += own.count();
+  }
+  return orders;
+}
+
+void set_fiber_orders(State& s, const FieldValues& values) {
+  s.order = orders_from(s, std::get<Integers>(values));
+}
+
 FieldValues reference_positions(State& s, const Places&) {
   Reals all;
   all.reserve(3 * s.contacts.reference_positions().size());
@@ -182,6 +205,9 @@ const std::vector<FieldRule>& fields() {
       number_field<&State::displacement_budget>("displacement_budget"),
       number_field<&State::inserted>("inserted_energy"),
       number_field<&State::longest_path>("longest_path"),
+      number_field<&State::allowed_across>("allowed_across"),
+      number_field<&State::sorted>("sorted"),
+      {.name = order_field, .get = fiber_orders, .set = set_fiber_orders},
       sphere_field<&SphereStorage::position_radius>("position_radius"),
       sphere_field<&SphereStorage::velocity_spin>("velocity_spin"),
       sphere_field<&SphereStorage::orientation>("orientation"),
@@ -265,11 +291,20 @@ void check_keys(const State& s, const Integers& keys) {
   }
 }
 
+void check_orders(const State& s, const Integers& fibers) {
+  try {
+    orders_from(s, fibers);
+  } catch (const InvalidInput& error) {
+    refuse(order_field, fmt::format("is none: {}", error.what()));
+  }
+}
+
 void check_state(State& s, const SavedState& saved) {
   for (const FieldRule& rule : fields()) check_field(s, rule, saved);
   for (const auto& [name, field] : saved) {
     if (std::ranges::find(fields(), name, &FieldRule::name) == fields().end()) refuse(name, "is unknown");
   }
+  check_orders(s, std::get<Integers>(saved.find(order_field)->second.values));
   check_keys(s, std::get<Integers>(saved.find(keys_field)->second.values));
 }
 

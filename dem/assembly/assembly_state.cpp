@@ -22,6 +22,16 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
   return rows;
 }
 
+/// Of the fibers of a group that is not there yet.
+FiberOrder order_at_start(const FiberGroup& group, const AssemblyOptions& options, const Domain& domain) {
+  const std::size_t spheres = group.chain.poses.size();
+  if (!options.sort_in_space || !is_worth_sorting(static_cast<std::int64_t>(group.fibers.size() * spheres)))
+    return FiberOrder(static_cast<std::int32_t>(group.fibers.size()));
+  std::vector<Vec<double, 3>> middles;
+  for (const ChainState<3>& fiber : group.fibers) middles.push_back(fiber.poses[spheres / 2].position);
+  return order_in_space(std::move(middles), domain.period);
+}
+
 /// Fibers of a block at most, over all instruction sets.
 constexpr int widest_block = 8;
 
@@ -29,11 +39,6 @@ constexpr int widest_block = 8;
 constexpr std::int64_t most_spheres = 2'000'000'000;
 
 }  // namespace
-
-std::int64_t Assembly::State::first_sphere(int group, int fiber) const {
-  const Slot at = slot(group, fiber);
-  return blocks[at.block].first(at.lane);
-}
 
 int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   std::int64_t count = rows.count;
@@ -53,11 +58,14 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     GroupKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
+    order.push_back(order_at_start(group, options, domain));
     contacts.add(group.chain.fiber, fibers.back());
     scratch_size = std::max(scratch_size, kind.kernel->scratch(group.chain.fiber.aspect_ratio));
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
-      const std::vector<ChainState<3>> lanes(group.fibers.begin() + f, group.fibers.begin() + end);
+      std::vector<ChainState<3>> lanes;
+      for (std::size_t place = f; place < end; ++place)
+        lanes.push_back(group.fibers[order.back().fiber(static_cast<std::int64_t>(place))]);
       blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes,
                           options.account_energy, rows);
       row = blocks.back().end(kind);
@@ -75,6 +83,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   displacement_budget = 0.5 * contacts.skin();
   wavefront = WavefrontSchedule(contacts.parts().count());
   paths.assign(contacts.parts().count(), 0);
+  allow_more_across();
   return first_new;
 }
 
@@ -84,7 +93,7 @@ Partition Assembly::State::partition_of_blocks() {
   for (std::size_t g = 0; g < kinds.size(); ++g) {
     for (int f = 0; f < fibers[g]; f += widest_block) {
       const int last = std::min(f + widest_block, fibers[g]) - 1;
-      ends.push_back(static_cast<std::int32_t>(first_sphere(static_cast<int>(g), last)) + kinds[g].spheres());
+      ends.push_back(static_cast<std::int32_t>(first_sphere(static_cast<int>(g), last + 1)));
     }
   }
   Partition parts = cache_sized_partition(ends);
@@ -136,12 +145,11 @@ std::int64_t Assembly::State::broken() const {
 }
 
 std::string Assembly::State::place_of(std::int64_t sphere) const {
-  int fiber = 0;
-  for (const FiberBlock& block : blocks) {
-    for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) {
-      const std::int64_t own = sphere - block.first(lane);
-      if (own < kinds[block.group()].spheres()) return fmt::format("fiber {}, sphere {}", fiber, own);
-    }
+  std::int64_t own = number_of(sphere), before = 0;
+  for (std::size_t g = 0; g < kinds.size(); ++g) {
+    const std::int64_t n = kinds[g].spheres(), of_group = n * fibers[g];
+    if (own < of_group) return fmt::format("fiber {}, sphere {}", before + own / n, own % n);
+    own -= of_group, before += fibers[g];
   }
   return "a fiber";
 }

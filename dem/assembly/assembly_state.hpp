@@ -5,6 +5,7 @@
 
 #include "dem/assembly/assembly.hpp"
 #include "dem/assembly/fiber_block.hpp"
+#include "dem/assembly/fiber_order.hpp"
 #include "dem/contact/contacts.hpp"
 #include "dem/parallel/thread_pool.hpp"
 #include "dem/parallel/wavefront_schedule.hpp"
@@ -65,6 +66,9 @@ struct Assembly::State {
   std::int64_t steps = 0;
   std::vector<GroupKind> kinds;  ///< one a group
   std::vector<int> fibers;       ///< in each group
+  std::vector<FiberOrder> order;  ///< of each group's fibers in blocks and rows
+  double allowed_across = 0;      ///< part of neighbor pairs across parts from which on fibers are sorted again
+  std::int64_t sorted = 0;        ///< how often
   std::vector<int> first_block;  ///< of each group
   std::vector<FiberBlock> blocks;
   std::vector<int> part_blocks;  ///< the first block of each part of spheres, and one past the last
@@ -89,16 +93,24 @@ struct Assembly::State {
         pool(options.threads),
         contacts(domain, {options.account_energy, options.instruction_set}, step) {
     watch.on = options.time_parts;
+    if (options.time_parts) pool.measure_idle_times();
   }
 
   double time() const { return static_cast<double>(steps) * step; }
-  std::int64_t first_sphere(int group, int fiber) const;
+  /// Numbers of spheres go through groups, fibers and spheres; rows through groups, places and spheres.
+  std::int64_t group_begin(int group) const { return blocks[first_block[group]].first(0); }
+  std::int64_t first_sphere(int group, int fiber) const {
+    return group_begin(group) + static_cast<std::int64_t>(fiber) * kinds[group].spheres();
+  }
+  int group_of(std::int64_t row) const;
+  std::int64_t number_of(std::int64_t row) const;
+  std::int64_t row_of(std::int64_t number) const;
   struct Slot {
     int block, lane;
   };
   Slot slot(int group, int fiber) const {
-    const int width = kinds[group].kernel->width;
-    return {first_block[group] + fiber / width, fiber % width};
+    const int width = kinds[group].kernel->width, place = order[group].place(fiber);
+    return {first_block[group] + place / width, place % width};
   }
 
   /// Enlarges the storage, sets the groups' spheres and builds the neighbor list; returns the first new
@@ -112,6 +124,13 @@ struct Assembly::State {
   void set_gradient();
   void rebuild_neighbor_list();
   void touch();
+  /// Fibers into their order in space, contacts and bonds with them. No loads are waiting.
+  void sort_in_space();
+  /// Those of a group as they lie now.
+  FiberOrder order_now(int group) const;
+  /// Whether it is worth it to sort the fibers of a group.
+  bool is_sorted(int group) const;
+  void allow_more_across();
   void march(std::int64_t count);
   AssemblySample sample();
   std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"

@@ -37,6 +37,7 @@ bool Assembly::State::update_neighbor_list() {
   displacement_budget -= longest;
   if (displacement_budget > 0) return false;
   displacement_budget = contacts.update_neighbor_list(rows, pool);
+  if (contacts.part_across() > allowed_across) sort_in_space();
   return true;
 }
 

@@ -16,14 +16,15 @@ ChainState<3> known_part(const Assembly::State& s, ChainState<3> state) {
   return state;
 }
 
-/// visit(reader, lane) for all fibers of a group in their order.
+/// visit(fiber, reader, lane) for all fibers of a group, in no order.
 template <class Visit>
 void each_fiber(const Assembly::State& s, int group, const Visit& visit) {
   FiberReader reader(s);
-  for (int fiber = 0; fiber < s.fibers[group];) {
-    const FiberBlock& block = s.blocks[s.slot(group, fiber).block];
+  for (int place = 0, b = s.first_block[group]; place < s.fibers[group]; ++b) {
+    const FiberBlock& block = s.blocks[b];
     reader.take(block);
-    for (int lane = 0; lane < block.lanes(); ++lane, ++fiber) visit(reader, lane);
+    for (int lane = 0; lane < block.lanes(); ++lane, ++place)
+      visit(s.order[group].fiber(place), reader, lane);
   }
 }
 
@@ -70,30 +71,31 @@ std::vector<BondState> Assembly::bonds(int group, int fiber) const {
 }
 
 std::vector<ChainState<3>> Assembly::states(int group) const {
-  std::vector<ChainState<3>> all;
-  each_fiber(*state_, group,
-             [&](FiberReader& reader, int lane) { all.push_back(known_part(*state_, reader.read(lane))); });
+  std::vector<ChainState<3>> all(state_->fibers[group]);
+  each_fiber(*state_, group, [&](int fiber, FiberReader& reader, int lane) {
+    all[fiber] = known_part(*state_, reader.read(lane));
+  });
   return all;
 }
 
 std::vector<std::vector<BondState>> Assembly::bonds(int group) const {
-  std::vector<std::vector<BondState>> all;
-  each_fiber(*state_, group, [&](FiberReader& reader, int lane) {
+  std::vector<std::vector<BondState>> all(state_->fibers[group]);
+  each_fiber(*state_, group, [&](int fiber, FiberReader& reader, int lane) {
     reader.read(lane);
-    all.push_back(reader.bonds(lane));
+    all[fiber] = reader.bonds(lane);
   });
   return all;
 }
 
 void Assembly::visit(int group, const FiberVisit& visitor) const {
   State& s = *state_;
-  const int first = s.first_block[group],
-            last = s.fibers[group] > 0 ? s.slot(group, s.fibers[group] - 1).block + 1 : first;
+  const int first = s.first_block[group], width = s.kinds[group].kernel->width,
+            last = first + (s.fibers[group] + width - 1) / width;
   for_blocks(s, first, last, [&](int b, FiberReader& reader) {
     reader.take(s.blocks[b]);
     for (int lane = 0; lane < s.blocks[b].lanes(); ++lane) {
       const ChainState<3>& state = reader.read(lane);
-      visitor((b - first) * s.kinds[group].kernel->width + lane, state, reader.bonds(lane));
+      visitor(s.order[group].fiber((b - first) * width + lane), state, reader.bonds(lane));
     }
   });
 }

@@ -29,6 +29,7 @@ struct ContactLaw {
   double (*normal_energy)(const double* parameters,
                           const double* history);  ///< without the tangential spring [J]
   double (*closing_power)(const double* parameters, const double* history);  ///< [W]
+  void (*exchange_bodies)(double* history);  ///< the history as if the second body were the first
   /// Of this moment: the history stays.
   ContactAction<double> (*act)(const double* parameters, const TouchingPair<double>&, const double* history);
   const ContactKernel& (*kernel)(const ContactPhysics&, InstructionSet);
@@ -86,6 +87,12 @@ struct ContactLawOf {
   static double closing_power(const double* parameters, const double* history) {
     return Law::closing_power(from_numbers<Parameters>(parameters), from_numbers<History>(history));
   }
+  /// A law's History::spring turns with the bodies' order, all else is the same for both.
+  static void exchange_bodies(double* history) {
+    History exchanged = from_numbers<History>(history);
+    exchanged.spring = -1.0 * exchanged.spring;
+    to_numbers(exchanged, history);
+  }
   static ContactAction<double> act(const double* parameters, const TouchingPair<double>& pair,
                                    const double* history) {
     History now = from_numbers<History>(history);
@@ -109,6 +116,7 @@ inline constexpr ContactLaw contact_law_of{
     .stored_energy = ContactLawOf<Law, Laws, Shapes>::stored_energy,
     .normal_energy = ContactLawOf<Law, Laws, Shapes>::normal_energy,
     .closing_power = ContactLawOf<Law, Laws, Shapes>::closing_power,
+    .exchange_bodies = ContactLawOf<Law, Laws, Shapes>::exchange_bodies,
     .act = ContactLawOf<Law, Laws, Shapes>::act,
     .kernel = ContactLawOf<Law, Laws, Shapes>::kernel,
     .shapes = WallShapeTypes<Shapes>::list};

@@ -93,6 +93,12 @@ class Contacts {
     return parts_[place.part].histories.at(place.number, place.key);
   }
   std::vector<SavedContact> saved() const;
+  /// Spheres lie in other rows now: `new_row` of each old one, within spheres of a kind. Contacts keep their
+  /// histories, the neighbor list is built anew.
+  void renumber(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
+                ThreadPool& pool);
+  /// Part of the neighbor pairs that join spheres of different parts.
+  double part_across() const;
   void clear();
   void restore(const std::vector<SavedContact>& contacts);
   /// The ContactAccumulators of all parts as numbers of a saved state.
@@ -133,6 +139,7 @@ class Contacts {
   void sort_halo(int part, std::int32_t count);
   /// Numbers of the law's Parameters.
   const double* parameters_of(const SavedContact& contact) const;
+  void exchange_bodies(SavedContact& contact) const;
   double energy_of(const SavedContact& contact) const;  ///< stored in its springs [J]
   /// At which its normal spring is pressed [W]. A kick lasts from half a step before to half a step after.
   double closing_power(const SavedContact& contact) const;

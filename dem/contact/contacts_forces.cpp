@@ -88,7 +88,7 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
 
 void Contacts::sort_halo(int k, std::int32_t count) {
   Part& part = parts_[k];
-  for (int target = k; target <= reach_.last(k); ++target) part.halo_of_part[target].clear();
+  for (const int target : reach_.reached(k)) part.halo_of_part[target].clear();
   for (std::int32_t n = 0; n < count; ++n) part.halo_of_part[parts().of(part.halo[n].slot)].push_back(n);
 }
 
@@ -99,8 +99,7 @@ void Contacts::work_out(const SphereStorage& rows, double time, ForceBuffers& lo
 }
 
 void Contacts::reduce_halo_forces(int k, LoadRange loads) {
-  for (int from = reach_.first_dependency(k); from < k; ++from) {
-    if (reach_.last(from) < k) continue;
+  for (const int from : reach_.dependencies(k)) {
     const Part& other = parts_[from];
     for (const std::int32_t n : other.halo_of_part[k]) {
       const HaloForce& later = other.halo[n];

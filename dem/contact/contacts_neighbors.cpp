@@ -47,10 +47,9 @@ double Contacts::update_neighbor_list(const SphereStorage& rows, ThreadPool& poo
 
 void Contacts::update_parts(ThreadPool& pool) {
   pool.parallel_for(parts().count(), [&](int k, int) { update_part(k); });
-  std::vector<int> last(parts_.size());
-  for (std::size_t k = 0; k < parts_.size(); ++k)
-    last[k] = std::max(static_cast<int>(k), parts_[k].pairs.last_part);
-  reach_ = PartDependencies(std::move(last));
+  std::vector<std::vector<int>> reached;
+  for (const Part& part : parts_) reached.push_back(part.pairs.reached);
+  reach_ = PartDependencies(std::move(reached));
 }
 
 void Contacts::update_part(int k) {
@@ -83,9 +82,9 @@ void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& row
 void Contacts::add_displacements(const std::vector<double>& paths) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     InnerPairList& inner = parts_[k].inner;
-    const auto first = paths.begin() + static_cast<std::ptrdiff_t>(k);
-    inner.displacement_since +=
-        *first + *std::max_element(first, paths.begin() + reach_.last(static_cast<int>(k)) + 1);
+    double longest = paths[k];
+    for (const int later : reach_.reached(static_cast<int>(k))) longest = std::max(longest, paths[later]);
+    inner.displacement_since += paths[k] + longest;
     inner.stale = inner.stale || !(inner.displacement_since < (1 - 1e-9) * (inner_cutoff() - law_reach_));
   }
 }

@@ -20,6 +20,34 @@ std::vector<SavedContact> Contacts::saved() const {
   return all;
 }
 
+void Contacts::renumber(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
+                        ThreadPool& pool) {
+  std::vector<SavedContact> contacts = saved();
+  for (SavedContact& c : contacts) {
+    c.key.first.number = new_row[c.key.first.number];
+    if (!is_sphere(c.key.second)) continue;
+    c.key.second.number = new_row[c.key.second.number];
+    if (c.key.first.number > c.key.second.number) exchange_bodies(c);
+  }
+  std::ranges::sort(contacts, {}, &SavedContact::key);
+  clear();
+  rebuild_neighbor_list(rows, time, pool);
+  restore(contacts);
+}
+
+void Contacts::exchange_bodies(SavedContact& contact) const {
+  std::swap(contact.key.first, contact.key.second);
+  law_.exchange_bodies(contact.history);
+  // of the account: forces and moments on the first body
+  for (int n = 1; n < 7; ++n) contact.work[n] = -contact.work[n];
+}
+
+double Contacts::part_across() const {
+  std::size_t across = 0, all = 0;
+  for (const Part& part : parts_) across += part.pairs.across, all += part.pairs.count;
+  return all > 0 ? static_cast<double>(across) / static_cast<double>(all) : 0;
+}
+
 void Contacts::clear() {
   for (Part& part : parts_) {
     part.inner.stale = true;

@@ -10,7 +10,19 @@ namespace fiberchain::dem {
 void PairList::clear() {
   first.clear(), second.clear(), contact.clear();
   count = 0;
-  last_part = -1;
+  reached.clear();
+  across = 0;
+}
+
+void PairList::find_reached(const Partition& parts, int own) {
+  std::vector<std::uint8_t> is_reached(static_cast<std::size_t>(parts.count()), 0);
+  for (std::size_t p = 0; p < count; ++p) {
+    const int other = parts.of(second[p]);
+    if (other != own) is_reached[other] = 1, ++across;
+  }
+  for (int k = own + 1; k < parts.count(); ++k) {
+    if (is_reached[k] != 0) reached.push_back(k);
+  }
 }
 
 void PairList::update(const NeighborList& list, int part, ContactHistories& histories, int width,
@@ -39,7 +51,7 @@ void PairList::update(const NeighborList& list, int part, ContactHistories& hist
   }
   for (; f != found.end(); ++f) append(*f, 0);
   next.count = next.first.size();
-  if (next.count > 0) next.last_part = list.parts().of(*std::ranges::max_element(next.second));
+  next.find_reached(list.parts(), part);
   next.first.resize(whole_vectors(next.count, width), pad);
   next.second.resize(next.first.size(), pad + 1);
   next.contact.resize(next.first.size(), 0);

@@ -14,7 +14,8 @@ struct PairList {
   std::vector<std::int32_t> first, second;  ///< spheres
   std::vector<std::int32_t> contact;        ///< number in the histories; 0 of pairs that do not touch
   std::size_t count = 0;                    ///< without pads
-  int last_part = -1;                       ///< of a second sphere; -1 without pairs
+  std::vector<int> reached;                 ///< the other parts with a second sphere, rising
+  std::size_t across = 0;                   ///< pairs with a second sphere of another part
 
   void clear();
   /// After the neighbor list has been built or updated: pairs of a rebuilt sphere are those found now, all
@@ -22,6 +23,9 @@ struct PairList {
   /// of `width`; pads are pairs of the slots `pad` and `pad + 1`. `scratch` keeps its memory between calls.
   void update(const NeighborList& list, int part, ContactHistories& histories, int width, std::int32_t pad,
               PairList& scratch);
+
+ private:
+  void find_reached(const Partition& parts, int own);
 };
 
 }  // namespace fiberchain::dem

@@ -15,10 +15,10 @@ Partition::Partition(std::vector<std::int32_t> begins) : begins_(std::move(begin
   for (int k = 0; k < count(); ++k) part_.resize(end(k), static_cast<std::uint16_t>(k));
 }
 
-PartDependencies::PartDependencies(std::vector<int> last) : last_(std::move(last)), first_(last_.size()) {
-  int next = 0;  // those before are reached by earlier ones
+PartDependencies::PartDependencies(std::vector<std::vector<int>> reached)
+    : reached_(std::move(reached)), dependencies_(reached_.size()) {
   for (int k = 0; k < count(); ++k) {
-    for (; next <= last_[k]; ++next) first_[next] = k;
+    for (const int later : reached_[k]) dependencies_[later].push_back(k);
   }
 }
 

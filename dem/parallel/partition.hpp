@@ -23,20 +23,21 @@ class Partition {
   std::vector<std::uint16_t> part_;  ///< of each sphere
 };
 
-/// How far what parts do goes: each to later ones, up to a last one.
+/// Which parts what each one does goes to: itself and some later ones.
 class PartDependencies {
  public:
   PartDependencies() = default;
-  /// The last part that each one reaches, itself or a later one.
-  explicit PartDependencies(std::vector<int> last);
+  /// The later parts that each one reaches, rising.
+  explicit PartDependencies(std::vector<std::vector<int>> reached);
 
-  int count() const { return static_cast<int>(last_.size()); }
-  int last(int part) const { return last_[part]; }
-  /// The first part that reaches this one. Not all behind it need do.
-  int first_dependency(int part) const { return first_[part]; }
+  int count() const { return static_cast<int>(reached_.size()); }
+  /// The later parts that this one reaches, rising.
+  const std::vector<int>& reached(int part) const { return reached_[part]; }
+  /// The earlier parts that reach this one, rising.
+  const std::vector<int>& dependencies(int part) const { return dependencies_[part]; }
 
  private:
-  std::vector<int> last_, first_;
+  std::vector<std::vector<int>> reached_, dependencies_;
 };
 
 /// Spheres of a part that the inner cache holds: some 250 bytes each, a quarter of 2 MB.

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
+
+#include "dem/parallel/idle_times.hpp"
 
 namespace fiberchain::dem {
 
@@ -10,6 +13,8 @@ namespace fiberchain::dem {
 /// while another program has its processor would hold everybody up.
 class ThreadPool {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// `threads` with the caller.
   explicit ThreadPool(int threads);
   ~ThreadPool();
@@ -17,6 +22,13 @@ class ThreadPool {
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   int threads() const { return static_cast<int>(workers_.size()) + 1; }
+
+  /// From now on, between two loops: sum the times that threads are idle.
+  void measure_idle_times();
+  bool idle_times_measured() const { return measured_; }
+  IdleTimes idle_times() const { return idle_; }
+  /// What a thread has waited within a loop [s], for what others have taken.
+  void add_wait(int thread, double time) { shares_[thread].waited += time; }
 
   /// work(i, thread) for all i below `count`, each thread consecutive ones of its own, then what others have
   /// left; back when all are done. `work` must not throw.
@@ -43,6 +55,8 @@ class ThreadPool {
  private:
   void start_and_finish();
   void do_all(int thread);
+  void take_all(int thread);
+  void add_idle_times(Clock::time_point begun);
   void serve(int thread);
 
   void (*call_)(void*, int, int) = nullptr;
@@ -52,8 +66,13 @@ class ThreadPool {
   struct alignas(64) Share {
     std::atomic<int> next{0};
     int end = 0;
+    Clock::time_point begun, ended;  ///< of the last loop, where measured
+    double waited = 0;               ///< in it [s]
   };
   std::vector<Share> shares_;
+  bool measured_ = false;
+  Clock::time_point last_end_;
+  IdleTimes idle_;
   std::atomic<unsigned> round_{0}, done_{0};
   std::atomic<bool> over_{false};
   std::vector<std::thread> workers_;

@@ -8,8 +8,8 @@
 
 namespace fiberchain::dem {
 
-/// Two pieces of work a part: the first may read what the second changes of its own and of later parts, up to
-/// the last one that it reaches, and leaves something for them. So second(k) waits for first(j) of all j <= k
+/// Two pieces of work a part: the first may read what the second changes of its own and of the later parts that
+/// it reaches, and leaves something for them. So second(k) waits for first(k) and for first(j) of all j < k
 /// that reach k, and for nothing else: a part's numbers are still in the inner cache when its second piece
 /// comes.
 class WavefrontSchedule {
@@ -31,12 +31,11 @@ class WavefrontSchedule {
     };
     const auto both = [&](int k, int thread) {
       if (!take(second_[k])) return;
-      for (int j = k; j >= reach.first_dependency(k); --j) {
-        if (reach.last(j) >= k) try_first(j, thread);
-      }
-      for (int j = k; j >= reach.first_dependency(k); --j) {
-        if (reach.last(j) >= k) wait_until_done(first_[j]);
-      }
+      try_first(k, thread);
+      const std::vector<int>& before = reach.dependencies(k);
+      for (auto j = before.rbegin(); j != before.rend(); ++j) try_first(*j, thread);
+      for (auto j = before.rbegin(); j != before.rend(); ++j) wait_until_done(first_[*j], pool, thread);
+      wait_until_done(first_[k], pool, thread);
       second(k, thread);
     };
     pool.for_each_thread([&](int thread) {
@@ -56,7 +55,7 @@ class WavefrontSchedule {
     return piece.load(std::memory_order_relaxed) == open &&
            piece.compare_exchange_strong(expected, taken, std::memory_order_relaxed);
   }
-  static void wait_until_done(const std::atomic<int>& piece);
+  static void wait_until_done(const std::atomic<int>& piece, ThreadPool& pool, int thread);
 
   std::vector<std::atomic<int>> first_, second_;
 };

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "dem/assembly/assembly_state.hpp"
+
+// The order of fibers in memory: neighbors in space lie near each other, so that contacts find their spheres in
+// the caches and parts have few neighbors. Fibers keep their numbers.
+namespace fiberchain::dem {
+namespace {
+
+/// Arrays of a block that its fibers take with them (FiberBlock::saved_arrays): bond histories, workspace, loads
+/// of the step before. What fibers have dissipated stays: only its sum counts.
+constexpr std::array moved_arrays{2, 3, 4};
+
+using LaneArrays = std::array<std::vector<double>, moved_arrays.size()>;
+
+LaneArrays copies_of(FiberBlock& block) {
+  LaneArrays copies;
+  for (std::size_t n = 0; n < copies.size(); ++n) {
+    const std::span<double> from = block.saved_arrays()[moved_arrays[n]];
+    copies[n].assign(from.begin(), from.end());
+  }
+  return copies;
+}
+
+void copy_lane(const LaneArrays& from, int from_lane, FiberBlock& to, int to_lane, int width) {
+  for (std::size_t n = 0; n < from.size(); ++n) {
+    const std::span<double> numbers = to.saved_arrays()[moved_arrays[n]];
+    for (std::size_t k = 0; k < numbers.size(); k += width) numbers[k + to_lane] = from[n][k + from_lane];
+  }
+}
+
+/// Rows at their new places, and the pads behind them.
+LaneArray moved(const LaneArray& from, const std::vector<std::int32_t>& new_row, int numbers) {
+  LaneArray to(from.size());
+  for (std::size_t row = 0; row < new_row.size(); ++row)
+    std::copy_n(from.data() + row * numbers, numbers, to.data() + static_cast<std::size_t>(new_row[row]) * numbers);
+  const std::size_t pads = new_row.size() * numbers;
+  std::copy(from.data() + pads, from.data() + from.size(), to.data() + pads);
+  return to;
+}
+
+/// Bonds of a group's fibers to the lanes of their new places.
+void move_bonds(const GroupKind& kind, std::span<FiberBlock> blocks, const FiberOrder& before,
+                const FiberOrder& after) {
+  const int width = kind.kernel->width;
+  std::vector<LaneArrays> copies;
+  for (FiberBlock& block : blocks) copies.push_back(copies_of(block));
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (int lane = 0; lane < width; ++lane) {  // unused lanes repeat the last fiber
+      const int place = std::min(static_cast<int>(b) * width + lane, after.count() - 1);
+      const int source = before.place(after.fiber(place));
+      copy_lane(copies[source / width], source % width, blocks[b], lane, width);
+    }
+  }
+}
+
+}  // namespace
+
+std::int64_t Assembly::State::number_of(std::int64_t row) const {
+  const int group = group_of(row);
+  const std::int64_t n = kinds[group].spheres(), own = row - group_begin(group);
+  return first_sphere(group, order[group].fiber(own / n)) + own % n;
+}
+
+std::int64_t Assembly::State::row_of(std::int64_t number) const {
+  const int group = group_of(number);
+  const std::int64_t n = kinds[group].spheres(), own = number - group_begin(group);
+  return first_sphere(group, order[group].place(own / n)) + own % n;
+}
+
+/// The group that a row or a number is of.
+int Assembly::State::group_of(std::int64_t row) const {
+  int group = static_cast<int>(kinds.size()) - 1;
+  while (row < group_begin(group)) --group;
+  return group;
+}
+
+bool Assembly::State::is_sorted(int group) const {
+  return options.sort_in_space &&
+         is_worth_sorting(static_cast<std::int64_t>(fibers[group]) * kinds[group].spheres());
+}
+
+FiberOrder Assembly::State::order_now(int group) const {
+  const GroupKind& kind = kinds[group];
+  std::vector<Vec<double, 3>> middles;
+  for (int fiber = 0; fiber < fibers[group]; ++fiber)
+    middles.push_back(rows.position(row_of(first_sphere(group, fiber)) + kind.spheres() / 2));
+  return order_in_space(std::move(middles), domain.period);
+}
+
+void Assembly::State::allow_more_across() {
+  constexpr double ratio = 1.25, least_more = 0.05;
+  const double now = contacts.part_across();
+  bool any = false;
+  for (int group = 0; group < static_cast<int>(kinds.size()); ++group) any = any || is_sorted(group);
+  allowed_across = any ? std::max(ratio * now, now + least_more) : std::numeric_limits<double>::infinity();
+}
+
+void Assembly::State::sort_in_space() {
+  std::vector<std::int32_t> new_row(rows.count);
+  std::vector<FiberOrder> after = order;
+  for (int group = 0; group < static_cast<int>(kinds.size()); ++group) {
+    if (is_sorted(group)) after[group] = order_now(group);
+    for (int fiber = 0; fiber < fibers[group]; ++fiber) {
+      const std::int64_t from = first_sphere(group, order[group].place(fiber)),
+                         to = first_sphere(group, after[group].place(fiber));
+      for (int i = 0; i < kinds[group].spheres(); ++i) new_row[from + i] = static_cast<std::int32_t>(to + i);
+    }
+  }
+  for (std::size_t group = 0; group < kinds.size(); ++group) {
+    const std::size_t first = first_block[group],
+                      end = group + 1 < kinds.size() ? first_block[group + 1] : blocks.size();
+    move_bonds(kinds[group], std::span(blocks).subspan(first, end - first), order[group], after[group]);
+  }
+  rows.position_radius = moved(rows.position_radius, new_row, position_radius_size);
+  rows.velocity_spin = moved(rows.velocity_spin, new_row, velocity_spin_size);
+  if (rows.oriented()) rows.orientation = moved(rows.orientation, new_row, quaternion_size);
+  order = std::move(after);
+  ++sorted;
+  contacts.renumber(new_row, rows, time(), pool);
+  displacement_budget = 0.5 * contacts.skin();
+  allow_more_across();
+}
+
+}  // namespace fiberchain::dem
