@@ -124,8 +124,12 @@ struct Assembly::State {
   void set_gradient();
   void rebuild_neighbor_list();
   void touch();
-  /// Fibers into their order in space, contacts and bonds with them. No loads are waiting.
+  /// Fibers into their order in space, contacts and bonds with them, where that leaves fewer neighbor pairs
+  /// across parts. No loads are waiting.
   void sort_in_space();
+  void move_to(std::vector<FiberOrder> after, const std::vector<std::int32_t>& new_row);
+  /// The row in this order of each row now.
+  std::vector<std::int32_t> rows_in(const std::vector<FiberOrder>& after) const;
   /// Those of a group as they lie now.
   FiberOrder order_now(int group) const;
   /// Whether it is worth it to sort the fibers of a group.

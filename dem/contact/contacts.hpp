@@ -99,6 +99,8 @@ class Contacts {
                 ThreadPool& pool);
   /// Part of the neighbor pairs that join spheres of different parts.
   double part_across() const;
+  /// The same with each row's sphere in its new row.
+  double part_across(const std::vector<std::int32_t>& new_row) const;
   void clear();
   void restore(const std::vector<SavedContact>& contacts);
   /// The ContactAccumulators of all parts as numbers of a saved state.

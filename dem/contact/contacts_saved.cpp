@@ -48,6 +48,16 @@ double Contacts::part_across() const {
   return all > 0 ? static_cast<double>(across) / static_cast<double>(all) : 0;
 }
 
+double Contacts::part_across(const std::vector<std::int32_t>& new_row) const {
+  std::size_t across = 0, all = 0;
+  for (const Part& part : parts_) {
+    all += part.pairs.count;
+    for (std::size_t p = 0; p < part.pairs.count; ++p)
+      across += parts().of(new_row[part.pairs.first[p]]) != parts().of(new_row[part.pairs.second[p]]) ? 1 : 0;
+  }
+  return all > 0 ? static_cast<double>(across) / static_cast<double>(all) : 0;
+}
+
 void Contacts::clear() {
   for (Part& part : parts_) {
     part.inner.stale = true;
