@@ -7,7 +7,7 @@ namespace fiberchain::dem {
 namespace {
 
 /// Largest gap of neighbors over the smallest radius: with more lists are long, with less updated often.
-constexpr double kSkin = 0.6;
+constexpr double kSkin = 0.9;
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "dem/contact/contacts.hpp"
@@ -58,9 +59,16 @@ void Contacts::update_part(int k) {
   part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, part.next_pairs);
   part.inner.stale = true;
   for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    Vec<double, 3> last{};
+    double gap = -std::numeric_limits<double>::infinity();
     const auto is_near = [&](std::int32_t i) {
-      return gap_to(domain_.walls[w], neighbors_.reference_positions()[i], reference_time_) <
-             radius_[i] + neighbors_.skin();
+      const Vec<double, 3>& place = neighbors_.reference_positions()[i];
+      const double reach = radius_[i] + neighbors_.skin();
+      // a gap is a distance: it shrinks by no more than the way from the last sphere looked at
+      if (const double left = gap - reach; left > 0 && dot(place - last, place - last) < left * left)
+        return false;
+      gap = gap_to(domain_.walls[w], place, reference_time_), last = place;
+      return gap < reach;
     };
     part.walls[w].update(neighbors_.rebuilt(k), is_near, part.histories, kernel_->width, pad + 2,
                          part.next_wall);

@@ -38,8 +38,11 @@ CellGeometry::CellGeometry(const Box& box, const Vec<double, 3>& period, double 
 }
 
 int CellGeometry::along(double x, int axis) const {
-  double at = std::floor((x - low_[axis]) * inverse_edge_[axis]);
-  if (periodic_[axis]) at -= count_[axis] * std::floor(at / count_[axis]);
+  double at = (x - low_[axis]) * inverse_edge_[axis];
+  if (periodic_[axis]) {
+    at = std::floor(at);
+    at -= count_[axis] * std::floor(at / count_[axis]);
+  }
   return static_cast<int>(std::clamp(at, 0.0, count_[axis] - 1.0));
 }
 
