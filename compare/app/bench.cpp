@@ -6,6 +6,7 @@
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/tables.hpp"
+#include "compare/bench/threads.hpp"
 #include "compare/study/markdown.hpp"
 #include "compare/study/published.hpp"
 #include "dem/scene/scene.hpp"
@@ -16,7 +17,7 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, flow, feature_costs, kernels, packing };
+enum class Case { statics, damping, history, flow, feature_costs, kernels, packing, threads };
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -99,8 +100,8 @@ void add_loops(Report& report, const Cases& cases, const BenchOptions& options) 
   }
 }
 
-dem::PackingScene crossed_layers() {
-  const auto path = compare::find_data_directory(std::nullopt) / "scenes" / "crossed-layers.yaml";
+dem::PackingScene ready_scene(const std::string& name) {
+  const auto path = compare::find_data_directory(std::nullopt) / "scenes" / (name + ".yaml");
   return std::get<dem::PackingScene>(dem::parse_scene(dem::read_scene_text(path)));
 }
 
@@ -111,10 +112,18 @@ void add_packing(Report& report, const dem::PackingScene& scene, const BenchOpti
              times);
 }
 
+void add_threads(Report& report, const BenchOptions& options) {
+  std::vector<compare::NamedScene> scenes;
+  for (const char* name : {"crossed-layers", "packing"}) scenes.push_back({name, ready_scene(name)});
+  const dem::Table times = compare::thread_table(compare::thread_times(scenes, options));
+  report.add("bench-threads", "A step on several threads, measured and by a model of the schedule", times,
+             times);
+}
+
 int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   Cases cases{Case::statics,       Case::damping, Case::history, Case::flow,
-              Case::feature_costs, Case::kernels, Case::packing};
+              Case::feature_costs, Case::kernels, Case::packing, Case::threads};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -122,16 +131,18 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"skips", Case::feature_costs},
                       {"kernels", Case::kernels},
                       {"flow", Case::flow},
-                      {"packing", Case::packing}});
+                      {"packing", Case::packing},
+                      {"threads", Case::threads}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   std::optional<dem::PackingScene> packing;  // read now: a bench does not end for want of it
-  if (has(cases, Case::packing)) packing = crossed_layers();
+  if (has(cases, Case::packing)) packing = ready_scene("crossed-layers");
   const auto directory = open_output(output, context);
   Report report;
   add_problems(report, problems_of(cases, options, context));
   add_loops(report, cases, options);
   if (packing) add_packing(report, *packing, options);
+  if (has(cases, Case::threads)) add_threads(report, options);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }
@@ -148,7 +159,8 @@ Command bench_command() {
                       "Example:\n  fiberchain bench --quick --case static\n") +
           kListHelp,
       .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
-                  {"--case", "LIST", "static, damping, history, skips, kernels, flow, packing [all]"},
+                  {"--case", "LIST",
+                   "static, damping, history, skips, kernels, flow, packing, threads [all]"},
                   {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
                   json_option(),
                   {"--out", "DIR",

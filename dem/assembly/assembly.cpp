@@ -175,6 +175,12 @@ std::vector<ContactState> Assembly::contacts() const {
 std::int64_t Assembly::sorted() const { return state_->sorted; }
 StepTimes Assembly::times() const { return state_->watch.times; }
 IdleTimes Assembly::idle_times() const { return state_->pool.idle_times(); }
+std::vector<PartTimes> Assembly::part_times() const {
+  std::vector<PartTimes> all = state_->part_times;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    all[k].reached = state_->contacts.reach().reached(static_cast<int>(k));
+  return all;
+}
 AssemblySample Assembly::sample() const { return state_->sample(); }
 EnergyBalance Assembly::energy() const { return state_->sample().energy; }
 

@@ -50,6 +50,12 @@ struct StepTimes {
   double bonds_and_motion, contacts, search;
 };
 
+/// Time that one part of the spheres has cost [s], and the later parts that wait for its contacts.
+struct PartTimes {
+  double contacts = 0, bonds_and_motion = 0;
+  std::vector<int> reached;
+};
+
 /// A bond now.
 struct BondState {
   Vec<double, 3> force;  ///< on its first sphere, spring and dashpot [N]
@@ -113,15 +119,16 @@ class Assembly {
   void visit(int group, const FiberVisit& visitor) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
-  std::int64_t touching() const;   ///< contacts now
-  double deepest_overlap() const;  ///< over the smaller radius, largest since the start
-  double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
+  std::int64_t touching() const;               ///< contacts now
+  double deepest_overlap() const;              ///< over the smaller radius, largest since the start
+  double longest_path() const;                 ///< of a sphere in a step over the smallest radius, likewise
   std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
-  std::int64_t sorted() const;  ///< how often fibers have been sorted in space since the start
+  std::int64_t sorted() const;                 ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;
-  AssemblySample sample() const;  ///< the same and the bending, in one pass
-  StepTimes times() const;        ///< since the start; zero unless asked for
-  IdleTimes idle_times() const;   ///< of the threads, likewise
+  AssemblySample sample() const;              ///< the same and the bending, in one pass
+  StepTimes times() const;                    ///< since the start; zero unless asked for
+  IdleTimes idle_times() const;               ///< of the threads, likewise
+  std::vector<PartTimes> part_times() const;  ///< likewise; `reached` now
 
   /// The whole state by named fields: a restored assembly continues bit for bit.
   SavedState saved() const;

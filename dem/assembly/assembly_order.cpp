@@ -5,13 +5,13 @@
 
 #include "dem/assembly/assembly_state.hpp"
 
-// The order of fibers in memory: neighbors in space lie near each other, so that contacts find their spheres in
-// the caches and parts have few neighbors. Fibers keep their numbers.
+// The order of fibers in memory: neighbors in space lie near each other, so that contacts find their spheres
+// in the caches and parts have few neighbors. Fibers keep their numbers.
 namespace fiberchain::dem {
 namespace {
 
-/// Arrays of a block that its fibers take with them (FiberBlock::saved_arrays): bond histories, workspace, loads
-/// of the step before. What fibers have dissipated stays: only its sum counts.
+/// Arrays of a block that its fibers take with them (FiberBlock::saved_arrays): bond histories, workspace,
+/// loads of the step before. What fibers have dissipated stays: only its sum counts.
 constexpr std::array moved_arrays{2, 3, 4};
 
 using LaneArrays = std::array<std::vector<double>, moved_arrays.size()>;
@@ -36,7 +36,8 @@ void copy_lane(const LaneArrays& from, int from_lane, FiberBlock& to, int to_lan
 LaneArray moved(const LaneArray& from, const std::vector<std::int32_t>& new_row, int numbers) {
   LaneArray to(from.size());
   for (std::size_t row = 0; row < new_row.size(); ++row)
-    std::copy_n(from.data() + row * numbers, numbers, to.data() + static_cast<std::size_t>(new_row[row]) * numbers);
+    std::copy_n(from.data() + row * numbers, numbers,
+                to.data() + static_cast<std::size_t>(new_row[row]) * numbers);
   const std::size_t pads = new_row.size() * numbers;
   std::copy(from.data() + pads, from.data() + from.size(), to.data() + pads);
   return to;

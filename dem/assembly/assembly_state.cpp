@@ -75,7 +75,6 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   scratch.clear();
   for (int t = 0; t < options.threads; ++t) scratch.emplace_back(scratch_size);
   set_gradient();
-  own_times.resize(options.threads);
   const std::vector<double> loads_before = loads.all();
   contacts.begin(rows, partition_of_blocks(), time(), pool);
   loads = ForceBuffers(contacts.parts(), options.threads);
@@ -83,6 +82,8 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   displacement_budget = 0.5 * contacts.skin();
   wavefront = WavefrontSchedule(contacts.parts().count());
   paths.assign(contacts.parts().count(), 0);
+  part_times.assign(contacts.parts().count(), {});
+  watch.contacts_before = watch.both_before = 0;
   allow_more_across();
   return first_new;
 }

@@ -19,6 +19,7 @@ struct StopWatch {
   bool on = false;
   StepTimes times{};
   Clock::time_point last = Clock::now();
+  double contacts_before = 0, both_before = 0;  ///< of all parts [s]
 
   void lap(double StepTimes::*part) {
     if (!on) return;
@@ -27,17 +28,18 @@ struct StopWatch {
     last = now;
   }
 
-  /// Divides it among all parts in proportion to the threads' times in them.
-  void lap(const std::vector<StepTimes>& threads) {
+  /// Divides it in proportion to what the threads have spent in either since the last lap.
+  void lap(const std::vector<PartTimes>& parts) {
     if (!on) return;
     const Clock::time_point now = Clock::now();
-    StepTimes sum{};
-    for (const StepTimes& t : threads) sum.bonds_and_motion += t.bonds_and_motion, sum.contacts += t.contacts;
+    double contacts = 0, both = 0;
+    for (const PartTimes& part : parts)
+      contacts += part.contacts, both += part.contacts + part.bonds_and_motion;
     const double all = std::chrono::duration<double>(now - last).count(),
-                 share = all / (sum.bonds_and_motion + sum.contacts);
-    times.bonds_and_motion += share * sum.bonds_and_motion;
-    times.contacts += share * sum.contacts;
-    last = now;
+                 share = (contacts - contacts_before) / (both - both_before);
+    times.contacts += share * all;
+    times.bonds_and_motion += (1 - share) * all;
+    last = now, contacts_before = contacts, both_before = both;
   }
 };
 
@@ -64,11 +66,11 @@ struct Assembly::State {
   AssemblyOptions options;
   double step;
   std::int64_t steps = 0;
-  std::vector<GroupKind> kinds;  ///< one a group
-  std::vector<int> fibers;       ///< in each group
+  std::vector<GroupKind> kinds;   ///< one a group
+  std::vector<int> fibers;        ///< in each group
   std::vector<FiberOrder> order;  ///< of each group's fibers in blocks and rows
-  double allowed_across = 0;      ///< part of neighbor pairs across parts from which on fibers are sorted again
-  std::int64_t sorted = 0;        ///< how often
+  double allowed_across = 0;  ///< part of neighbor pairs across parts from which on fibers are sorted again
+  std::int64_t sorted = 0;    ///< how often
   std::vector<int> first_block;  ///< of each group
   std::vector<FiberBlock> blocks;
   std::vector<int> part_blocks;  ///< the first block of each part of spheres, and one past the last
@@ -76,11 +78,11 @@ struct Assembly::State {
   ForceBuffers loads;  ///< of contacts at this moment
   ThreadPool pool;
   Contacts contacts;
-  LaneArray gradient;                ///< fluid: A now, lane by lane
-  std::vector<LaneArray> scratch;    ///< one a thread
-  double longest_path = 0;           ///< of all since the start [m]
-  std::vector<double> paths;         ///< largest displacement in the last step, one a part [m]
-  std::vector<StepTimes> own_times;  ///< one a thread, of the last step
+  LaneArray gradient;                 ///< fluid: A now, lane by lane
+  std::vector<LaneArray> scratch;     ///< one a thread
+  double longest_path = 0;            ///< of all since the start [m]
+  std::vector<double> paths;          ///< largest displacement in the last step, one a part [m]
+  std::vector<PartTimes> part_times;  ///< without `reached`
   WavefrontSchedule wavefront{0};
   double displacement_budget = 0;  ///< displacement left before the Verlet criterion must be checked [m]
   StopWatch watch;
@@ -93,7 +95,6 @@ struct Assembly::State {
         pool(options.threads),
         contacts(domain, {options.account_energy, options.instruction_set}, step) {
     watch.on = options.time_parts;
-    if (options.time_parts) pool.measure_idle_times();
   }
 
   double time() const { return static_cast<double>(steps) * step; }

@@ -112,26 +112,26 @@ void Assembly::State::touch() {
 
 /// Both, part by part: a part is moved while its rows are still in the cache from its contacts.
 void Assembly::State::touch_and_move() {
-  for (StepTimes& own : own_times) own = {};
   const double now = time();
   wavefront.run(
       pool, contacts.reach(),
       [&](int k, int thread) {
-        const TimedPart timed(watch.on, own_times[thread].contacts);
+        const TimedPart timed(watch.on, part_times[k].contacts);
         contacts.work_out(k, rows, now, loads.take(k, thread));
       },
       [&](int k, int thread) {
-        const TimedPart timed(watch.on, own_times[thread].bonds_and_motion);
+        const TimedPart timed(watch.on, part_times[k].bonds_and_motion);
         contacts.reduce_halo_forces(k, loads.of(k));
         move_part(k, thread);
       });
   has_moved();
-  watch.lap(own_times);
+  watch.lap(part_times);
 }
 
 /// False where positions are no longer finite.
 bool Assembly::State::march_some(int count) {
   watch.lap(nullptr);
+  if (watch.on) pool.measure_idle_times();
   for (int n = 0; n < count; ++n) {
     n == 0 ? move() : touch_and_move();
     try {

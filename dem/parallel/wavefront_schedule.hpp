@@ -8,10 +8,10 @@
 
 namespace fiberchain::dem {
 
-/// Two pieces of work a part: the first may read what the second changes of its own and of the later parts that
-/// it reaches, and leaves something for them. So second(k) waits for first(k) and for first(j) of all j < k
-/// that reach k, and for nothing else: a part's numbers are still in the inner cache when its second piece
-/// comes.
+/// Two pieces of work a part: the first may read what the second changes of its own and of the later parts
+/// that it reaches, and leaves something for them. So second(k) waits for first(k) and for first(j) of all j
+/// < k that reach k, and for nothing else: a part's numbers are still in the inner cache when its second
+/// piece comes.
 class WavefrontSchedule {
  public:
   explicit WavefrontSchedule(int parts) : first_(parts), second_(parts) {}

@@ -15,8 +15,8 @@ namespace fiberchain::dem {
 /// Numbers a shape may consist of.
 inline constexpr int wall_shape_size = 12;
 
-/// Numbers only, of which `point` [m] moves with the wall; nearest() takes points relative to it. Its gap is a
-/// distance: from one point to another it changes by no more than the way between them.
+/// Numbers only, of which `point` [m] moves with the wall; nearest() takes points relative to it. Its gap is
+/// a distance: from one point to another it changes by no more than the way between them.
 template <class Shape>
 concept WallGeometry = std::is_trivially_copyable_v<Shape> &&
                            sizeof(Shape) <= wall_shape_size * sizeof(double) &&
