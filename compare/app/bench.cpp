@@ -5,6 +5,7 @@
 #include "compare/bench/feature_costs.hpp"
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
+#include "compare/bench/sizes.hpp"
 #include "compare/bench/tables.hpp"
 #include "compare/study/markdown.hpp"
 #include "compare/study/published.hpp"
@@ -16,7 +17,7 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, flow, feature_costs, kernels, packing };
+enum class Case { statics, damping, history, flow, feature_costs, kernels, packing, sizes };
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -111,10 +112,15 @@ void add_packing(Report& report, const dem::PackingScene& scene, const BenchOpti
              times);
 }
 
+void add_sizes(Report& report, const BenchOptions& options) {
+  const dem::Table times = compare::sizes_time_table(compare::sizes_times(options));
+  report.add("bench-sizes", "A sphere-step of fibers of one size and of many", times, times);
+}
+
 int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   Cases cases{Case::statics,       Case::damping, Case::history, Case::flow,
-              Case::feature_costs, Case::kernels, Case::packing};
+              Case::feature_costs, Case::kernels, Case::packing, Case::sizes};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -122,7 +128,8 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"skips", Case::feature_costs},
                       {"kernels", Case::kernels},
                       {"flow", Case::flow},
-                      {"packing", Case::packing}});
+                      {"packing", Case::packing},
+                      {"sizes", Case::sizes}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   std::optional<dem::PackingScene> packing;  // read now: a bench does not end for want of it
@@ -132,6 +139,7 @@ int run_bench(const Arguments& arguments, Context& context) {
   add_problems(report, problems_of(cases, options, context));
   add_loops(report, cases, options);
   if (packing) add_packing(report, *packing, options);
+  if (has(cases, Case::sizes)) add_sizes(report, options);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }
@@ -148,7 +156,7 @@ Command bench_command() {
                       "Example:\n  fiberchain bench --quick --case static\n") +
           kListHelp,
       .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
-                  {"--case", "LIST", "static, damping, history, skips, kernels, flow, packing [all]"},
+                  {"--case", "LIST", "static, damping, history, skips, kernels, flow, packing, sizes [all]"},
                   {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
                   json_option(),
                   {"--out", "DIR",

@@ -61,6 +61,7 @@ const Command kJsonCommands[] = {
     {"stability", "--aspect-ratio", "4", "--poisson-ratio", "0.17", "--bond-damping", "0,0.6"},
     {"bench", "--quick", "--case", "static"},
     {"bench", "--quick", "--case", "skips,kernels"},
+    {"bench", "--quick", "--case", "sizes"},
     {"validate", "--part", "beams,stability"},
 };
 
