@@ -48,7 +48,7 @@ dem::PackingScene scene_of(const Mixture& mixture, int fewer) {
 }
 
 SizesTime time_of(const Mixture& mixture, const BenchOptions& options) {
-  const std::int64_t steps = options.quick ? 300 : 3000;
+  const std::int64_t steps = options.quick ? 300 : 1500;
   dem::PackingStart start = dem::packing_start(scene_of(mixture, options.quick ? 10 : 1), 1);
   start.options.time_parts = true;
   dem::Assembly assembly = dem::make_assembly(std::move(start));
@@ -62,7 +62,7 @@ SizesTime time_of(const Mixture& mixture, const BenchOptions& options) {
 
 std::vector<SizesTime> sizes_times(const BenchOptions& options) {
   std::vector<SizesTime> fastest;
-  for (int round = 0; round < (options.quick ? 1 : 3); ++round) {
+  for (int round = 0; round < (options.quick ? 1 : 7); ++round) {
     std::size_t n = 0;
     for (const Mixture& mixture : mixtures()) {
       const SizesTime time = time_of(mixture, options);

@@ -25,6 +25,8 @@ class CellGeometry {
   /// No smaller than `edge` [m] and no more than `most` in all. `period`: 0 along axes that are not periodic
   /// [m].
   CellGeometry(const Box& box, const Vec<double, 3>& period, double edge, double most);
+  /// One cell that holds all.
+  CellGeometry() = default;
 
   /// The cells at and next to a place along one axis, by what they add to a cell's index.
   struct Near {
@@ -51,11 +53,11 @@ class CellGeometry {
   double squared_distance(double x, int axis, const Span& span, int cell) const;
   int wrapped(int cell, int axis) const { return cell < count_[axis] ? cell : cell - count_[axis]; }
 
-  Vec<double, 3> low_;
-  bool periodic_[3];
-  int count_[3];
-  std::int32_t stride_[3];
-  double edge_[3], inverse_edge_[3];  ///< [m], [1/m]
+  Vec<double, 3> low_{};
+  bool periodic_[3]{};
+  int count_[3]{1, 1, 1};
+  std::int32_t stride_[3]{1, 1, 1};
+  double edge_[3]{}, inverse_edge_[3]{};  ///< [m], [1/m]
 };
 
 template <class Visit>

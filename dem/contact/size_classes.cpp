@@ -9,6 +9,9 @@ namespace {
 /// Displacement of a sphere since it was sorted that the cells allow, over its reach.
 constexpr double kSlack = 0.5;
 
+/// Where spheres are few, cells grow rather than be more than the inner cache holds.
+constexpr double kCellsASphere = 8;
+
 Box box_around(std::span<const std::int32_t> members, std::span<const Vec<double, 3>> positions,
                const Vec<double, 3>& period) {
   Box box{positions[members[0]], positions[members[0]]};
@@ -55,15 +58,15 @@ void SizeClasses::sort(std::uint32_t which, const SphereSet& all, std::span<cons
     if ((which >> k & 1) == 0) continue;
     Class& own = classes_[k];
     const CellGeometry cells(box_around(own.members, positions, all.period), all.period, own.edge,
-                             64.0 * static_cast<double>(own.members.size()) + 64);
-    own.cells.emplace(cells, own.members, all, positions, slot_);
+                             kCellsASphere * static_cast<double>(own.members.size()) + 64);
+    own.cells.sort(cells, own.members, all, positions, slot_);
     for (const std::int32_t i : own.members) first_place_[i] = positions[i];
   }
 }
 
 bool SizeClasses::move(std::int32_t sphere, const Vec<double, 3>& to) {
   Class& own = classes_[class_[sphere]];
-  own.cells->move(slot_[sphere], to);
+  own.cells.move(slot_[sphere], to);
   return norm(to - first_place_[sphere]) <= own.slack;
 }
 

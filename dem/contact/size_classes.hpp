@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +25,7 @@ class SizeClasses {
   /// Those that occur, by falling size.
   int count() const { return static_cast<int>(classes_.size()); }
   int of(std::int32_t sphere) const { return class_[sphere]; }
-  const SortedCells& cells(int k) const { return *classes_[k].cells; }
+  const SortedCells& cells(int k) const { return classes_[k].cells; }
 
   /// Sorts the spheres of these classes, bit k for class k, all of which stand at finite positions.
   void sort(std::uint32_t which, const SphereSet& all, std::span<const Vec<double, 3>> positions);
@@ -46,7 +45,7 @@ class SizeClasses {
     double edge;     ///< of its cells, at least [m]
     double slack;    ///< displacement of a sphere since it was sorted that the cells allow [m]
     std::vector<std::int32_t> members;
-    std::optional<SortedCells> cells;
+    SortedCells cells;
   };
   std::vector<Class> classes_;
   std::vector<std::uint8_t> class_;          ///< of each sphere

@@ -1,24 +1,25 @@
 #include "dem/contact/sorted_cells.hpp"
 
+#include <numeric>
+
 namespace fiberchain::dem {
 
-SortedCells::SortedCells(const CellGeometry& cells, std::span<const std::int32_t> members,
-                         const SphereSet& all, std::span<const Vec<double, 3>> positions,
-                         std::span<std::int32_t> slots)
-    : cells_(cells), begin_(cells.count() + 1, 0) {
+void SortedCells::sort(const CellGeometry& cells, std::span<const std::int32_t> members, const SphereSet& all,
+                       std::span<const Vec<double, 3>> positions, std::span<std::int32_t> slots) {
+  cells_ = cells;
   const std::size_t n = members.size();
-  std::vector<std::int32_t> cell(n);
-  for (std::size_t m = 0; m < n; ++m) {
-    cell[m] = cells.index(positions[members[m]]);
-    ++begin_[cell[m] + 1];
-  }
-  for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
-  sphere_.resize(n), fiber_.resize(n);
+  cell_of_member_.resize(n), sphere_.resize(n), fiber_.resize(n);
   for (auto& numbers : x_) numbers.resize(n + lanes_beyond);
   radius_.resize(n + lanes_beyond);
-  std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
+  // counts, two cells further on; their sums, beginnings, one further on; filling makes these ends
+  begin_.assign(static_cast<std::size_t>(cells.count()) + 2, 0);
   for (std::size_t m = 0; m < n; ++m) {
-    const std::int32_t i = members[m], at = slots[i] = next[cell[m]]++;
+    cell_of_member_[m] = cells.index(positions[members[m]]);
+    ++begin_[cell_of_member_[m] + 2];
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  for (std::size_t m = 0; m < n; ++m) {
+    const std::int32_t i = members[m], at = slots[i] = begin_[cell_of_member_[m] + 1]++;
     radius_[at] = all.radius[i];
     fiber_[at] = all.fiber[i];
     sphere_[at] = i;

@@ -21,10 +21,10 @@ class SortedCells {
  public:
   static constexpr int most_runs = 27;
 
-  /// The spheres `members` of all. `slots`, of all, gets theirs. The arrays behind the view stay where they
-  /// are.
-  SortedCells(const CellGeometry& cells, std::span<const std::int32_t> members, const SphereSet& all,
-              std::span<const Vec<double, 3>> positions, std::span<std::int32_t> slots);
+  /// Sorts the spheres `members` of all. `slots`, of all, gets theirs. Until the next call the arrays behind
+  /// the view stay where they are; memory is kept from one to the next.
+  void sort(const CellGeometry& cells, std::span<const std::int32_t> members, const SphereSet& all,
+            std::span<const Vec<double, 3>> positions, std::span<std::int32_t> slots);
 
   /// The sphere of a slot moves, not far: it stays in the cell where it stood first.
   void move(std::int32_t slot, const Vec<double, 3>& to) {
@@ -40,7 +40,9 @@ class SortedCells {
 
  private:
   CellGeometry cells_;
-  std::vector<std::int32_t> begin_, sphere_, fiber_;
+  std::vector<std::int32_t> begin_;           ///< of each cell; the end of the last
+  std::vector<std::int32_t> cell_of_member_;  ///< scratch of sort()
+  std::vector<std::int32_t> sphere_, fiber_;
   std::vector<double> x_[3], radius_;
 };
 
