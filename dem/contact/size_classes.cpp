@@ -9,8 +9,8 @@ namespace {
 /// Displacement of a sphere since it was sorted that the cells allow, over its reach.
 constexpr double kSlack = 0.5;
 
-/// Where spheres are few, cells grow rather than be more than the inner cache holds.
-constexpr double kCellsASphere = 8;
+/// Where spheres are few, cells grow rather than be so many that the caches cannot hold them.
+constexpr double kCellsASphere = 16;
 
 Box box_around(std::span<const std::int32_t> members, std::span<const Vec<double, 3>> positions,
                const Vec<double, 3>& period) {
