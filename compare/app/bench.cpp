@@ -5,6 +5,7 @@
 #include "compare/bench/feature_costs.hpp"
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
+#include "compare/bench/sizes.hpp"
 #include "compare/bench/tables.hpp"
 #include "compare/bench/threads.hpp"
 #include "compare/study/markdown.hpp"
@@ -17,7 +18,7 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, flow, feature_costs, kernels, packing, threads };
+enum class Case { statics, damping, history, flow, feature_costs, kernels, packing, threads, sizes };
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -120,10 +121,15 @@ void add_threads(Report& report, const BenchOptions& options) {
              times);
 }
 
+void add_sizes(Report& report, const BenchOptions& options) {
+  const dem::Table times = compare::sizes_time_table(compare::sizes_times(options));
+  report.add("bench-sizes", "A sphere-step of fibers of one size and of many", times, times);
+}
+
 int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics,       Case::damping, Case::history, Case::flow,
-              Case::feature_costs, Case::kernels, Case::packing, Case::threads};
+  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::feature_costs,
+              Case::kernels, Case::packing, Case::threads, Case::sizes};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -132,7 +138,8 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"kernels", Case::kernels},
                       {"flow", Case::flow},
                       {"packing", Case::packing},
-                      {"threads", Case::threads}});
+                      {"threads", Case::threads},
+                      {"sizes", Case::sizes}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   std::optional<dem::PackingScene> packing;  // read now: a bench does not end for want of it
@@ -143,6 +150,7 @@ int run_bench(const Arguments& arguments, Context& context) {
   add_loops(report, cases, options);
   if (packing) add_packing(report, *packing, options);
   if (has(cases, Case::threads)) add_threads(report, options);
+  if (has(cases, Case::sizes)) add_sizes(report, options);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }
@@ -160,7 +168,7 @@ Command bench_command() {
           kListHelp,
       .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
                   {"--case", "LIST",
-                   "static, damping, history, skips, kernels, flow, packing, threads [all]"},
+                   "static, damping, history, skips, kernels, flow, packing, threads, sizes [all]"},
                   {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
                   json_option(),
                   {"--out", "DIR",

@@ -31,6 +31,7 @@ CellGeometry::CellGeometry(const Box& box, const Vec<double, 3>& period, double 
   std::int32_t total = 1;
   for (int a = 0; a < 3; ++a) {
     count_[a] = static_cast<int>(cells[a]);
+    edge_[a] = length[a] / cells[a];
     inverse_edge_[a] = length[a] > 0 ? cells[a] / length[a] : 0;
     stride_[a] = total;
     total *= count_[a];
@@ -57,6 +58,34 @@ CellGeometry::Near CellGeometry::near(const Vec<double, 3>& place, int axis) con
     for (int cell = std::max(0, own - 1); cell <= std::min(count - 1, own + 1); ++cell) add(cell);
   }
   return near;
+}
+
+CellGeometry::Span CellGeometry::span(double x, double distance, int axis) const {
+  if (!periodic_[axis]) {
+    const int first = along(x - distance, axis);
+    return {first, along(x + distance, axis) - first + 1};
+  }
+  const double low = std::floor((x - distance - low_[axis]) * inverse_edge_[axis]),
+               high = std::floor((x + distance - low_[axis]) * inverse_edge_[axis]);
+  if (!(high - low + 1 < count_[axis])) return {0, count_[axis]};
+  return {along(x - distance, axis), static_cast<int>(high - low) + 1};
+}
+
+double CellGeometry::squared_distance(double x, int axis, const Span& span, int cell) const {
+  const int count = count_[axis];
+  if (span.count == count) return 0;  // of a periodic axis, images on both sides
+  double at = (x - low_[axis]) * inverse_edge_[axis];
+  if (periodic_[axis]) {
+    at -= count * std::floor(at / count);
+    // the image that the span is around
+    if (at < span.first) at += count;
+  }
+  // what stands outside of the box is in the cells at its border
+  double cells = 0;
+  if (cell > at && (periodic_[axis] || cell > 0)) cells = cell - at;
+  if (at > cell + 1 && (periodic_[axis] || cell < count - 1)) cells = at - (cell + 1);
+  const double distance = cells * edge_[axis];
+  return distance * distance;
 }
 
 std::int32_t CellGeometry::index(const Vec<double, 3>& place) const {

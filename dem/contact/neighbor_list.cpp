@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
 namespace {
 
-/// Displacement of a sphere since it was sorted that the cells allow, over its reach.
-constexpr double kSlack = 0.5;
+/// For all spheres of some runs.
+void make_room(std::span<const SlotRange> runs, std::vector<std::int32_t>& near) {
+  std::size_t most = 0;
+  for (const SlotRange& run : runs) most += run.end - run.begin;
+  if (near.size() < most) near.resize(2 * most);
+}
 
 }  // namespace
 
@@ -20,7 +25,9 @@ NeighborList::NeighborList(SphereSet spheres, double skin, Partition parts, cons
       parts_(std::move(parts)),
       searches_(parts_.count()),
       incoming_(parts_.count()),
-      kernel_(&kernel) {}
+      kernel_(&kernel),
+      periods_(periodic_box(spheres_.period)),
+      sorted_(spheres_, skin) {}
 
 void NeighborList::build(std::vector<Vec<double, 3>> positions, ThreadPool& pool) {
   reference_positions_ = std::move(positions);
@@ -30,7 +37,9 @@ void NeighborList::build(std::vector<Vec<double, 3>> positions, ThreadPool& pool
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) searches_[k].rebuilt.push_back(i);
   }
   check_finite();
-  sort();
+  check_minimum_image(spheres_.period, 2 * *std::ranges::max_element(spheres_.radius) + skin_);
+  sorted_.sort(sorted_.all(), spheres_, reference_positions_);
+  staying_ = 0;
   search(pool);
 }
 
@@ -48,22 +57,28 @@ double NeighborList::farthest_moved(const SphereStorage& rows, ThreadPool& pool)
 }
 
 void NeighborList::update(const SphereStorage& rows, double distance, ThreadPool& pool) {
-  std::vector<std::uint8_t> strayed(searches_.size(), 0);
+  const auto bit_of = [&](std::int32_t i) { return 1u << sorted_.of(i); };
   pool.parallel_for(parts_.count(), [&](int k, int) {
-    std::vector<std::int32_t>& rebuilt = searches_[k].rebuilt;
-    rebuilt.clear();
+    Search& own = searches_[k];
+    own.rebuilt.clear();
+    own.strayed = own.staying = 0;
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) {
       const Vec<double, 3> position = rows.position(i), moved = position - reference_positions_[i];
       rebuilt_[i] = dot(moved, moved) > distance * distance ? 1 : 0;
-      if (rebuilt_[i] == 0) continue;
-      rebuilt.push_back(i);
+      if (rebuilt_[i] == 0) {
+        own.staying |= bit_of(i);
+        continue;
+      }
+      own.rebuilt.push_back(i);
       reference_positions_[i] = position;
-      sorted_->move(i, position);
-      if (!(sorted_->distance_from_first(i, position) <= slack_)) strayed[k] = 1;
+      if (!sorted_.move(i, position)) own.strayed |= bit_of(i);
     }
   });
   check_finite();
-  if (std::ranges::count(strayed, 1) > 0) sort();
+  std::uint32_t strayed = 0;
+  staying_ = 0;
+  for (const Search& own : searches_) strayed |= own.strayed, staying_ |= own.staying;
+  sorted_.sort(strayed, spheres_, reference_positions_);
   search(pool);
 }
 
@@ -76,19 +91,6 @@ void NeighborList::check_finite() const {
       }
     }
   }
-}
-
-void NeighborList::sort() {
-  const double reach = 2 * *std::ranges::max_element(spheres_.radius) + skin_;
-  check_minimum_image(spheres_.period, reach);
-  Box box = box_around(reference_positions_);
-  for (int c = 0; c < 3; ++c) {
-    if (spheres_.period[c] > 0) box.low[c] = 0;
-  }
-  slack_ = kSlack * reach;
-  const CellGeometry cells(box, spheres_.period, reach + slack_,
-                           64.0 * static_cast<double>(reference_positions_.size()) + 64);
-  sorted_.emplace(cells, reference_positions_, spheres_.radius, spheres_.fiber);
 }
 
 void NeighborList::search(ThreadPool& pool) {
@@ -112,37 +114,79 @@ void NeighborList::collect_incoming() {
   }
 }
 
+struct NeighborList::Scratch {
+  /// Runs around a cell: neighbors along a fiber are often in one.
+  struct Around {
+    std::int32_t cell = -1;
+    int count = 0;
+    SlotRange runs[SortedCells::most_runs];
+  };
+  std::vector<Around> around;  ///< of each class
+  std::vector<SlotRange> within;
+  std::vector<std::int32_t> near;  ///< spheres
+};
+
+template <class Found>
+void NeighborList::query(std::int32_t i, int size_class, const SlotRange* runs, int count, Scratch& scratch,
+                         const Found& found) const {
+  NeighborQuery query{};
+  query.periods = periods_;
+  std::copy_n(reference_positions_[i].c, 3, query.x);
+  query.reach = spheres_.radius[i] + skin_;
+  query.sphere = i, query.fiber = spheres_.fiber[i];
+  const std::int32_t near =
+      kernel_->query_neighbors(sorted_.cells(size_class).view(), runs, count, query, scratch.near.data());
+  for (std::int32_t n = 0; n < near; ++n) found(scratch.near[n]);
+}
+
+template <class Found>
+void NeighborList::search_near(std::int32_t i, int size_class, Scratch& scratch, const Found& found) const {
+  const SortedCells& cells = sorted_.cells(size_class);
+  Scratch::Around& around = scratch.around[size_class];
+  const std::int32_t cell = cells.cell_of(reference_positions_[i]);
+  if (cell != around.cell) {
+    around.cell = cell;
+    around.count = cells.runs_around(reference_positions_[i], around.runs);
+    make_room({around.runs, static_cast<std::size_t>(around.count)}, scratch.near);
+  }
+  if (around.count > 0) query(i, size_class, around.runs, around.count, scratch, found);
+}
+
+template <class Found>
+void NeighborList::search_within(std::int32_t i, int size_class, Scratch& scratch, const Found& found) const {
+  const double distance = sorted_.reach_into(size_class, spheres_.radius[i] + skin_);
+  sorted_.cells(size_class).runs_within(reference_positions_[i], distance, scratch.within);
+  make_room(scratch.within, scratch.near);
+  query(i, size_class, scratch.within.data(), static_cast<int>(scratch.within.size()), scratch, found);
+}
+
+/// A pair of one class is found from its lower sphere, one of two from the smaller; where that one is not
+/// searched, from the other.
 void NeighborList::search(int part) {
   Search& own = searches_[part];
   own.own.clear(), own.earlier.clear();
-  const SortedSpheres all = sorted_->view();
-  NeighborQuery query{};
-  query.periods = periodic_box(spheres_.period);
-  SlotRange runs[SortedCells::most_runs];
-  int count = 0;
-  std::int32_t last_cell = -1;
-  std::vector<std::int32_t> near;
+  Scratch scratch;
+  scratch.around.resize(sorted_.count());
   const std::int32_t begin = parts_.begin(part);
   for (const std::int32_t i : own.rebuilt) {
-    const Vec<double, 3>& position = reference_positions_[i];
-    if (const std::int32_t cell = sorted_->cell_of(position); cell != last_cell) {
-      last_cell = cell;
-      count = sorted_->runs_around(position, runs);
-      std::size_t most = 0;
-      for (int k = 0; k < count; ++k) most += runs[k].end - runs[k].begin;
-      if (near.size() < most) near.resize(2 * most);
-    }
-    std::copy_n(position.c, 3, query.x);
-    query.reach = spheres_.radius[i] + skin_;
-    query.sphere = i, query.fiber = spheres_.fiber[i];
-    const std::int32_t found = kernel_->query_neighbors(all, runs, count, query, near.data());
-    for (std::int32_t n = 0; n < found; ++n) {
-      const std::int32_t j = near[n];
+    const auto add = [&](std::int32_t j) {
       if (j > i) {
         own.own.push_back({i, j});
-      } else if (rebuilt_[j] == 0) {  // otherwise found from there
+      } else {
         (j >= begin ? own.own : own.earlier).push_back({j, i});
       }
+    };
+    const auto add_lower = [&](std::int32_t j) {
+      if (j > i || rebuilt_[j] == 0) add(j);
+    };
+    const auto add_smaller = [&](std::int32_t j) {
+      if (rebuilt_[j] == 0) add(j);
+    };
+    const int size_class = sorted_.of(i);
+    for (int k = 0; k < size_class; ++k) search_near(i, k, scratch, add);
+    search_near(i, size_class, scratch, add_lower);
+    for (int k = size_class + 1; k < sorted_.count(); ++k) {
+      if ((staying_ >> k & 1) != 0) search_within(i, k, scratch, add_smaller);
     }
   }
   std::ranges::sort(own.earlier);

@@ -2,11 +2,10 @@
 
 #include <compare>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "dem/chain/sphere_storage.hpp"
-#include "dem/contact/sorted_cells.hpp"
+#include "dem/contact/size_classes.hpp"
 #include "dem/parallel/partition.hpp"
 #include "dem/parallel/thread_pool.hpp"
 
@@ -17,13 +16,6 @@ namespace fiberchain::dem {
 struct Pair {
   std::int32_t first, second;  ///< sphere numbers, first < second
   auto operator<=>(const Pair&) const = default;
-};
-
-/// Spheres by number.
-struct SphereSet {
-  std::vector<double> radius;       ///< [m]
-  std::vector<std::int32_t> fiber;  ///< neighbors along a fiber have consecutive numbers and do not contact
-  Vec<double, 3> period;            ///< [m]; 0: not periodic
 };
 
 class NeighborList {
@@ -59,16 +51,27 @@ class NeighborList {
     std::vector<std::int32_t> rebuilt;
     std::vector<Pair> own;      ///< whose first sphere is of the part
     std::vector<Pair> earlier;  ///< whose first sphere is of an earlier part, in order
+    std::uint32_t strayed = 0;  ///< classes of size to be sorted again, bit by bit
+    std::uint32_t staying = 0;  ///< those with spheres that are not searched
   };
   /// Pairs of a part that the search of a later part found.
   struct Incoming {
     int part;
     std::size_t begin, end;  ///< in its `earlier`
   };
-  void sort();
+  /// What a search of a part goes on with from sphere to sphere.
+  struct Scratch;
   void check_finite() const;
   void search(ThreadPool& pool);
   void search(int part);
+  /// Calls found(number) for the neighbors of a sphere in its own class or a larger one, in a smaller one.
+  template <class Found>
+  void search_near(std::int32_t sphere, int size_class, Scratch& scratch, const Found& found) const;
+  template <class Found>
+  void search_within(std::int32_t sphere, int size_class, Scratch& scratch, const Found& found) const;
+  template <class Found>
+  void query(std::int32_t sphere, int size_class, const SlotRange* runs, int count, Scratch& scratch,
+             const Found& found) const;
   void collect_incoming();
 
   SphereSet spheres_;
@@ -79,8 +82,9 @@ class NeighborList {
   std::vector<Search> searches_;
   std::vector<std::vector<Incoming>> incoming_;  ///< of each part
   const ContactKernel* kernel_ = nullptr;
-  std::optional<SortedCells> sorted_;
-  double slack_ = 0;  ///< displacement of a sphere since it was sorted that the cells allow [m]
+  PeriodicBox periods_{};
+  SizeClasses sorted_;
+  std::uint32_t staying_ = 0;  ///< of all parts
 };
 
 }  // namespace fiberchain::dem

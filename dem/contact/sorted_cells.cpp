@@ -1,32 +1,30 @@
 #include "dem/contact/sorted_cells.hpp"
 
+#include <numeric>
+
 namespace fiberchain::dem {
 
-SortedCells::SortedCells(const CellGeometry& cells, std::span<const Vec<double, 3>> positions,
-                         std::span<const double> radius, std::span<const std::int32_t> fiber)
-    : cells_(cells), first_place_(positions.begin(), positions.end()), begin_(cells.count() + 1, 0) {
-  const auto n = static_cast<std::int32_t>(positions.size());
-  std::vector<std::int32_t> cell(n);
-  for (std::int32_t i = 0; i < n; ++i) {
-    cell[i] = cells.index(positions[i]);
-    ++begin_[cell[i] + 1];
-  }
-  for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
-  slot_.resize(n), sphere_.resize(n), fiber_.resize(n);
+void SortedCells::sort(const CellGeometry& cells, std::span<const std::int32_t> members, const SphereSet& all,
+                       std::span<const Vec<double, 3>> positions, std::span<std::int32_t> slots) {
+  cells_ = cells;
+  const std::size_t n = members.size();
+  cell_of_member_.resize(n), sphere_.resize(n), fiber_.resize(n);
   for (auto& numbers : x_) numbers.resize(n + lanes_beyond);
   radius_.resize(n + lanes_beyond);
-  std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::int32_t i = 0; i < n; ++i) {
-    const std::int32_t at = slot_[i] = next[cell[i]]++;
-    radius_[at] = radius[i];
-    fiber_[at] = fiber[i];
-    sphere_[at] = i;
-    move(i, positions[i]);
+  // counts, two cells further on; their sums, beginnings, one further on; filling makes these ends
+  begin_.assign(static_cast<std::size_t>(cells.count()) + 2, 0);
+  for (std::size_t m = 0; m < n; ++m) {
+    cell_of_member_[m] = cells.index(positions[members[m]]);
+    ++begin_[cell_of_member_[m] + 2];
   }
-}
-
-void SortedCells::move(std::int32_t sphere, const Vec<double, 3>& to) {
-  for (int c = 0; c < 3; ++c) x_[c][slot_[sphere]] = to[c];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  for (std::size_t m = 0; m < n; ++m) {
+    const std::int32_t i = members[m], at = slots[i] = begin_[cell_of_member_[m] + 1]++;
+    radius_[at] = all.radius[i];
+    fiber_[at] = all.fiber[i];
+    sphere_[at] = i;
+    move(at, positions[i]);
+  }
 }
 
 int SortedCells::runs_around(const Vec<double, 3>& place, SlotRange* runs) const {
@@ -37,13 +35,27 @@ int SortedCells::runs_around(const Vec<double, 3>& place, SlotRange* runs) const
       const std::int32_t row = y.at[b] + z.at[c];
       for (int a = 0; a < x.count; ++a) {
         const std::int32_t cell = x.at[a] + row;
-        const bool goes_on = a > 0 && x.at[a] == x.at[a - 1] + 1;
-        if (!goes_on) runs[count++] = {begin_[cell], begin_[cell]};
-        runs[count - 1].end = begin_[cell + 1];
+        const SlotRange run{begin_[cell], begin_[cell + 1]};
+        if (run.begin == run.end) continue;
+        if (count > 0 && runs[count - 1].end == run.begin) {
+          runs[count - 1].end = run.end;
+        } else {
+          runs[count++] = run;
+        }
       }
     }
   }
   return count;
+}
+
+void SortedCells::runs_within(const Vec<double, 3>& place, double distance,
+                              std::vector<SlotRange>& runs) const {
+  runs.clear();
+  cells_.rows_within(place, distance, [&](std::int32_t first, std::int32_t last) {
+    const SlotRange run{begin_[first], begin_[last + 1]};
+    if (run.begin < run.end) runs.push_back(run);
+    return true;
+  });
 }
 
 SortedSpheres SortedCells::view() const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dem/contact/linked_cell_list.hpp"
 #include "dem/contact/periodic_box.hpp"
+#include "dem/contact/size_classes.hpp"
 
 namespace fiberchain::dem {
 
@@ -14,7 +16,7 @@ struct PlacedSpheres {
   std::vector<double> radius;            ///< [m]
 };
 
-/// Spheres by cells, to ask whether one more fits.
+/// Spheres by cells, each class of size in its own, to ask whether one more fits.
 class InsertionGrid {
  public:
   /// For spheres of at most the reach, that are added in or near the box, about `expected` of them. Periodic
@@ -32,10 +34,18 @@ class InsertionGrid {
   Vec<double, 3> nearest(const Vec<double, 3>& a, const Vec<double, 3>& b) const;
 
  private:
+  struct Class {
+    double largest;  ///< radius that may be of it [m]
+    LinkedCellList cells;
+    PlacedSpheres spheres;
+  };
+  Class& class_of(double radius);
+
+  Box box_;
+  Vec<double, 3> period_;
   PeriodicBox periods_;
-  double gap_;
-  LinkedCellList cells_;
-  PlacedSpheres spheres_;
+  double largest_radius_, gap_, most_cells_;
+  std::optional<Class> classes_[most_size_classes];  ///< those that occur
 };
 
 }  // namespace fiberchain::dem

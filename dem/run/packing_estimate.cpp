@@ -54,8 +54,8 @@ PackingMemory memory_of(const PackingScene& scene) {
   const auto spheres = static_cast<double>(spheres_in(scene)),
              bonds = spheres - static_cast<double>(fibers_in(scene));
   // reference position, first and present position in the cells, radius three times, fiber three times, cell,
-  // slot, flags
-  constexpr double listed = 3 * kVector + 3 * kDouble + 5 * kIndex + 4;
+  // slot, number, class of size, flags
+  constexpr double listed = 3 * kVector + 3 * kDouble + 6 * kIndex + 5;
   // of a pair, in the list in use and that in the making: two spheres, number of the contact; in the inner
   // list, four and a flag
   constexpr double pair = 2 * 3 * kIndex + 4 * kIndex + 1;

@@ -62,6 +62,7 @@ const Command kJsonCommands[] = {
     {"bench", "--quick", "--case", "static"},
     {"bench", "--quick", "--case", "skips,kernels"},
     {"bench", "--quick", "--case", "threads"},
+    {"bench", "--quick", "--case", "sizes"},
     {"validate", "--part", "beams,stability"},
 };
 

@@ -63,6 +63,8 @@ inline constexpr Column flow[] = {
     {"motion_ns", number, "ns",
      "part of sphere_step_ns: spheres read, kicked, moved and written, measured in a loop of its own"},
     {"contacts_ns", number, "ns", "part of sphere_step_ns: which listed pairs touch, their loads, walls"},
+    {"sizes", text, "", "of the fibers that are packed"},
+    {"sphere_step_ratio", number, "1", "sphere_step_ns over that of fibers of one size"},
     {"search_ns", number, "ns", "part of sphere_step_ns: listing close pairs anew"},
     {"scene_file", text, "", "ready scene in data/scenes that is run"},
     {"step_time", number, "s", "measured time of a step"},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/inner_pairs.hpp"
@@ -11,6 +12,7 @@
 #include "dem/contact/pair_list.hpp"
 #include "dem/contact/wall_neighbors.hpp"
 #include "dem/simd/lane_count.hpp"
+#include "tests/dem/contact/brute_pairs.hpp"
 
 BOOST_AUTO_TEST_SUITE(neighbor_list_test)
 
@@ -19,43 +21,9 @@ namespace dem = fiberchain::dem;
 namespace {
 
 using Vec3 = dem::Vec<double, 3>;
-using Pairs = std::vector<dem::Pair>;
-
-/// All neighbor pairs, compared one by one.
-Pairs brute_pairs(const dem::NeighborList& list) {
-  Pairs pairs;
-  const dem::SphereSet& all = list.spheres();
-  const auto n = static_cast<std::int32_t>(all.radius.size());
-  for (std::int32_t i = 0; i < n; ++i) {
-    for (std::int32_t j = i + 1; j < n; ++j) {
-      Vec3 r = list.reference_positions()[j] - list.reference_positions()[i];
-      for (int c = 0; c < 3; ++c) {
-        if (all.period[c] > 0) r[c] -= all.period[c] * std::round(r[c] / all.period[c]);
-      }
-      if (dem::norm(r) >= all.radius[i] + all.radius[j] + list.skin() ||
-          (j == i + 1 && all.fiber[i] == all.fiber[j]))
-        continue;
-      pairs.push_back({i, j});
-    }
-  }
-  return pairs;
-}
-
-/// Pairs after an update: those of spheres that were not rebuilt, and what was found.
-Pairs updated(const Pairs& before, const dem::NeighborList& list, int parts) {
-  Pairs pairs;
-  for (const dem::Pair& pair : before) {
-    if (!list.is_rebuilt(pair.first) && !list.is_rebuilt(pair.second)) pairs.push_back(pair);
-  }
-  for (int k = 0; k < parts; ++k) {
-    for (const dem::Pair& pair : list.found(k)) {
-      BOOST_TEST(list.parts().of(pair.first) == k);
-      pairs.push_back(pair);
-    }
-  }
-  std::ranges::sort(pairs);
-  return pairs;
-}
+using listed::brute_pairs;
+using listed::Pairs;
+using listed::updated;
 
 }  // namespace
 
@@ -268,14 +236,18 @@ BOOST_AUTO_TEST_CASE(pairs_of_parts_are_those_of_brute_force) {
       histories[k].reserve(1);
       pairs[k].update(list, k, histories[k], width, n, scratch);
       BOOST_TEST(pairs[k].first.size() == dem::whole_vectors(pairs[k].count, width));
-      BOOST_TEST(pairs[k].last_part >= k);
+      std::set<int> reached;
+      std::size_t across = 0;
       for (std::size_t p = 0; p < pairs[k].count; ++p) {
         const dem::Pair pair{pairs[k].first[p], pairs[k].second[p]};
-        same = same && list.parts().of(pair.first) == k && list.parts().of(pair.second) <= pairs[k].last_part;
+        same = same && list.parts().of(pair.first) == k;
+        if (const int other = list.parts().of(pair.second); other != k) reached.insert(other), ++across;
         const auto touching = contact_of.find(pair);
         same = same && pairs[k].contact[p] == (touching == contact_of.end() ? 0 : touching->second);
         all.push_back(pair);
       }
+      BOOST_TEST((pairs[k].reached == std::vector<int>(reached.begin(), reached.end())));
+      BOOST_TEST(pairs[k].across == across);
     }
     BOOST_REQUIRE((all == brute_pairs(list)));
     std::erase_if(contact_of,
