@@ -2,57 +2,77 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "compare/app/context.hpp"
+#include "compare/study/jobs.hpp"
+#include "compare/study/stopping.hpp"
 
 /// What commands that measure many cases share.
 namespace fiberchain::app {
 
-/// Points of all cases, by a function such as compare::damping_points, with a bar of progress. A signal ends
-/// it after the cases at work: `context.stopped` then, and the points measured until then.
 template <class Point, class Case, class Options>
-std::vector<Point> measured(std::vector<Point> (*points_of)(const std::vector<Case>&, const Options&),
-                            const std::vector<Case>& cases, int jobs, const Context& context) {
-  const StopSignals signals;
-  const auto progress = context.progress(cases.size());
-  Options options;
-  options.jobs = jobs;
-  options.advance = [&] { progress->advance(); };
-  const std::size_t part = 4 * static_cast<std::size_t>(std::max(jobs, 1));
+using PointsOf = std::vector<Point> (*)(const std::vector<Case>&, const Options&);
+
+/// Points of all cases, by a function such as compare::damping_points, with a bar of progress. A signal ends
+/// it after those at work: `context.stopped` then, and the others keep the status not_begun.
+template <class Point, class Case, class Options>
+std::vector<Point> points_until_stopped(PointsOf<Point, Case, Options> points_of,
+                                        const std::vector<Case>& cases, const compare::Jobs& jobs,
+                                        const Context& context) {
   std::vector<Point> points;
-  for (std::size_t n = 0; n < cases.size() && context.stopped == 0; n += part) {
-    const auto end = std::min(n + part, cases.size());
-    const auto more = points_of(
-        {cases.begin() + static_cast<std::ptrdiff_t>(n), cases.begin() + static_cast<std::ptrdiff_t>(end)},
-        options);
-    points.insert(points.end(), more.begin(), more.end());
-    if (end < cases.size()) context.stopped = signals.received();
+  std::size_t left = 0;
+  {
+    const StopSignals signals;
+    const auto progress = context.progress(cases.size());
+    Options options;
+    options.jobs = jobs;
+    options.advance = [&] { progress->advance(); };
+    options.stopped = [&] { return signals.received() != 0; };
+    points = points_of(cases, options);
+    left = static_cast<std::size_t>(std::ranges::count(points, compare::not_begun, &Point::status));
+    if (left > 0) context.stopped = signals.received();
   }
-  if (context.stopped != 0)
-    context.log->info("stopped: {} of {} cases were measured", points.size(), cases.size());
+  if (left > 0 && left == points.size()) std::raise(context.stopped);  // nothing to keep
+  if (left > 0)
+    context.log->info("stopped: {} of {} cases were measured", points.size() - left, points.size());
   return points;
 }
 
-/// Points of several groups of cases, measured together; `all` of them and group by group.
+/// Those that were begun.
+template <class Point>
+std::vector<Point> begun(std::vector<Point> points) {
+  std::erase_if(points, [](const Point& point) { return point.status == compare::not_begun; });
+  return points;
+}
+
+/// Points of all cases that were begun before a signal came.
 template <class Point, class Case, class Options>
-std::vector<std::vector<Point>> measured_groups(std::vector<Point> (*points_of)(const std::vector<Case>&,
-                                                                                const Options&),
-                                                const std::vector<std::vector<Case>>& groups, int jobs,
-                                                const Context& context, std::vector<Point>& all) {
+std::vector<Point> measured(PointsOf<Point, Case, Options> points_of, const std::vector<Case>& cases,
+                            const compare::Jobs& jobs, const Context& context) {
+  return begun(points_until_stopped(points_of, cases, jobs, context));
+}
+
+/// The same of several groups of cases, measured together; `all` of them and group by group.
+template <class Point, class Case, class Options>
+std::vector<std::vector<Point>> measured_groups(PointsOf<Point, Case, Options> points_of,
+                                                const std::vector<std::vector<Case>>& groups,
+                                                const compare::Jobs& jobs, const Context& context,
+                                                std::vector<Point>& all) {
   std::vector<Case> cases;
   for (const auto& group : groups) cases.insert(cases.end(), group.begin(), group.end());
-  all = measured(points_of, cases, jobs, context);
+  all = points_until_stopped(points_of, cases, jobs, context);
   std::vector<std::vector<Point>> points;
-  std::span<const Point> rest = all;
+  auto next = all.begin();
   for (const auto& group : groups) {
-    const auto part = rest.first(std::min(group.size(), rest.size()));
-    points.emplace_back(part.begin(), part.end());
-    rest = rest.subspan(part.size());
+    const auto end = next + static_cast<std::ptrdiff_t>(group.size());
+    points.push_back(begun(std::vector<Point>(next, end)));
+    next = end;
   }
+  all = begun(std::move(all));
   return points;
 }
 

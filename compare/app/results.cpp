@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "compare/figures/gnuplot.hpp"
+#include "compare/study/jobs.hpp"
 #include "compare/study/json.hpp"
 #include "compare/study/markdown.hpp"
 #include "dem/record/csv.hpp"
@@ -42,12 +43,28 @@ void write_files(const dem::OutputDirectory& directory, const std::vector<dem::O
   for (const auto& file : files) context.log->info("wrote {}", (directory.path() / file.name).string());
 }
 
+using Drawing = std::function<std::vector<dem::OutputFile>()>;
+
+/// The figures, drawn side by side; of one that could not be drawn, the throwing of its error.
+std::vector<Drawing> drawn_figures(const Results& results, int jobs, const Context& context) {
+  std::vector<Drawing> drawn(results.figures.size());
+  compare::Jobs(jobs).run(drawn.size(), [&](std::size_t i) {
+    const auto& [name, figure] = results.figures[i];
+    try {
+      drawn[i] = [files = compare::figure_files(name, figure, context.provenance)] { return files; };
+    } catch (...) {
+      drawn[i] = [error = std::current_exception()]() -> std::vector<dem::OutputFile> {
+        std::rethrow_exception(error);
+      };
+    }
+  });
+  return drawn;
+}
+
 /// Pictures each by itself: what one fails of, gnuplot or a full disk, is a warning.
-void draw_pictures(const Results& results, const dem::OutputDirectory& directory, const Context& context) {
-  std::vector<std::function<std::vector<dem::OutputFile>()>> drawings;
-  for (const auto& [name, figure] : results.figures) {
-    drawings.emplace_back([&] { return compare::figure_files(name, figure, context.provenance); });
-  }
+void draw_pictures(const Results& results, const dem::OutputDirectory& directory, int jobs,
+                   const Context& context) {
+  std::vector<Drawing> drawings = drawn_figures(results, jobs, context);
   drawings.insert(drawings.end(), results.pictures.begin(), results.pictures.end());
   std::string reason;
   std::size_t failed = 0;
@@ -102,7 +119,7 @@ void deliver(const Results& results, const dem::Table& shown, const OutputOption
                       directory && options.figures ? ", no pictures are drawn" : "");
     return;
   }
-  if (directory && options.figures) draw_pictures(results, *directory, context);
+  if (directory && options.figures) draw_pictures(results, *directory, options.jobs, context);
 }
 
 }  // namespace fiberchain::app

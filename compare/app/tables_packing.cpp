@@ -32,7 +32,7 @@ struct Runs {
   std::vector<PackingRun> figures, spread;
 };
 
-Runs runs_of(const compare::PackingPlan& plan, int jobs, const Context& context) {
+Runs runs_of(const compare::PackingPlan& plan, const compare::Jobs& jobs, const Context& context) {
   std::vector<PackingCase> cases = compare::figure_cases(plan);
   const auto figures = static_cast<std::ptrdiff_t>(cases.size());
   std::ranges::copy(compare::spread_cases(plan), std::back_inserter(cases));

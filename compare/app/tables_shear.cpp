@@ -13,20 +13,23 @@ namespace {
 using compare::FlowStudy;
 using compare::OrbitOptions;
 
-/// A question, the name of its table, and what is shown of it.
+/// A question, the name of its table, what is shown of it, and what is timed for it, alone.
 struct Part {
   const char* name;
   FlowStudy (*study)(const OrbitOptions&);
+  std::pair<std::string, dem::Table> (*timing)() = nullptr;
 };
 
 FlowStudy periods(const OrbitOptions& options) { return compare::period_study({}, options); }
+
+std::pair<std::string, dem::Table> cost() { return {"shear-cost", compare::flow_cost_table()}; }
 
 constexpr Part kParts[] = {{"period", &periods},
                            {"orbits", &compare::jeffery_study},
                            {"stiffness", &compare::stiffness_study},
                            {"regimes", &compare::regime_study},
                            {"buckling", &compare::buckling_study},
-                           {"inertia", &compare::inertia_study}};
+                           {"inertia", &compare::inertia_study, &cost}};
 
 std::vector<Part> parts_of(const Arguments& arguments) {
   std::vector<std::pair<std::string, Part>> choices;
@@ -57,10 +60,15 @@ std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& argum
     return {{"period", compare::period_study(*sweep, options)}};
   const std::vector<Part> parts = parts_of(arguments);
   const auto progress = context.progress(parts.size());
-  std::vector<std::pair<std::string, FlowStudy>> studies;
-  for (const Part& part : parts) {
-    studies.emplace_back(part.name, part.study(options));
+  std::vector<std::optional<FlowStudy>> found(parts.size());
+  options.jobs.run(parts.size(), [&](std::size_t i) {
+    found[i] = parts[i].study(options);
     progress->advance();
+  });
+  std::vector<std::pair<std::string, FlowStudy>> studies;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    studies.emplace_back(parts[i].name, std::move(*found[i]));
+    if (parts[i].timing) studies.back().second.more_tables.push_back(parts[i].timing());
   }
   return studies;
 }
@@ -68,7 +76,8 @@ std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& argum
 int run_tables_shear(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const auto directory = open_output(output, context);
-  auto studies = studies_of(arguments, {.jobs = output.jobs}, context);
+  compare::Workers workers(output.jobs);
+  auto studies = studies_of(arguments, {.jobs = workers}, context);
   Results results{
       .name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};
   int failed = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
@@ -23,20 +24,19 @@ Subjects subjects_of(const Arguments& arguments) {
 /// Their rows. Claims and measures are held against each other before the first run.
 std::vector<compare::ValidationRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
                                             const Context& context) {
-  for (const auto& subject : subjects) compare::check_complete(input.claims, subject.name, subject.checks());
-  const auto progress = context.progress(subjects.size());
-  std::vector<compare::ValidationRow> all;
-  const StopSignals signals;
-  for (const compare::ValidationSubject& subject : subjects) {
-    for (compare::ValidationRow& row : compare::validation_rows(input, subject))
-      all.push_back(std::move(row));
-    progress->advance();
-    if ((context.stopped = signals.received()) != 0) {
-      context.log->info("stopped behind part {}: the rows measured so far are kept", subject.name);
-      break;
-    }
+  const auto progress = context.progress(compare::measurements(subjects));
+  std::vector<compare::ValidationRow> rows;
+  {
+    const StopSignals signals;
+    rows = compare::validation_rows(
+        input, subjects,
+        {.advance = [&] { progress->advance(); }, .stopped = [&] { return signals.received() != 0; }});
+    context.stopped = signals.received();
   }
-  return all;
+  if (context.stopped == 0) return rows;
+  if (rows.empty()) std::raise(context.stopped);  // nothing to keep
+  context.log->info("stopped: rows of parts that were measured whole are kept");
+  return rows;
 }
 
 void log_summary(const std::vector<compare::ValidationRow>& rows, const Context& context) {
@@ -54,8 +54,9 @@ int run_validate(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   std::optional<std::filesystem::path> data;
   if (arguments.has("--data")) data = arguments.text("--data");
+  compare::Workers workers(output.jobs);
   const compare::ValidationInput input{compare::read_all_published(compare::find_data_directory(data)),
-                                       output.jobs};
+                                       workers};
   const Subjects subjects = subjects_of(arguments);
   const auto directory = open_output(output, context, Draws::no);
   const std::vector<compare::ValidationRow> rows = rows_of(subjects, input, context);

@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <optional>
+#include <tuple>
 
 #include "compare/damping/references.hpp"
 #include "compare/fit/law.hpp"
 #include "compare/measure/first_mode_damping.hpp"
+#include "compare/measure/lane_blocks.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
+#include "compare/study/stopping.hpp"
 #include "dem/model/errors.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "reference/errors.hpp"
 
 namespace fiberchain::compare {
@@ -117,44 +119,91 @@ DampingPoint measured(const DampingCase& asked, const Plan& plan, const Marches&
   return point;
 }
 
-/// Cases of one aspect ratio march together.
-void run_group(const std::vector<DampingCase>& cases, const std::vector<std::size_t>& members,
-               const DampingOptions& options, std::vector<DampingPoint>& points) {
-  struct Started {
-    std::size_t index;
-    Plan plan;
-    std::size_t first_release, releases;
-  };
-  std::vector<Started> started;
-  std::vector<dem::Release<2>> all;
-  for (const std::size_t i : members) {
+/// A case that can be measured, its releases and what they did.
+struct Prepared {
+  Plan plan;
+  std::vector<dem::Release<2>> releases;
+  std::vector<dem::ReleaseRecord<2>> records;
+
+  bool marched() const {
+    return std::ranges::none_of(records, [](const auto& record) { return record.samples.empty(); });
+  }
+};
+using AllPrepared = std::vector<std::optional<Prepared>>;
+
+/// A release of a case.
+struct Release {
+  std::size_t index, which;
+};
+
+/// What marches side by side: equal length and form, equal steps between samples and as many of them.
+using BlockKey = std::tuple<int, dem::BondForm, int, double>;
+
+dem::ReleaseOptions options_of(const DampingCase& asked) {
+  dem::ReleaseOptions options;
+  options.form = asked.form;
+  return options;
+}
+
+BlockKey key_of(const DampingCase& asked, const dem::Release<2>& release) {
+  const dem::ReleaseOptions options = options_of(asked);
+  const double steps = release.period / (options.samples_per_period * dem::release_step(release, options));
+  return {asked.aspect_ratio, asked.form, static_cast<int>(std::lround(steps)), release.periods};
+}
+
+AllPrepared prepared(const std::vector<DampingCase>& cases, const DampingOptions& options,
+                     DampingPoints& points) {
+  AllPrepared all(cases.size());
+  options.jobs.run(cases.size(), [&](std::size_t i) {
     try {
       const Plan plan = plan_of(cases[i]);
-      const std::vector<dem::Release<2>> own = releases_of(cases[i], plan);
-      started.push_back({i, plan, all.size(), own.size()});
-      all.insert(all.end(), own.begin(), own.end());
+      all[i] = Prepared{plan, releases_of(cases[i], plan), {}};
+      all[i]->records.resize(all[i]->releases.size());
     } catch (const std::runtime_error& error) {
       points[i] = unmeasured(cases[i], error.what());
+      options.advance();
+    }
+  });
+  return all;
+}
+
+/// All releases, in lanes.
+void march(const std::vector<DampingCase>& cases, const DampingOptions& options, AllPrepared& all) {
+  std::vector<Release> releases;
+  std::vector<std::optional<BlockKey>> keys;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; all[i] && k < all[i]->releases.size(); ++k) {
+      releases.push_back({i, k});
+      keys.emplace_back(key_of(cases[i], all[i]->releases[k]));
     }
   }
-  dem::ReleaseOptions release_options;
-  release_options.form = cases[members[0]].form;
-  const auto records = dem::ring_down(all, release_options);
-  for (const Started& s : started) {
-    const double length = dem::fiber_length(s.plan.fiber);
-    const dem::ReleaseRecord<2>& released = records[s.first_release + 1];
-    try {
-      Marches marches{tip_history(records[s.first_release], length),
-                      {},
-                      tip_history(released, length),
-                      released.time_step,
-                      released.steps};
-      if (s.releases == 3) marches.loaded = tip_history(records[s.first_release + 2], length);
-      points[s.index] = measured(cases[s.index], s.plan, marches, options);
-    } catch (const std::runtime_error& error) {
-      points[s.index] = unmeasured(cases[s.index], error.what());
+  const auto blocks = lane_blocks(keys);
+  options.jobs.run(blocks.size(), [&](std::size_t b) {
+    if (options.stopped()) return;
+    std::vector<dem::Release<2>> together;
+    for (const std::size_t n : blocks[b])
+      together.push_back(all[releases[n].index]->releases[releases[n].which]);
+    auto records = dem::ring_down(together, options_of(cases[releases[blocks[b].front()].index]));
+    for (std::size_t lane = 0; lane < blocks[b].size(); ++lane) {
+      const Release& release = releases[blocks[b][lane]];
+      all[release.index]->records[release.which] = std::move(records[lane]);
     }
-    options.advance();
+  });
+}
+
+DampingPoint point_of(const DampingCase& asked, const Prepared& p, const DampingOptions& options) {
+  try {
+    const double length = dem::fiber_length(p.plan.fiber);
+    const dem::ReleaseRecord<2>& released = p.records[1];
+    Marches marches{tip_history(p.records[0], length),
+                    {},
+                    tip_history(released, length),
+                    released.time_step,
+                    released.steps};
+    if (p.records.size() == 3) marches.loaded = tip_history(p.records[2], length);
+    return measured(asked, p.plan, marches, options);
+  } catch (const std::runtime_error& error) {
+    return unmeasured(asked, error.what());
   }
 }
 
@@ -196,14 +245,19 @@ double equation_20(int aspect_ratio, double bond_damping) {
 std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases,
                                          const DampingOptions& options) {
   for (const DampingCase& asked : cases) check(asked);
-  // longest chains first, so that the last thread is not left with them
-  std::map<std::pair<int, dem::BondForm>, std::vector<std::size_t>, std::greater<>> groups;
-  for (std::size_t i = 0; i < cases.size(); ++i) groups[{cases[i].aspect_ratio, cases[i].form}].push_back(i);
-  std::vector<std::vector<std::size_t>> work;
-  for (const auto& [kind, members] : groups) work.push_back(members);
-  std::vector<DampingPoint> points(cases.size());
-  dem::parallel_for(work.size(), options.jobs,
-                    [&](std::size_t i) { run_group(cases, work[i], options, points); });
+  DampingPoints points;
+  for (const DampingCase& asked : cases) points.push_back(unmeasured(asked, std::string(not_begun)));
+  AllPrepared all = prepared(cases, options, points);
+  march(cases, options, all);
+  std::vector<double> costs;  // of the damped Elastica
+  for (const auto& p : all) costs.push_back(p ? p->plan.clean.periods() : 0);
+  const std::vector<std::size_t> order = dearest_first(costs);
+  options.jobs.run(order.size(), [&](std::size_t k) {
+    const std::size_t i = order[k];
+    if (!all[i] || !all[i]->marched() || options.stopped()) return;
+    points[i] = point_of(cases[i], *all[i], options);
+    options.advance();
+  });
   return points;
 }
 

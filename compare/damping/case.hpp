@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/measure/peaks.hpp"
+#include "compare/study/jobs.hpp"
 #include "dem/model/fiber.hpp"
 #include "dem/motion/physics.hpp"
 #include "reference/chain_modes.hpp"
@@ -62,9 +63,10 @@ struct DampingPoint {
 using DampingPoints = std::vector<DampingPoint>;
 
 struct DampingOptions {
-  int jobs = 1;
+  Jobs jobs = 1;
   bool elastica = true;  ///< run the damped Elastica too
   std::function<void()> advance = [] {};
+  std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
 /// Every case in the order given; one that cannot be measured keeps its row with its status. Throws

@@ -9,7 +9,7 @@
 namespace fiberchain::compare {
 namespace {
 
-DampingPoints measure(const std::vector<DampingCase>& cases, int jobs) {
+DampingPoints measure(const std::vector<DampingCase>& cases, const Jobs& jobs) {
   DampingOptions options;
   options.jobs = jobs;
   options.elastica = false;

@@ -16,7 +16,7 @@ namespace {
 
 using Found = std::vector<Measured>;
 
-DampingPoints measured_points(const std::vector<DampingCase>& cases, int jobs) {
+DampingPoints measured_points(const std::vector<DampingCase>& cases, const Jobs& jobs) {
   return damping_points(cases, {.jobs = jobs, .elastica = false});
 }
 

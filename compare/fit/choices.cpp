@@ -99,7 +99,7 @@ std::vector<FitChoice> fit_choices() {
   return choices;
 }
 
-SlopeMeasurement chain_slopes(const ChainKind& kind, int jobs) {
+SlopeMeasurement chain_slopes(const ChainKind& kind, const Jobs& jobs) {
   return [kind, jobs](const std::vector<SlopeRequest>& requests) {
     std::map<std::pair<int, double>, std::size_t> motions;  // one for each fiber and load
     std::vector<StaticReleaseRequest> releases;

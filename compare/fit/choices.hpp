@@ -6,6 +6,7 @@
 
 #include "compare/fit/fit.hpp"
 #include "compare/measure/peaks.hpp"
+#include "compare/study/jobs.hpp"
 
 // What a and b of the paper's exponential come out as under choices that the paper does not state: which
 // fibers, which load, which peaks, which weighting. A choice that gives the paper's numbers is a guess at
@@ -47,7 +48,7 @@ using SlopeMeasurement = std::function<std::vector<double>(const std::vector<Slo
 
 /// The paper's cases on the chain itself: static releases of the nominal fiber, incremental bonds. One motion
 /// answers every range of peaks asked of it.
-SlopeMeasurement chain_slopes(const ChainKind& kind, int jobs);
+SlopeMeasurement chain_slopes(const ChainKind& kind, const Jobs& jobs);
 
 /// What became of a choice.
 struct ChoiceOutcome {

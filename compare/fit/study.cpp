@@ -10,7 +10,6 @@
 #include "compare/measure/static_release.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
-#include "dem/parallel/parallel_for.hpp"
 
 // What the laws are fitted to, measured.
 namespace fiberchain::compare {
@@ -38,18 +37,19 @@ double first_mode_damping(const dem::Fiber& fiber, double load) {
 }
 
 /// The longest first, so that the last thread is not left with it.
-std::vector<double> first_mode_dampings(const FitSweep& asked, const Ratios& aspect_ratios, int jobs) {
+std::vector<double> first_mode_dampings(const FitSweep& asked, const Ratios& aspect_ratios,
+                                        const Jobs& jobs) {
   std::vector<std::size_t> order(aspect_ratios.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, std::ranges::greater{}, [&](std::size_t i) { return aspect_ratios[i]; });
   std::vector<double> found(aspect_ratios.size());
-  dem::parallel_for(order.size(), jobs, [&](std::size_t k) {
+  jobs.run(order.size(), [&](std::size_t k) {
     found[order[k]] = first_mode_damping(fiber_of(asked, aspect_ratios[order[k]]), asked.load);
   });
   return found;
 }
 
-std::vector<double> static_dampings(const FitSweep& asked, const Ratios& aspect_ratios, int jobs) {
+std::vector<double> static_dampings(const FitSweep& asked, const Ratios& aspect_ratios, const Jobs& jobs) {
   std::vector<StaticReleaseRequest> requests;
   for (const int r_f : aspect_ratios) requests.push_back({fiber_of(asked, r_f), asked.load, {*asked.peaks}});
   std::vector<double> found;
@@ -74,7 +74,7 @@ FitSweep::FitSweep() {
   for (int r_f = 5; r_f <= 30; ++r_f) aspect_ratio.push_back(r_f);
 }
 
-FitStudy fit_study(const FitSweep& asked, int jobs) {
+FitStudy fit_study(const FitSweep& asked, const Jobs& jobs) {
   const ChainKind kind{asked.poisson_ratio, asked.bond_damping};
   FitStudy study{asked, {}, {}, chain_curve(kind), {}, {}};
   check(asked);

@@ -8,6 +8,7 @@
 #include "compare/figures/figure.hpp"
 #include "compare/fit/choices.hpp"
 #include "compare/fit/fit.hpp"
+#include "compare/study/jobs.hpp"
 #include "dem/record/table.hpp"
 
 // The damping law fitted: what is measured for it, its tables, figures and what they say in words.
@@ -35,7 +36,7 @@ struct FitStudy {
 
 /// Measures and fits; the choices at the paper's xi_b = 1. Throws InputError for what cannot be measured or
 /// fitted, naming the aspect ratio.
-FitStudy fit_study(const FitSweep& asked, int jobs);
+FitStudy fit_study(const FitSweep& asked, const Jobs& jobs);
 
 /// A row per law and way to fit.
 dem::Table fit_table(const FitStudy& study);

@@ -4,7 +4,6 @@
 
 #include "compare/flow/buckling.hpp"
 #include "compare/study/tabulate.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "reference/compressed_chain.hpp"
 #include "reference/filament_buckling.hpp"
 
@@ -26,7 +25,7 @@ std::vector<Growth> growths(const OrbitOptions& options) {
   for (const int N : kSpheres) {
     for (const double number : kNumbers) all.push_back({.asked = {.spheres = N, .number = number}});
   }
-  dem::parallel_for(all.size(), options.jobs, [&](std::size_t i) {
+  options.jobs.run(all.size(), [&](std::size_t i) {
     Growth& g = all[i];
     g.run = run_buckling(g.asked);
     g.chain =
@@ -52,8 +51,8 @@ dem::Table threshold_table(const OrbitOptions& options) {
   dem::Table table({"aspect_ratio", "spheres", "threshold_below", "threshold_above", "threshold_chain",
                     "threshold_inextensible", "threshold_filament"});
   std::vector<Threshold> found(std::size(kSpheres));
-  dem::parallel_for(found.size(), options.jobs,
-                    [&](std::size_t i) { found[i] = buckling_threshold_of(kSpheres[i], 100, 150, 0.02); });
+  options.jobs.run(found.size(),
+                   [&](std::size_t i) { found[i] = buckling_threshold_of(kSpheres[i], 100, 150, 0.02); });
   for (std::size_t i = 0; i < found.size(); ++i) {
     const int N = kSpheres[i];
     table.append({{"aspect_ratio", std::int64_t{N - 1}},

@@ -9,7 +9,6 @@
 #include "compare/study/nan.hpp"
 #include "compare/study/tabulate.hpp"
 #include "dem/model/errors.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -22,27 +21,6 @@ double density_of(double stokes, double viscosity, double radius) {
 }
 
 constexpr double kStokes[] = {0.1, 0.03, 0.01, 0.003, 0.001};
-
-/// Time of a step over the spheres, which does not change with their number where the cost is linear.
-dem::Table cost_table() {
-  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "steps", "run_time", "sphere_step_ns"});
-  for (const int N : {26, 51, 101, 201, 401}) {
-    double least = std::numeric_limits<double>::infinity();
-    FlowHistory history{};
-    for (int run = 0; run < 3; ++run) {
-      history = run_inertia<2>({.spheres = N, .elasto_viscous = 1000}, 20, 2);
-      least = std::min(least, history.run_time);
-    }
-    const double steps = history.record.work.steps;
-    table.append({{"aspect_ratio", std::int64_t{N - 1}},
-                  {"spheres", std::int64_t{N}},
-                  {"hydrodynamics", std::string(name(dem::Hydrodynamics::free_draining))},
-                  {"steps", static_cast<std::int64_t>(steps)},
-                  {"run_time", least},
-                  {"sphere_step_ns", 1e9 * least / (steps * N)}});
-  }
-  return table;
-}
 
 }  // namespace
 
@@ -88,6 +66,26 @@ double orbit_drift(const InertiaCase& c, double orbits) {
          1;
 }
 
+dem::Table flow_cost_table() {
+  dem::Table table({"aspect_ratio", "spheres", "hydrodynamics", "steps", "run_time", "sphere_step_ns"});
+  for (const int N : {26, 51, 101, 201, 401}) {
+    double least = std::numeric_limits<double>::infinity();
+    FlowHistory history{};
+    for (int run = 0; run < 3; ++run) {
+      history = run_inertia<2>({.spheres = N, .elasto_viscous = 1000}, 20, 2);
+      least = std::min(least, history.run_time);
+    }
+    const double steps = history.record.work.steps;
+    table.append({{"aspect_ratio", std::int64_t{N - 1}},
+                  {"spheres", std::int64_t{N}},
+                  {"hydrodynamics", std::string(name(dem::Hydrodynamics::free_draining))},
+                  {"steps", static_cast<std::int64_t>(steps)},
+                  {"run_time", least},
+                  {"sphere_step_ns", 1e9 * least / (steps * N)}});
+  }
+  return table;
+}
+
 FlowStudy inertia_study(const OrbitOptions& options) {
   using enum dem::FlowMethod;
   std::vector<InertiaCase> cases;
@@ -96,7 +94,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
       cases.push_back({.stokes = stokes, .method = method, .tolerance = 1e-8});
   }
   std::vector<double> distance(cases.size()), drift(cases.size(), nan);
-  dem::parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
+  options.jobs.run(cases.size(), [&](std::size_t i) {
     distance[i] = inertia_distance(cases[i]);
     if (cases[i].method == leapfrog) drift[i] = orbit_drift(cases[i], 1);
   });
@@ -129,7 +127,6 @@ FlowStudy inertia_study(const OrbitOptions& options) {
   }
   figure.series = {by_cvode, by_leapfrog, drifts};
   study.figures = {{"shear-inertia", std::move(figure)}};
-  study.more_tables = {{"shear-cost", cost_table()}};
   return study;
 }
 

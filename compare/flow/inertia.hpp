@@ -27,4 +27,8 @@ double orbit_drift(const InertiaCase& asked, double orbits);
 
 FlowStudy inertia_study(const OrbitOptions& options);
 
+/// Time of a step over the spheres, which does not change with their number where the cost is linear. To be
+/// run while nothing else is.
+dem::Table flow_cost_table();
+
 }  // namespace fiberchain::compare

@@ -5,7 +5,6 @@
 
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turn_detection.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -44,7 +43,7 @@ OrbitPoint point_of(OrbitCase c) {
 
 std::vector<OrbitPoint> orbit_points(const std::vector<OrbitCase>& cases, const OrbitOptions& options) {
   std::vector<OrbitPoint> points(cases.size());
-  dem::parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
+  options.jobs.run(cases.size(), [&](std::size_t i) {
     points[i] = point_of(cases[i]);
     options.advance();
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/flow/history.hpp"
+#include "compare/study/jobs.hpp"
 
 // Orbits of chains in simple shear u = rate (y, 0, 0), stiff enough to be held against Jeffery's.
 namespace fiberchain::compare {
@@ -33,7 +34,7 @@ struct OrbitPoint {
 };
 
 struct OrbitOptions {
-  int jobs = 1;
+  Jobs jobs = 1;
   std::function<void()> advance = [] {};  ///< called after each case, from any thread
 };
 

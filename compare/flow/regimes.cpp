@@ -6,7 +6,6 @@
 
 #include "compare/flow/setup.hpp"
 #include "compare/flow/turn_detection.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "reference/equivalent_aspect_ratio.hpp"
 #include "reference/jeffery.hpp"
 
@@ -147,7 +146,7 @@ std::string_view name(Regime regime) {
 
 std::vector<RegimePoint> regime_points(const std::vector<RegimeCase>& cases, const OrbitOptions& options) {
   std::vector<RegimePoint> points(cases.size());
-  dem::parallel_for(cases.size(), options.jobs, [&](std::size_t i) {
+  options.jobs.run(cases.size(), [&](std::size_t i) {
     points[i] = point_of(cases[i]);
     options.advance();
   });

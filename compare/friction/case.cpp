@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "compare/damping/case.hpp"
 #include "compare/friction/law.hpp"
+#include "compare/measure/lane_blocks.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
+#include "compare/study/stopping.hpp"
 #include "dem/model/errors.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
-#include "dem/parallel/parallel_for.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -95,25 +96,40 @@ void run_block(const std::vector<RollingCase>& cases, const std::vector<std::siz
   for (std::size_t k = 0; k < members.size(); ++k) options.advance();
 }
 
-/// Blocks of cases with the same step, the longest marches first, so that the last thread is not left with
-/// them.
-std::vector<std::vector<std::size_t>> blocks_of(const std::vector<RollingCase>& cases) {
-  using Kind = std::tuple<int, double, int, bool, bool, double, double, int>;
-  std::map<Kind, std::vector<std::size_t>, std::greater<>> groups;
+/// The law that acts: without friction there is none.
+dem::Rolling acting_law(const RollingCase& c) { return c.rolling_friction > 0 ? c.law : dem::Rolling::none; }
+
+/// What the motion follows from; what is measured of it follows from the peaks, too.
+auto motion_of(const RollingCase& c) {
+  return std::tuple(c.aspect_ratio, 1 / c.step_ratio.value_or(1), acting_law(c), c.bond_damping,
+                    c.poisson_ratio, c.peaks.last, c.amplitude, c.amplitude ? 0 : c.load, c.rolling_friction,
+                    c.peaks.first);
+}
+
+/// Of each case the first whose row is the same but for what was asked.
+std::vector<std::size_t> first_alike(const std::vector<RollingCase>& cases) {
+  std::map<decltype(motion_of(cases[0])), std::size_t> found;
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    first.push_back(found.try_emplace(motion_of(cases[i]), i).first->second);
+  }
+  return first;
+}
+
+/// Blocks of cases with the same step, long marches first. Only the first of those that are alike.
+std::vector<std::vector<std::size_t>> blocks_of(const std::vector<RollingCase>& cases,
+                                                const std::vector<std::size_t>& first) {
+  using Kind = std::tuple<int, double, dem::Rolling, bool, double, double, int>;
+  std::vector<std::optional<Kind>> kinds(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const RollingCase& c = cases[i];
-    groups[{c.aspect_ratio, 1 / c.step_ratio.value_or(1), static_cast<int>(c.law), c.rolling_friction > 0,
-            c.amplitude.has_value(), c.bond_damping, c.poisson_ratio, c.peaks.last}]
-        .push_back(i);
+    if (first[i] != i) continue;
+    kinds[i] = {c.aspect_ratio, 1 / c.step_ratio.value_or(1),
+                acting_law(c),  c.amplitude.has_value(),
+                c.bond_damping, c.poisson_ratio,
+                c.peaks.last};
   }
-  const std::size_t width = dem::chain_kernel(dem::built_physics[0], dem::best_instruction_set()).width;
-  std::vector<std::vector<std::size_t>> blocks;
-  for (const auto& [kind, members] : groups) {
-    for (std::size_t n = 0; n < members.size(); n += width) {
-      blocks.emplace_back(members.begin() + n, members.begin() + std::min(n + width, members.size()));
-    }
-  }
-  return blocks;
+  return lane_blocks(kinds);
 }
 
 void check(const RollingCase& asked) {
@@ -154,10 +170,19 @@ dem::Fiber rolling_fiber(const RollingCase& asked) {
 std::vector<RollingPoint> rolling_points(const std::vector<RollingCase>& cases,
                                          const RollingOptions& options) {
   for (const RollingCase& asked : cases) check(asked);
-  const auto blocks = blocks_of(cases);
-  std::vector<RollingPoint> points(cases.size());
-  dem::parallel_for(blocks.size(), options.jobs,
-                    [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
+  const std::vector<std::size_t> first = first_alike(cases);
+  const auto blocks = blocks_of(cases, first);
+  std::vector<RollingPoint> points;
+  for (const RollingCase& asked : cases) points.push_back(unmeasured(asked, std::string(not_begun)));
+  options.jobs.run(blocks.size(), [&](std::size_t i) {
+    if (!options.stopped()) run_block(cases, blocks[i], options, points);
+  });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (first[i] == i) continue;
+    points[i] = points[first[i]];
+    points[i].asked = cases[i];
+    options.advance();
+  }
   return points;
 }
 

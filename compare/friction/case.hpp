@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/measure/peaks.hpp"
+#include "compare/study/jobs.hpp"
 #include "dem/model/fiber.hpp"
 #include "dem/motion/physics.hpp"
 
@@ -43,8 +44,9 @@ struct RollingPoint {
 using RollingPoints = std::vector<RollingPoint>;
 
 struct RollingOptions {
-  int jobs = 1;
-  std::function<void()> advance = [] {};  ///< called after each case, from any thread
+  Jobs jobs = 1;
+  std::function<void()> advance = [] {};                 ///< called after each case, from any thread
+  std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
 /// Every case in the order given; one that cannot be measured keeps its row with its status. Throws

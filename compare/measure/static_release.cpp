@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <tuple>
 
+#include "compare/measure/lane_blocks.hpp"
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/ring_down_release.hpp"
 #include "compare/study/errors.hpp"
-#include "dem/motion/kernels/chain_kernel.hpp"
-#include "dem/parallel/parallel_for.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -65,22 +64,6 @@ BlockKey key_of(const StaticReleaseRequest& request, const dem::Release<2>& rele
 
 using Block = std::vector<std::size_t>;
 
-/// Blocks as wide as the lanes, the most work first.
-std::vector<Block> blocks_of(const std::vector<StaticReleaseRequest>& requests,
-                             const std::vector<dem::Release<2>>& releases) {
-  std::map<BlockKey, Block, std::greater<>> alike;
-  for (std::size_t i = 0; i < requests.size(); ++i) alike[key_of(requests[i], releases[i])].push_back(i);
-  const std::size_t width =
-      dem::chain_kernel(dem::built_physics[0], dem::ReleaseOptions{}.instruction_set).width;
-  std::vector<Block> blocks;
-  for (const auto& [key, members] : alike) {
-    for (std::size_t first = 0; first < members.size(); first += width) {
-      blocks.emplace_back(members.begin() + first, members.begin() + std::min(first + width, members.size()));
-    }
-  }
-  return blocks;
-}
-
 StaticReleaseResult measured(const StaticReleaseRequest& request, const dem::ReleaseRecord<2>& record) {
   StaticReleaseResult result{{}, tip_history(record, dem::fiber_length(request.fiber))};
   const std::vector<Peak> peaks = positive_peaks(result.history);
@@ -111,14 +94,15 @@ void run_block(const std::vector<StaticReleaseRequest>& requests,
 }  // namespace
 
 std::vector<StaticReleaseResult> static_release_damping(const std::vector<StaticReleaseRequest>& requests,
-                                                        int jobs) {
+                                                        const Jobs& jobs) {
   for (const StaticReleaseRequest& request : requests) check(request);
   std::vector<dem::Release<2>> releases(requests.size());
-  dem::parallel_for(requests.size(), jobs, [&](std::size_t i) { releases[i] = release_of(requests[i]); });
-  const std::vector<Block> blocks = blocks_of(requests, releases);
+  jobs.run(requests.size(), [&](std::size_t i) { releases[i] = release_of(requests[i]); });
+  std::vector<std::optional<BlockKey>> keys;
+  for (std::size_t i = 0; i < requests.size(); ++i) keys.emplace_back(key_of(requests[i], releases[i]));
+  const std::vector<Block> blocks = lane_blocks(keys);
   std::vector<StaticReleaseResult> results(requests.size());
-  dem::parallel_for(blocks.size(), jobs,
-                    [&](std::size_t i) { run_block(requests, releases, blocks[i], results); });
+  jobs.run(blocks.size(), [&](std::size_t i) { run_block(requests, releases, blocks[i], results); });
   return results;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compare/measure/peaks.hpp"
+#include "compare/study/jobs.hpp"
 #include "dem/model/fiber.hpp"
 #include "dem/motion/physics.hpp"
 
@@ -28,6 +29,6 @@ struct StaticReleaseResult {
 /// naming the case, for a fiber without damping, an overdamped first mode, a load of 0, or a range of peaks
 /// that is no range; what dem::solve_equilibrium and dem::ring_down throw.
 std::vector<StaticReleaseResult> static_release_damping(const std::vector<StaticReleaseRequest>& requests,
-                                                        int jobs = 1);
+                                                        const Jobs& jobs = 1);
 
 }  // namespace fiberchain::compare

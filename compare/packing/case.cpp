@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 
 #include "dem/analysis/observables.hpp"
 #include "dem/model/errors.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "dem/scene/build_packing.hpp"
 
 namespace fiberchain::compare {
@@ -153,15 +151,13 @@ PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch,
 }
 
 std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, const PackingWatch& watch,
-                                     int jobs, const std::function<void()>& advance) {
-  std::vector<std::size_t> order(cases.size());
-  std::iota(order.begin(), order.end(), 0);
+                                     const Jobs& jobs, const std::function<void()>& advance) {
   std::vector<double> work;
   for (const PackingCase& c : cases) work.push_back(c.fibers / packing_scene(c).step.value());
-  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return work[i]; });
+  const std::vector<std::size_t> order = dearest_first(work);
   std::vector<PackingRun> runs(cases.size());
-  dem::parallel_for(cases.size(), jobs,
-                    [&](std::size_t i) { runs[order[i]] = run_packing(cases[order[i]], watch, advance); });
+  jobs.run(cases.size(),
+           [&](std::size_t i) { runs[order[i]] = run_packing(cases[order[i]], watch, advance); });
   return runs;
 }
 

@@ -7,6 +7,7 @@
 
 #include "compare/packing/history.hpp"
 #include "compare/packing/scene.hpp"
+#include "compare/study/jobs.hpp"
 #include "dem/trajectory/frame.hpp"
 
 namespace fiberchain::compare {
@@ -66,6 +67,6 @@ PackingRun run_packing(const PackingCase& asked, const PackingWatch& watch,
 /// All of them, the longest first; given back in the order asked for. `advance` is called after every sample,
 /// maybe from several threads at once.
 std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, const PackingWatch& watch,
-                                     int jobs, const std::function<void()>& advance = {});
+                                     const Jobs& jobs, const std::function<void()>& advance = {});
 
 }  // namespace fiberchain::compare

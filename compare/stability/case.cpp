@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
-#include "dem/parallel/parallel_for.hpp"
+#include "compare/study/stopping.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -42,6 +41,15 @@ void measure(StabilityPoint& point) {
   point.quarter_verdict = verdict(run, 0.25 * t_b, limit, point.steps);
   point.bond_time_verdict = verdict(run, t_b, limit, point.steps);
   point.status = limit.ordered ? "measured" : "measured, but a smaller step grew and a larger one did not";
+}
+
+StabilityPoint unmeasured(const StabilityCase& asked) {
+  return {asked, nan, nan, nan, nan, nan, nan, "", "", 0, std::string(not_begun)};
+}
+
+/// Spheres times steps, about.
+double cost_of(const StabilityCase& asked) {
+  return (asked.aspect_ratio + 1.0) * steps_to_grow(run_of(asked), width / 2);
 }
 
 StabilityPoint point_of(const StabilityCase& asked) {
@@ -93,12 +101,15 @@ double endless_limit(const StabilityCase& asked) {
 std::vector<StabilityPoint> stability_points(const std::vector<StabilityCase>& cases,
                                              const StabilityOptions& options) {
   std::ranges::for_each(cases, check);
-  // longest chains first, so that the last thread is not left with them
-  std::vector<std::size_t> order(cases.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return cases[i].aspect_ratio; });
-  std::vector<StabilityPoint> points(cases.size());
-  dem::parallel_for(order.size(), options.jobs, [&](std::size_t i) {
+  std::vector<double> costs;
+  std::vector<StabilityPoint> points;
+  for (const StabilityCase& asked : cases) {
+    costs.push_back(cost_of(asked));
+    points.push_back(unmeasured(asked));
+  }
+  const std::vector<std::size_t> order = dearest_first(costs);
+  options.jobs.run(order.size(), [&](std::size_t i) {
+    if (options.stopped()) return;
     points[order[i]] = point_of(cases[order[i]]);
     options.advance();
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/stability/run.hpp"
+#include "compare/study/jobs.hpp"
 
 // The largest stable step of a chain: theory of the endless and of the finite chain, measurement, and the
 // paper's rules.
@@ -36,8 +37,9 @@ struct StabilityPoint {
 };
 
 struct StabilityOptions {
-  int jobs = 1;
+  Jobs jobs = 1;
   std::function<void()> advance = [] {};
+  std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
 /// The scheme in the reference's words. Throws InputError for one that is not explicit.

@@ -104,7 +104,7 @@ const Checks& stability_checks() {
       {{"stable-step-0", "stable-step-0.1", "stable-step-0.25", "stable-step-0.5", "stable-step-1",
         "stable-step-2", "stable-step-5"},
        limits},
-      {{"stable-step-runs", "stable-step-runs-damped"}, agreement},
+      {{"stable-step-runs", "stable-step-runs-damped"}, agreement, 2},
       {{"stable-step-own"}, own_step}};
   return checks;
 }

@@ -7,9 +7,9 @@
 #include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
+#include "compare/study/stopping.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
-#include "dem/parallel/parallel_for.hpp"
 #include "reference/elastica.hpp"
 #include "reference/errors.hpp"
 #include "reference/reissner.hpp"
@@ -133,11 +133,13 @@ bool has_converged(const StaticPoint& point) { return point.status.starts_with("
 
 std::vector<StaticPoint> static_points(const std::vector<StaticCase>& cases, const StaticOptions& options) {
   for (const StaticCase& asked : cases) check(asked);
-  std::vector<StaticPoint> points(cases.size());
+  std::vector<StaticPoint> points;
+  for (const StaticCase& asked : cases) points.push_back(failed(asked, std::string(not_begun)));
   const std::size_t width = dem::chain_kernel(dem::built_physics[0], options.march.instruction_set).width;
   const std::vector<Block> blocks = blocks_of(cases, width);
-  dem::parallel_for(blocks.size(), options.jobs,
-                    [&](std::size_t i) { run_block(cases, blocks[i], options, points); });
+  options.jobs.run(blocks.size(), [&](std::size_t i) {
+    if (!options.stopped()) run_block(cases, blocks[i], options, points);
+  });
   return points;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/study/jobs.hpp"
 #include "dem/equilibrium/dynamic_relaxation.hpp"
 #include "dem/equilibrium/stability.hpp"
 #include "dem/model/fiber.hpp"
@@ -59,9 +60,10 @@ struct StaticPoint {
 };
 
 struct StaticOptions {
-  int jobs = 1;
+  Jobs jobs = 1;
   dem::RelaxOptions march = {};
-  std::function<void()> advance = [] {};  ///< called after each case, from any thread
+  std::function<void()> advance = [] {};                 ///< called after each case, from any thread
+  std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
 /// Whether there is an answer.

@@ -12,7 +12,7 @@
 namespace fiberchain::compare {
 namespace {
 
-StaticPoint point(const StaticCase& asked, int jobs) {
+StaticPoint point(const StaticCase& asked, const Jobs& jobs) {
   return static_points({asked}, {.jobs = jobs}).front();
 }
 
@@ -39,20 +39,20 @@ double ring_gap(int bonds) {
 }
 
 /// Observed order between r_f = 20 and 40 at load 6.
-double observed_order(dem::BondModel bond, double StaticPoint::*distance, int jobs) {
+double observed_order(dem::BondModel bond, double StaticPoint::*distance, const Jobs& jobs) {
   const StaticPoint coarse = point({.aspect_ratio = 20, .load = 6, .bond = bond}, jobs);
   const StaticPoint fine = point({.aspect_ratio = 40, .load = 6, .bond = bond}, jobs);
   return std::log2(coarse.*distance / (fine.*distance));
 }
 
-double march_less_solve(int jobs) {
+double march_less_solve(const Jobs& jobs) {
   const StaticPoint solved = point({.aspect_ratio = 13, .poisson_ratio = 0.17, .load = 3}, jobs);
   const StaticPoint marched =
       point({.aspect_ratio = 13, .poisson_ratio = 0.17, .load = 3, .method = StaticMethod::march}, jobs);
   return std::hypot(marched.tip.y - solved.tip.y, marched.tip.x - solved.tip.x) / solved.tip.y;
 }
 
-double worst_corrected_distance(int jobs) {
+double worst_corrected_distance(const Jobs& jobs) {
   double worst = 0;
   for (const double load : {0.05, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
     worst =

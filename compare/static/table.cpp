@@ -92,7 +92,7 @@ dem::Table static_table(const std::vector<StaticPoint>& points) {
   return tabulate(points, [](const StaticPoint& point) { return row_of(point); });
 }
 
-dem::Table static_order_table(double poisson_ratio, int jobs) {
+dem::Table static_order_table(double poisson_ratio, const Jobs& jobs) {
   StaticSweep sweep;
   sweep.aspect_ratio = {5, 10, 20, 40, 80};
   sweep.poisson_ratio = {poisson_ratio};

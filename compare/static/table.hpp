@@ -6,6 +6,7 @@
 
 #include "compare/figures/figure.hpp"
 #include "compare/static/case.hpp"
+#include "compare/study/jobs.hpp"
 #include "dem/record/table.hpp"
 
 // The static cantilever as tables and figures (Figs 3 and 4 of the paper).
@@ -32,7 +33,7 @@ dem::Table static_table(const std::vector<StaticPoint>& points);
 
 /// Aspect ratios in turn at the same bond and load: departures and the order at which they vanish in 1 / r_f,
 /// pairwise. Both bonds, loads 1 and 6, solved.
-dem::Table static_order_table(double poisson_ratio, int jobs);
+dem::Table static_order_table(double poisson_ratio, const Jobs& jobs);
 
 /// Figures by file name: fig-3 (deflection against load), fig-4 (departure against load), static-budget (what
 /// the departure consists of), static-order (departure against aspect ratio).

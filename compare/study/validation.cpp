@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
@@ -77,6 +79,52 @@ ValidationRow unjudged(const Claim& claim, const Measured& measured) {
           .evidence = evidence_of(claim, measured.evidence)};
 }
 
+/// What a check measured, in the order of its ids; empty if it was not begun.
+using Found = std::vector<Measured>;
+
+Found measured(const ValidationInput& input, const Check& check) {
+  Found found = check.measure(input);
+  if (found.size() != check.ids.size()) {
+    throw InputError(fmt::format("the measure of '{}' and its like returned {} values for {} claims",
+                                 check.ids.front(), found.size(), check.ids.size()));
+  }
+  return found;
+}
+
+/// Of all checks of the subjects, one after the other.
+std::vector<Found> measured(const ValidationInput& input, const std::vector<ValidationSubject>& subjects,
+                            const ValidationWatch& watch) {
+  std::vector<const Check*> checks;
+  std::vector<double> costs;
+  for (const ValidationSubject& subject : subjects) {
+    for (const Check& check : subject.checks()) {
+      checks.push_back(&check);
+      costs.push_back(check.cost);
+    }
+  }
+  const std::vector<std::size_t> order = dearest_first(costs);
+  std::vector<Found> found(checks.size());
+  input.jobs.run(order.size(), [&](std::size_t n) {
+    if (watch.stopped()) return;
+    found[order[n]] = measured(input, *checks[order[n]]);
+    watch.advance();
+  });
+  return found;
+}
+
+/// The rows of a subject whose checks have found this.
+void add_rows(const ValidationInput& input, const ValidationSubject& subject, const std::vector<Found>& found,
+              std::vector<ValidationRow>& rows) {
+  std::map<std::string_view, const Measured*> by_id;
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    const Check& check = subject.checks()[n];
+    for (std::size_t i = 0; i < check.ids.size(); ++i) by_id[check.ids[i]] = &found[n][i];
+  }
+  for (const Claim& claim : input.claims) {
+    if (claim.subject == subject.name) rows.push_back(row_of(claim, *by_id.at(claim.id)));
+  }
+}
+
 }  // namespace
 
 Checks merged(Checks first, const Checks& second) {
@@ -123,23 +171,24 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
   }
 }
 
-std::vector<ValidationRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject) {
-  const Checks& checks = subject.checks();
-  check_complete(input.claims, subject.name, checks);
-  std::vector<std::pair<std::string_view, Measured>> found;
-  for (const Check& check : checks) {
-    const std::vector<Measured> measured = check.measure(input);
-    if (measured.size() != check.ids.size()) {
-      throw InputError(fmt::format("the measure of '{}' and its like returned {} values for {} claims",
-                                   check.ids.front(), measured.size(), check.ids.size()));
-    }
-    for (std::size_t i = 0; i < measured.size(); ++i) found.emplace_back(check.ids[i], measured[i]);
-  }
+std::size_t measurements(const std::vector<ValidationSubject>& subjects) {
+  std::size_t count = 0;
+  for (const ValidationSubject& subject : subjects) count += subject.checks().size();
+  return count;
+}
+
+std::vector<ValidationRow> validation_rows(const ValidationInput& input,
+                                           const std::vector<ValidationSubject>& subjects,
+                                           const ValidationWatch& watch) {
+  for (const ValidationSubject& subject : subjects)
+    check_complete(input.claims, subject.name, subject.checks());
+  const std::vector<Found> found = measured(input, subjects, watch);
   std::vector<ValidationRow> rows;
-  for (const Claim& claim : input.claims) {
-    if (claim.subject != subject.name) continue;
-    rows.push_back(row_of(
-        claim, std::ranges::find(found, claim.id, &std::pair<std::string_view, Measured>::first)->second));
+  auto next = found.begin();
+  for (const ValidationSubject& subject : subjects) {
+    const auto end = next + static_cast<std::ptrdiff_t>(subject.checks().size());
+    if (std::none_of(next, end, std::mem_fn(&Found::empty))) add_rows(input, subject, {next, end}, rows);
+    next = end;
   }
   return rows;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "compare/study/jobs.hpp"
 #include "compare/study/published.hpp"
 #include "compare/study/validation_report.hpp"
 
@@ -15,7 +17,7 @@ namespace fiberchain::compare {
 
 struct ValidationInput {
   std::vector<Claim> claims;
-  int jobs = 1;
+  Jobs jobs = 1;
 };
 
 /// A number or word that a field of the claim's evidence text shows.
@@ -33,6 +35,7 @@ struct Measured {
 struct Check {
   std::vector<std::string> ids;
   std::vector<Measured> (*measure)(const ValidationInput& input);  ///< one for each id
+  double cost = 0;                                                 ///< processor time, about; 0: below 1 [s]
 };
 
 using Checks = std::vector<Check>;
@@ -76,10 +79,22 @@ const std::vector<ValidationSubject>& validation_subjects();
 /// @throws InputError naming a claim without a measure or a measure without a claim
 void check_complete(const std::vector<Claim>& claims, std::string_view subject, const Checks& checks);
 
-/// The subject's rows, in the order of the claims.
+/// Who watches the matrix while it is measured.
+struct ValidationWatch {
+  std::function<void()> advance = [] {};                 ///< called after each measurement, from any thread
+  std::function<bool()> stopped = [] { return false; };  ///< then no other is begun
+};
+
+/// Rows of the subjects in their order, each subject's in the order of its claims. All are measured side by
+/// side, the dearest first. When stopped, of the subjects that were measured whole.
 /// @throws InputError as above, or where a measure does not return a value for each id
 ///   or does not fill the claim's evidence text
-std::vector<ValidationRow> validation_rows(const ValidationInput& input, const ValidationSubject& subject);
+std::vector<ValidationRow> validation_rows(const ValidationInput& input,
+                                           const std::vector<ValidationSubject>& subjects,
+                                           const ValidationWatch& watch = {});
+
+/// Measurements that rows of these subjects take.
+std::size_t measurements(const std::vector<ValidationSubject>& subjects);
 
 /// The claim's row, judged.
 /// @throws InputError if the evidence text has more fields than were measured, or if what is expected and

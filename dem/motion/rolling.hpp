@@ -26,13 +26,20 @@ Projection<Real, S> project(const Vec<Real, S>& p, const Real& radius) {
   using std::sqrt;
   const Real inverse = Real(1.0) / sqrt(size);
   const Real scale = select(outside, radius * inverse, Real(1.0));
-  const Real take = select(outside, Real(S == 1 ? 0.0 : 1.0) * scale * inverse * inverse, Real(0.0));
-  const Real keep =
-      select(outside, Real(S == 1 ? 0.0 : 1.0) * scale, Real(1.0));  // in the plane nothing is left
+  const Real take = select(outside, scale * inverse * inverse, Real(0.0));
   Projection<Real, S> result{scale * p, {}};
   for (int i = 0; i < S; ++i) {
-    for (int j = 0; j < S; ++j) result.derivative[i][j] = (i == j ? keep : Real(0.0)) - take * p[i] * p[j];
+    for (int j = 0; j < S; ++j) result.derivative[i][j] = (i == j ? scale : Real(0.0)) - take * p[i] * p[j];
   }
+  return result;
+}
+
+/// In the plane the ball is an interval: no root, no quotient.
+template <class Real>
+Projection<Real, 1> project(const Vec<Real, 1>& p, const Real& radius) {
+  const auto above = p[0] > radius, below = p[0] < -radius;
+  Projection<Real, 1> result{{select(above, radius, select(below, -radius, p[0]))}, {}};
+  result.derivative[0][0] = select(above || below, Real(0.0), Real(1.0));
   return result;
 }
 
@@ -59,7 +66,29 @@ Real mobility(const ChainBlock<P, Real>& chain, int bond) {
   return Real(1.0) / (turning(chain, bond) + turning(chain, bond + 1));
 }
 
-/// One Newton iteration for all bonds; a lane that is done keeps its impulses. Returns which lanes are done.
+/// Largest error of an impulse over its limit.
+inline constexpr double rolling_tolerance = 1e-10;
+
+template <class Real, int S>
+auto within_tolerance(const Vec<Real, S>& off, const Real& limit) {
+  const Real allowed = Real(rolling_tolerance) * limit;
+  return !(dot(off, off) > allowed * allowed);
+}
+
+/// Whether a bond's equation holds with the impulse `l` and those of its neighbors.
+template <Physics P, class Real>
+auto is_solved(const ChainBlock<P, Real>& chain, int bond, const Spin<Real, P.dimension>& before,
+               const Spin<Real, P.dimension>& l, const Spin<Real, P.dimension>& after) {
+  const auto& slot = rolling_slots(chain)[bond];
+  Spin<Real, P.dimension> sum = slot.free;
+  if (bond > 0 && !chain.fixed(bond)) sum = sum + before;
+  if (bond + 1 < chain.bonds && !chain.fixed(bond + 1)) sum = sum + after;
+  return within_tolerance(project(mobility(chain, bond) * sum, slot.limit).value - l, slot.limit);
+}
+
+/// One Newton iteration for all bonds; a lane that is done keeps its impulses. Returns which lanes are done:
+/// those whose impulses no longer change, in the plane those that solve the equations, which are linear there
+/// until a bond begins or ceases to slide.
 template <Physics P, class Real>
 auto rolling_iteration(const ChainBlock<P, Real>& chain, const decltype(Real(0.0) > Real(0.0))& done) {
   constexpr int S = spin_size<P.dimension>;
@@ -93,13 +122,20 @@ auto rolling_iteration(const ChainBlock<P, Real>& chain, const decltype(Real(0.0
   }
   Vec<Real, S> next{};
   for (Real& c : next.c) c = Real(0.0);
-  auto settled = Real(0.0) < Real(1.0);
+  Vec<Real, S> after = next, last = next;
+  auto settled = Real(0.0) < Real(1.0), solved = settled;
   for (int i = chain.bonds - 1; i >= 0; --i) {
+    after = last, last = next;
     next = slots[i].forward + slots[i].coupling * next;
-    const Vec<Real, S> change = next - slots[i].impulse;
-    const Real allowed = Real(1e-10) * slots[i].limit;
-    settled = settled && !(dot(change, change) > allowed * allowed);
+    if constexpr (S == 1) {
+      if (i + 1 < chain.bonds) solved = solved && is_solved(chain, i + 1, next, last, after);
+    }
+    settled = settled && within_tolerance(next - slots[i].impulse, slots[i].limit);
     for (int c = 0; c < S; ++c) slots[i].impulse[c] = select(done, slots[i].impulse[c], next[c]);
+  }
+  if constexpr (S == 1) {
+    solved = solved && is_solved(chain, 0, next, next, last);
+    settled = settled || solved;
   }
   return done || settled;
 }

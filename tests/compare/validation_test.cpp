@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(a_measure_without_a_claim_is_named) {
 }
 
 BOOST_AUTO_TEST_CASE(rows_come_in_the_order_of_the_claims) {
-  const auto rows = validation_rows({{claim("a"), claim("b")}, 1}, {"pendulum", pendulum_checks});
+  const auto rows = validation_rows({{claim("a"), claim("b")}, 1}, {{"pendulum", pendulum_checks}});
   BOOST_REQUIRE(rows.size() == 2);
   BOOST_TEST(rows[0].id == "a");
   BOOST_TEST(rows[1].id == "b");
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(rows_come_in_the_order_of_the_claims) {
 BOOST_AUTO_TEST_CASE(a_measure_that_returns_too_few_is_refused) {
   static const Checks checks{{{"a", "b"}, one}};
   const auto few = []() -> const Checks& { return checks; };
-  BOOST_CHECK_THROW(validation_rows({{claim("a"), claim("b")}, 1}, {"pendulum", few}), InputError);
+  BOOST_CHECK_THROW(validation_rows({{claim("a"), claim("b")}, 1}, {{"pendulum", few}}), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(the_verdict_follows_from_the_value_and_the_claim) {
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_planted_change_is_noticed_in_measured_rows) {
   const ValidationInput input{claims_of_the_project(), 2};
   for (const std::string_view name : {"beams", "static", "damping"}) {
     const auto subject = std::ranges::find(validation_subjects(), name, &ValidationSubject::name);
-    for (const ValidationRow& row : validation_rows(input, *subject)) {
+    for (const ValidationRow& row : validation_rows(input, {*subject})) {
       BOOST_TEST(*row.as_expected, row.id);
       BOOST_TEST(is_noticed_both_ways(row), row.id);
     }
