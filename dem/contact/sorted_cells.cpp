@@ -29,19 +29,21 @@ void SortedCells::sort(const CellGeometry& cells, std::span<const std::int32_t> 
 
 int SortedCells::runs_around(const Vec<double, 3>& place, SlotRange* runs) const {
   const CellGeometry::Near x = cells_.near(place, 0), y = cells_.near(place, 1), z = cells_.near(place, 2);
+  // cells that follow one another along x are one run
+  std::int32_t first[3], behind[3];
+  int pieces = 0;
+  for (int a = 0; a < x.count; ++a) {
+    if (pieces == 0 || x.at[a] != behind[pieces - 1]) first[pieces++] = x.at[a];
+    behind[pieces - 1] = x.at[a] + 1;
+  }
   int count = 0;
   for (int c = 0; c < z.count; ++c) {
     for (int b = 0; b < y.count; ++b) {
       const std::int32_t row = y.at[b] + z.at[c];
-      for (int a = 0; a < x.count; ++a) {
-        const std::int32_t cell = x.at[a] + row;
-        const SlotRange run{begin_[cell], begin_[cell + 1]};
-        if (run.begin == run.end) continue;
-        if (count > 0 && runs[count - 1].end == run.begin) {
-          runs[count - 1].end = run.end;
-        } else {
-          runs[count++] = run;
-        }
+      for (int k = 0; k < pieces; ++k) {
+        const SlotRange run{begin_[row + first[k]], begin_[row + behind[k]]};
+        runs[count] = run;  // no branch: whether a row is empty is not to be foreseen
+        count += run.begin < run.end ? 1 : 0;
       }
     }
   }
