@@ -114,16 +114,21 @@ class Contacts {
   void each_place(const Visit& visit) const;
 
   struct Part {
-    PairList pairs, next_pairs;  ///< the latter is scratch of updates
+    PairList pairs;
     InnerPairList inner;
     std::vector<WallNeighbors> walls;
-    WallNeighbors next_wall;     ///< scratch of updates
     ContactHistories histories;  ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
     std::vector<HaloForce> halo;
     std::vector<std::vector<std::int32_t>> halo_of_part;  ///< numbers in halo, by the part they are for
     double deepest = 0;
     ContactAccumulators sums;
+  };
+
+  /// Lists change places with these, whose memory goes from part to part.
+  struct UpdateScratch {
+    PairList pairs;
+    WallNeighbors wall;
   };
 
   /// Fills the rows behind those of the spheres, for the lanes that pad vectors.
@@ -136,7 +141,7 @@ class Contacts {
   void prune(Part& part, std::int32_t part_end, const SphereStorage& rows);
   /// Neighbor pairs and wall neighbors of all parts, of one part.
   void update_parts(ThreadPool& pool);
-  void update_part(int part);
+  void update_part(int part, UpdateScratch& scratch);
   /// By the parts that a part's halo forces are for.
   void sort_halo(int part, std::int32_t count);
   /// Numbers of the law's Parameters.
@@ -176,6 +181,7 @@ class Contacts {
   NeighborList neighbors_;
   double reference_time_ = 0;
   std::vector<Part> parts_;
+  std::vector<UpdateScratch> scratch_;  ///< one a thread
   PartDependencies reach_;
 };
 

@@ -47,16 +47,17 @@ double Contacts::update_neighbor_list(const SphereStorage& rows, ThreadPool& poo
 }
 
 void Contacts::update_parts(ThreadPool& pool) {
-  pool.parallel_for(parts().count(), [&](int k, int) { update_part(k); });
+  scratch_.resize(static_cast<std::size_t>(pool.threads()));
+  pool.parallel_for(parts().count(), [&](int k, int thread) { update_part(k, scratch_[thread]); });
   std::vector<std::vector<int>> reached;
   for (const Part& part : parts_) reached.push_back(part.pairs.reached);
   reach_ = PartDependencies(std::move(reached));
 }
 
-void Contacts::update_part(int k) {
+void Contacts::update_part(int k, UpdateScratch& scratch) {
   Part& part = parts_[k];
   const auto pad = static_cast<std::int32_t>(spheres());
-  part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, part.next_pairs);
+  part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, scratch.pairs);
   part.inner.stale = true;
   for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
     Vec<double, 3> last{};
@@ -71,7 +72,7 @@ void Contacts::update_part(int k) {
       return gap < reach;
     };
     part.walls[w].update(neighbors_.rebuilt(k), is_near, part.histories, kernel_->width, pad + 2,
-                         part.next_wall);
+                         scratch.wall);
   }
 }
 
