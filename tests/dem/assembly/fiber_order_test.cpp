@@ -33,7 +33,7 @@ SmallPacking streams() {
   return packing;
 }
 
-constexpr std::int64_t steps = 2000;
+constexpr std::int64_t steps = 1200;
 
 dem::AssemblyOptions options(bool sort, int threads = 1) {
   return {.step = 6e-6, .threads = threads, .account_energy = true, .sort_in_space = sort};
