@@ -33,13 +33,15 @@ BOOST_AUTO_TEST_CASE(every_piece_is_done_once_in_loops_within_loops) {
     Workers workers(threads);
     for (int round = 0; round < 20; ++round) {
       std::vector<std::atomic<int>> calls(outer * middle * inner);
+      std::atomic<int> early = 0;  // Boost's own checks are for one thread at a time
       const Jobs jobs = workers;
       jobs.run(outer, [&](std::size_t i) {
         jobs.run(middle, [&](std::size_t j) {
           jobs.run(inner, [&](std::size_t k) { ++calls[(i * middle + j) * inner + k]; });
-          for (std::size_t k = 0; k < inner; ++k) BOOST_TEST(calls[(i * middle + j) * inner + k] == 1);
+          for (std::size_t k = 0; k < inner; ++k) early += calls[(i * middle + j) * inner + k] == 1 ? 0 : 1;
         });
       });
+      BOOST_TEST_REQUIRE(early == 0);
       for (const auto& count : calls) BOOST_TEST_REQUIRE(count == 1);
     }
   }
@@ -86,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_first_error_comes_out_and_ends_its_loop_alone) {
   for (const int threads : {1, 2, 5}) {
     Workers workers(threads);
     std::vector<std::atomic<int>> calls(100);
-    std::atomic<int> others = 0;
+    std::atomic<int> others = 0, errors = 0;
     workers.run(2, [&](std::size_t n) {
       if (n == 1) {
         workers.run(40, [&](std::size_t) { ++others; });
@@ -96,10 +98,13 @@ BOOST_AUTO_TEST_CASE(the_first_error_comes_out_and_ends_its_loop_alone) {
         ++calls[i];
         if (i == 37) throw std::runtime_error("37");
       };
-      BOOST_CHECK_EXCEPTION(
-          workers.run(calls.size(), piece), std::runtime_error,
-          [](const std::runtime_error& error) { return error.what() == std::string("37"); });
+      try {
+        workers.run(calls.size(), piece);
+      } catch (const std::runtime_error& error) {
+        errors += error.what() == std::string("37") ? 1 : 0;
+      }
     });
+    BOOST_TEST(errors == 1);
     for (std::size_t i = 0; i <= 37; ++i) BOOST_TEST(calls[i] == 1);
     if (threads == 1) BOOST_TEST(calls[38] == 0);
     BOOST_TEST(others == 40);
