@@ -74,8 +74,8 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
   const Exact exact = exact_damping(fiber);
   PrecisionProblem problem{
       .id = fmt::format("damping-{}", aspect_ratio),
-      .title = fmt::format("Damping ratio {{/Symbol x}}_f, r_f = {}, {{/Symbol x}}_b = 1", aspect_ratio),
-      .error_label = "relative error of {/Symbol x}_f",
+      .title = fmt::format("Damping ratio ξ_f, r_f = {}, ξ_b = 1", aspect_ratio),
+      .error_label = "relative error of ξ_f",
       .short_title = fmt::format("ξ_f, r_f = {}, ξ_b = 1", aspect_ratio),
       .reference =
           "all modes of the linear chain by a dense eigensolve; own error: the same chain in other units, "

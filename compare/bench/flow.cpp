@@ -41,7 +41,7 @@ PrecisionProblem flow_problem(const BenchOptions& options) {
   const double exact = drift_of(still, orbits).change, exact_one = drift_of(still, 1).change;
   PrecisionProblem problem{
       .id = "flow-20",
-      .title = fmt::format("{:g} orbits in shear, C = 1, r_f = 20, 3{{/Symbol p m}} rate {{/:Italic "
+      .title = fmt::format("{:g} orbits in shear, C = 1, r_f = 20, 3πμ rate {{/:Italic "
                            "L}}^4/{{/:Italic EI}} = {:g}",
                            orbits, number),
       .error_label = "error of the relative change of the orbit constant",

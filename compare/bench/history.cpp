@@ -55,9 +55,9 @@ PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptio
   PrecisionProblem problem{
       .id = fmt::format("history-{}", aspect_ratio),
       .title = fmt::format("Free end after the release, r_f = {}, {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}, "
-                           "{{/Symbol x}}_b = 1",
+                           "ξ_b = 1",
                            aspect_ratio, load),
-      .error_label = "largest |{/Symbol D}{/:Bold r}|/{/:Italic L} of the free end over three periods",
+      .error_label = "largest |Δ{/:Bold r}|/{/:Italic L} of the free end over three periods",
       .short_title = fmt::format("path of the free end, r_f = {}, PL²/EI = {:g}", aspect_ratio, load),
       .reference =
           "GSL's Prince-Dormand 8(9) at 1e-12 on the chain's equations; own error: its distance from 1e-11",

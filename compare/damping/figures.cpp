@@ -29,7 +29,7 @@ Figure ring_down_figure(const dem::Table& table) {
     chain.add(table.number(row, "time"), table.number(row, "chain_y"));
   }
   return {
-      "Fig 6: free end after the release, r_f = 10, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
+      "Fig 6: free end after the release, r_f = 10, ξ_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
       {"time over the first mode's period"},
       {"{/:Italic y}({/:Italic t})/{/:Italic y}_{max}"},
       {elastica, chain}};
@@ -39,8 +39,8 @@ Figure bond_damping_figure(const DampingPoints& points) {
   std::map<std::pair<int, double>, DampingPoints> groups;
   for (const DampingPoint& p : points) groups[{p.asked.aspect_ratio, p.asked.load}].push_back(p);
   Figure figure{"Fig 7: damping of the fiber against damping of the bonds",
-                {"{/Symbol x}_b", true},
-                {"{/Symbol x}_f", true},
+                {"ξ_b", true},
+                {"ξ_f", true},
                 {}};
   const DampingValue x = [](const DampingPoint& p) { return p.asked.bond_damping; };
   for (const auto& [kind, group] : groups) {
@@ -67,9 +67,9 @@ Figure load_figure(const DampingPoints& points) {
   const DampingValue x = [](const DampingPoint& p) {
     return dem::load_force(damped_fiber(p.asked), p.asked.load);
   };
-  return {"Fig 8: damping of the fiber against load, r_f = 10, {/Symbol x}_b = 1",
+  return {"Fig 8: damping of the fiber against load, r_f = 10, ξ_b = 1",
           {"{/:Italic P}, N"},
-          {"{/Symbol x}_f"},
+          {"ξ_f"},
           {series("chain, mode 2 gone", points, x, measured_damping),
            series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
                   points, x, as_paper),
@@ -85,9 +85,9 @@ Figure modulus_figure(const DampingPoints& points) {
   const DampingValue x = [](const DampingPoint& p) {
     return damped_fiber(p.asked).material.shear_modulus / 1e6;
   };
-  return {"Fig 8: damping of the fiber against shear modulus, P = 0.002 N, r_f = 10, {/Symbol x}_b = 1",
+  return {"Fig 8: damping of the fiber against shear modulus, P = 0.002 N, r_f = 10, ξ_b = 1",
           {"{/:Italic G}, MPa"},
-          {"{/Symbol x}_f"},
+          {"ξ_f"},
           {series("chain, mode 2 gone", points, x, measured_damping),
            series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
                   points, x, as_paper)}};
@@ -95,12 +95,12 @@ Figure modulus_figure(const DampingPoints& points) {
 
 Figure aspect_ratio_figure(const DampingPoints& points) {
   const DampingValue x = [](const DampingPoint& p) { return static_cast<double>(p.asked.aspect_ratio); };
-  return {"Fig 9: damping of the fiber against aspect ratio, {/Symbol x}_b = 1",
+  return {"Fig 9: damping of the fiber against aspect ratio, ξ_b = 1",
           {"{/:Italic r_f}", true},
-          {"{/Symbol x}_f", true},
+          {"ξ_f", true},
           {series("sphere chain", points, x, measured_damping, Mark::points),
            series(
-               "({/Symbol b}_1^2/√20) {/Symbol x}_b/(r_f + 1/2)^2", points, x,
+               "(β_1^2/√20) ξ_b/(r_f + 1/2)^2", points, x,
                [](const DampingPoint& p) { return p.damping_closed_form; }, Mark::line),
            series(
                "paper's Eq 20, an exponential", points, x,

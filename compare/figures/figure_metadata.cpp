@@ -40,7 +40,8 @@ std::string with_svg_metadata(std::string svg, const dem::Provenance& provenance
   std::string metadata = "\n<metadata>\n";
   for (const auto& [key, value] : dem::entries(provenance))
     metadata += fmt::format("{}: {}\n", key, dem::xml_escaped(value));
-  return svg.insert(end + 1, metadata + "</metadata>");
+  svg.insert(end + 1, metadata + "</metadata>");
+  return svg.insert(root + std::string_view("<svg").size(), " xml:space=\"preserve\"");  // spaces at changes of font
 }
 
 std::string with_png_metadata(std::string png, const dem::Provenance& provenance) {

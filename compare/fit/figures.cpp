@@ -15,7 +15,7 @@ const char* formula(DampingLaw law) {
     case DampingLaw::power:
       return "{/:Italic a r_f}^{-{/:Italic b}}";
     default:
-      return "({/Symbol b}_1^2/√20)/({/:Italic r_f} + {/:Italic c})^2";
+      return "(β_1^2/√20)/({/:Italic r_f} + {/:Italic c})^2";
   }
 }
 
@@ -68,7 +68,7 @@ Series law_series(const DampingFit& fit) {
 Figure laws_figure(const FitStudy& study) {
   Figure figure{"Damping of the fiber against aspect ratio, and laws fitted to it",
                 {"{/:Italic r_f}", true, std::pair{3.0, 100.0}},
-                {"{/Symbol x}_f/{/Symbol x}_b", true, std::pair{1e-5, 0.1}},
+                {"ξ_f/ξ_b", true, std::pair{1e-5, 0.1}},
                 {}};
   for (const DampingFit& fit : study.fits) {
     if (shown(fit.model)) figure.series.push_back(law_series(fit));

@@ -72,7 +72,7 @@ Figure amplitude_figure(const std::vector<Growth>& growths) {
                 {"rate times time"},
                 {"amplitude over that at the start", true},
                 {}};
-  figure.legend_title = "3{/Symbol p m e}{/:Italic L}^4/{/:Italic EI}";
+  figure.legend_title = "3πμε{/:Italic L}^4/{/:Italic EI}";
   figure.ordered = true;
   int color = 0;
   for (const Growth& g : growths) {
@@ -96,7 +96,7 @@ Figure shapes_figure() {
   const BucklingCase c{.spheres = 40, .number = 400, .bend = 0.002, .duration = 3, .tolerance = 1e-8};
   const BucklingRun run = run_buckling(c, 7);
   Figure figure{
-      "40 spheres buckle under compression along {/:Italic x}, 3{/Symbol p m e}{/:Italic L}^4/{/:Italic EI} "
+      "40 spheres buckle under compression along {/:Italic x}, 3πμε{/:Italic L}^4/{/:Italic EI} "
       "= 400",
       {"{/:Italic x}/{/:Italic L}"},
       {"{/:Italic y}/{/:Italic L}"},

@@ -102,7 +102,7 @@ FlowStudy inertia_study(const OrbitOptions& options) {
   FlowStudy study{dem::Table({"aspect_ratio", "spheres", "elasto_viscous", "flow_method", "stokes",
                               "inertia_distance", "order", "orbit_drift", "orbit_drift_inertialess"})};
   Figure figure{"What inertia does to a fiber of 21 spheres in shear",
-                {"Stokes number {/:Italic m} rate/(6{/Symbol p m}{/:Italic R})", true},
+                {"Stokes number {/:Italic m} rate/(6πμ{/:Italic R})", true},
                 {"distance/{/:Italic L}; change of C in an orbit", true},
                 {}};
   Series by_cvode{"places, cvode", {}, {}}, by_leapfrog{"places, leapfrog", {}, {}, Mark::points},

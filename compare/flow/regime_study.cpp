@@ -38,7 +38,7 @@ dem::Table table_of(const std::vector<RegimePoint>& points) {
 
 Figure extent_figure(const std::vector<RegimePoint>& points) {
   Figure figure{"Fibers that turn over in shear, free draining: how far they bend",
-                {"3{/Symbol p m} rate {/:Italic L}^4/{/:Italic EI}", true},
+                {"3πμ rate {/:Italic L}^4/{/:Italic EI}", true},
                 {"least end-to-end distance/{/:Italic L}"},
                 {}};
   for (const int N : regime_spheres) {
@@ -59,7 +59,7 @@ Figure shapes_figure(const std::vector<RegimePoint>& points) {
                 {""},
                 {}};
   figure.equal_axes = true;
-  figure.legend_title = "3{/Symbol p m} rate {/:Italic L}^4/{/:Italic EI}";
+  figure.legend_title = "3πμ rate {/:Italic L}^4/{/:Italic EI}";
   double y = 0;
   int color = 0;
   for (const Regime regime :

@@ -39,7 +39,7 @@ std::vector<StiffnessPoint> stiffness_points(int spheres, const std::vector<doub
 FlowStudy stiffness_study(const OrbitOptions& options) {
   dem::Table table({"aspect_ratio", "spheres", "viscous_ratio", "elasto_viscous", "period_error", "order"});
   Figure figure{"Period of a chain of finite stiffness over the rigid one's",
-                {"{/Symbol m} rate/{/:Italic E}", true},
+                {"μ rate/{/:Italic E}", true},
                 {"|period over the rigid chain's - 1|", true},
                 {}};
   FlowStudy study{std::move(table)};

@@ -29,12 +29,12 @@ double rolling_friction(const RollingPoint& p) { return p.asked.rolling_friction
 double measured_damping(const RollingPoint& p) { return p.damping; }
 double as_bond(const RollingPoint& p) { return p.as_bond; }
 
-Axis friction_axis() { return {"{/Symbol x}_r"}; }
-Axis damping_axis(bool logarithmic) { return {"{/Symbol x}_f", logarithmic}; }
+Axis friction_axis() { return {"ξ_r"}; }
+Axis damping_axis(bool logarithmic) { return {"ξ_f", logarithmic}; }
 
 Figure aspect_ratio_figure(const RollingPoints& points) {
   Figure figure{
-      "Fig 10: damping of the fiber against rolling friction, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic "
+      "Fig 10: damping of the fiber against rolling friction, ξ_b = 1, {/:Italic P L}^2/{/:Italic "
       "EI} = 3",
       friction_axis(),
       damping_axis(true),
@@ -47,7 +47,7 @@ Figure aspect_ratio_figure(const RollingPoints& points) {
     figure.series.push_back(
         series(fmt::format("r_f = {}", aspect_ratio), group, rolling_friction, measured_damping, color));
     figure.series.push_back(
-        series(fmt::format("r_f = {}, if {{/Symbol x}}_r acted as {{/Symbol x}}_b", aspect_ratio), group,
+        series(fmt::format("r_f = {}, if ξ_r acted as ξ_b", aspect_ratio), group,
                rolling_friction, as_bond, color, Mark::line, Dash::dashed));
     ++color;
   }
@@ -55,7 +55,7 @@ Figure aspect_ratio_figure(const RollingPoints& points) {
 }
 
 Figure step_figure(const RollingPoints& points) {
-  Figure figure{"Fig 10: law and time step, r_f = 30, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
+  Figure figure{"Fig 10: law and time step, r_f = 30, ξ_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
                 friction_axis(),
                 damping_axis(false),
                 {}};
@@ -69,7 +69,7 @@ Figure step_figure(const RollingPoints& points) {
     if (step == 0.1) {
       figure.series.push_back(series("set-valued, 0.1 {/:Italic t_b}", by(dem::Rolling::set_valued),
                                      rolling_friction, measured_damping, color++, Mark::line));
-      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", by(dem::Rolling::set_valued),
+      figure.series.push_back(series("if ξ_r acted as ξ_b", by(dem::Rolling::set_valued),
                                      rolling_friction, as_bond, color++, Mark::line, Dash::dashed));
     }
     figure.series.push_back(series(fmt::format("explicit sign, {} {{/:Italic t_b}}", step),
@@ -87,7 +87,7 @@ Figure step_figure(const RollingPoints& points) {
 }
 
 Figure load_figure(const RollingPoints& points) {
-  Figure figure{"Rolling friction at several loads, r_f = 30, {/Symbol x}_b = 1",
+  Figure figure{"Rolling friction at several loads, r_f = 30, ξ_b = 1",
                 friction_axis(),
                 damping_axis(false),
                 {}};
@@ -98,7 +98,7 @@ Figure load_figure(const RollingPoints& points) {
     figure.series.push_back(series(fmt::format("{{/:Italic P L}}^2/{{/:Italic EI}} = {}", load), group,
                                    rolling_friction, measured_damping, color++));
     if (load == 0.3) {
-      figure.series.push_back(series("if {/Symbol x}_r acted as {/Symbol x}_b", group, rolling_friction,
+      figure.series.push_back(series("if ξ_r acted as ξ_b", group, rolling_friction,
                                      as_bond, color, Mark::line, Dash::dashed));
     }
   }
@@ -106,7 +106,7 @@ Figure load_figure(const RollingPoints& points) {
 }
 
 Figure amplitude_figure(const RollingPoints& points) {
-  Figure figure{"Damping against amplitude, {/Symbol x}_b = 1: chain (points), linear mode (lines)",
+  Figure figure{"Damping against amplitude, ξ_b = 1: chain (points), linear mode (lines)",
                 {"deflection {/:Italic a}/{/:Italic L} of the first mode let go from", true},
                 damping_axis(true),
                 {}};
@@ -117,7 +117,7 @@ Figure amplitude_figure(const RollingPoints& points) {
       const RollingPoints group = where(points, [&](const RollingCase& c) {
         return c.aspect_ratio == aspect_ratio && c.rolling_friction == xi_r;
       });
-      figure.series.push_back(series(fmt::format("r_f = {}, {{/Symbol x}}_r = {}", aspect_ratio, xi_r), group,
+      figure.series.push_back(series(fmt::format("r_f = {}, ξ_r = {}", aspect_ratio, xi_r), group,
                                      x, measured_damping, color, Mark::points));
       figure.series.push_back(series(
           "", group, x, [](const RollingPoint& p) { return p.weak; }, color, Mark::line));
@@ -128,12 +128,12 @@ Figure amplitude_figure(const RollingPoints& points) {
 }
 
 Figure decay_figure(const RollingPoints& points) {
-  Figure figure{"Decay of the peaks, r_f = 30, {/Symbol x}_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
+  Figure figure{"Decay of the peaks, r_f = 30, ξ_b = 1, {/:Italic P L}^2/{/:Italic EI} = 3",
                 {"peak"},
                 {"height over that of the release", true},
                 {}};
   for (const RollingPoint& p : points) {
-    Series s{fmt::format("{{/Symbol x}}_r = {}", p.asked.rolling_friction), {}, {}};
+    Series s{fmt::format("ξ_r = {}", p.asked.rolling_friction), {}, {}};
     for (std::size_t j = 0; j < p.peaks.size(); ++j)
       s.add(static_cast<double>(j), p.peaks[j].value / p.peaks[0].value);
     figure.series.push_back(s);

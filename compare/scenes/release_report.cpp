@@ -223,7 +223,7 @@ Figure release_figure(const ReleaseScene& scene, const ReleaseRun& run) {
   Series chain{"free end", {}, run.y, Mark::line};
   for (const double t : run.time) chain.x.push_back(t / run.period);
   return {fmt::format(
-              "Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, {{/Symbol x}}_b = {:g}, {}",
+              "Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, ξ_b = {:g}, {}",
               scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
           {"time over the first mode's period"},
           {"{/:Italic y}/{/:Italic L}"},

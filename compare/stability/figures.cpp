@@ -51,8 +51,8 @@ Figure heat_map(const StabilityPoints& points) {
   map.framed_below = 0.25;
   const StabilityCase& c = points[0].asked;
   return {.title = fmt::format("Largest stable step, {}, r_f = {}", kind_title(c), c.aspect_ratio),
-          .x = {"Poisson's ratio {/Symbol n} (framed: the paper's 0.25 {/:Italic t}_b is unstable)"},
-          .y = {"{/Symbol x}_b"},
+          .x = {"Poisson's ratio ν (framed: the paper's 0.25 {/:Italic t}_b is unstable)"},
+          .y = {"ξ_b"},
           .series = {},
           .map = map};
 }
@@ -65,7 +65,7 @@ Series level(double height, double from, double to, const std::string& label) {
 Figure damping_curves(const StabilityPoints& points) {
   const StabilityCase& any = points[0].asked;
   Figure figure{.title = fmt::format("Largest stable step, {}, r_f = {}", kind_title(any), any.aspect_ratio),
-                .x = {"{/Symbol x}_b (lines: theory, points: runs)", true},
+                .x = {"ξ_b (lines: theory, points: runs)", true},
                 .y = {"d{/:Italic t}/{/:Italic t}_b", true},
                 .series = {}};
   const std::set<double> damped = values(points, &StabilityCase::bond_damping);
@@ -76,7 +76,7 @@ Figure damping_curves(const StabilityPoints& points) {
     // in the plane the corrected bond knows nothing of nu
     const bool any_nu = any.bond == dem::BondModel::corrected && any.dimension == 2;
     if (nu != 0.3 && (any_nu || (nu != -0.2 && nu != 0 && nu != 0.49))) continue;
-    Series theory{any_nu ? "any {/Symbol n}" : fmt::format("{{/Symbol n}} = {}", nu),
+    Series theory{any_nu ? "any ν" : fmt::format("ν = {}", nu),
                   {},
                   {},
                   Mark::line,
@@ -103,7 +103,7 @@ Figure damping_curves(const StabilityPoints& points) {
 /// The limit over that of the endless chain, a color per damping.
 Figure aspect_ratio_curves(const StabilityPoints& points) {
   const StabilityCase& any = points[0].asked;
-  Figure figure{.title = fmt::format("Limit of finite chains, {}, {{/Symbol n}} = {}", kind_title(any),
+  Figure figure{.title = fmt::format("Limit of finite chains, {}, ν = {}", kind_title(any),
                                      any.poisson_ratio),
                 .x = {"{/:Italic r}_f (lines: theory, points: runs)", true},
                 .y = {"limit / endless chain's limit"},
@@ -112,7 +112,7 @@ Figure aspect_ratio_curves(const StabilityPoints& points) {
   for (const StabilityPoint& p : points) aspect_ratios.insert(p.asked.aspect_ratio);
   int color = 0;
   for (const double xi : values(points, &StabilityCase::bond_damping)) {
-    Series theory{fmt::format("{{/Symbol x}}_b = {}", xi), {}, {}, Mark::line, Dash::solid, color};
+    Series theory{fmt::format("ξ_b = {}", xi), {}, {}, Mark::line, Dash::solid, color};
     Series runs{"", {}, {}, Mark::points, Dash::solid, color++};
     StabilityCase at = any;
     at.bond_damping = xi;

@@ -36,7 +36,7 @@ const StaticPoints& shown_aspect_ratio(const std::map<int, StaticPoints>& groups
 
 std::string kind_of(const StaticCase& c) {
   return fmt::format(
-      "{} bond, {{/Symbol n}} = {:g}, {}", dem::name(c.bond), c.poisson_ratio,
+      "{} bond, ν = {:g}, {}", dem::name(c.bond), c.poisson_ratio,
       c.method == StaticMethod::solve ? "solved" : fmt::format("marched ({} form)", dem::name(c.form)));
 }
 
@@ -112,7 +112,7 @@ Figure budget_figure(const StaticPoints& points) {
 Figure order_figure(const dem::Table& orders) {
   Figure figure{"Distance of the free end from the Elastica against aspect ratio",
                 {"{/:Italic r_f}", true},
-                {"|{/Symbol D}{/:Italic r}|/{/:Italic L}", true},
+                {"|Δ{/:Italic r}|/{/:Italic L}", true},
                 {}};
   std::map<std::string, Series> curves;
   std::vector<std::string> labels;

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <system_error>
 
 namespace fiberchain::compare {
 
 Workers::Workers(int threads) {
-  for (int n = 1; n < threads; ++n) threads_.emplace_back([this] { serve(); });
+  try {
+    for (int n = 1; n < threads; ++n) threads_.emplace_back([this] { serve(); });
+  } catch (const std::system_error&) {  // the system gives no more: those there are do the work
+  }
 }
 
 Workers::~Workers() {

@@ -172,7 +172,7 @@ std::vector<ContactState> Assembly::contacts() const {
   std::ranges::stable_sort(all, {}, &ContactState::key);
   return all;
 }
-std::int64_t Assembly::sorted() const { return state_->sorted; }
+std::int64_t Assembly::sort_count() const { return state_->sort_count; }
 StepTimes Assembly::times() const { return state_->watch.times; }
 IdleTimes Assembly::idle_times() const { return state_->pool.idle_times(); }
 std::vector<PartTimes> Assembly::part_times() const {

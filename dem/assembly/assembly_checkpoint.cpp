@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -205,8 +206,8 @@ const std::vector<FieldRule>& fields() {
       number_field<&State::displacement_budget>("displacement_budget"),
       number_field<&State::inserted>("inserted_energy"),
       number_field<&State::longest_path>("longest_path"),
-      number_field<&State::allowed_across>("allowed_across"),
-      number_field<&State::sorted>("sorted"),
+      number_field<&State::best_cross_part_fraction>("best_cross_part_fraction"),
+      number_field<&State::sort_count>("sort_count"),
       {.name = order_field, .get = fiber_orders, .set = set_fiber_orders},
       sphere_field<&SphereStorage::position_radius>("position_radius"),
       sphere_field<&SphereStorage::velocity_spin>("velocity_spin"),
@@ -292,6 +293,10 @@ void check_keys(const State& s, const Integers& keys) {
 }
 
 void check_orders(const State& s, const Integers& fibers) {
+  for (const std::int64_t fiber : fibers) {
+    if (fiber < 0 || fiber > std::numeric_limits<std::int32_t>::max())
+      refuse(order_field, fmt::format("names a fiber {}", fiber));
+  }
   try {
     orders_from(s, fibers);
   } catch (const InvalidInput& error) {

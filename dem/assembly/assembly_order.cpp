@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
@@ -79,27 +78,12 @@ int Assembly::State::group_of(std::int64_t row) const {
   return group;
 }
 
-bool Assembly::State::is_sorted(int group) const {
-  return options.sort_in_space &&
-         is_worth_sorting(static_cast<std::int64_t>(fibers[group]) * kinds[group].spheres());
-}
-
 FiberOrder Assembly::State::order_now(int group) const {
   const GroupKind& kind = kinds[group];
   std::vector<Vec<double, 3>> middles;
   for (int fiber = 0; fiber < fibers[group]; ++fiber)
     middles.push_back(rows.position(row_of(first_sphere(group, fiber)) + kind.spheres() / 2));
   return order_in_space(std::move(middles), domain.period);
-}
-
-/// A quarter more pairs across parts than now, or a fifth less within them.
-void Assembly::State::allow_more_across() {
-  constexpr double more = 1.25, less_within = 0.8, least = 0.05;
-  const double now = contacts.part_across();
-  bool any = false;
-  for (int group = 0; group < static_cast<int>(kinds.size()); ++group) any = any || is_sorted(group);
-  allowed_across = any ? std::max(std::min(more * now, 1 - less_within * (1 - now)), now + least)
-                       : std::numeric_limits<double>::infinity();
 }
 
 std::vector<std::int32_t> Assembly::State::rows_in(const std::vector<FiberOrder>& after) const {
@@ -114,15 +98,20 @@ std::vector<std::int32_t> Assembly::State::rows_in(const std::vector<FiberOrder>
   return new_row;
 }
 
-void Assembly::State::sort_in_space() {
-  constexpr double worthwhile = 0.95;
-  std::vector<FiberOrder> after = order;
-  for (int group = 0; group < static_cast<int>(kinds.size()); ++group) {
-    if (is_sorted(group)) after[group] = order_now(group);
-  }
+/// Tries once neighbor pairs across parts are a quarter more, or those within parts a fifth less, than they were
+/// at best since the last try; moves fibers where that pays.
+void Assembly::State::sort_where_mixed() {
+  constexpr double more = 1.25, less_within = 0.8, least_more = 0.05, worthwhile = 0.95;
+  if (!options.sort_in_space || !is_worth_sorting(rows.count)) return;
+  const double now = contacts.cross_part_fraction();
+  double& best = best_cross_part_fraction;
+  best = std::min(best, now);
+  if (now <= std::max(std::min(more * best, 1 - less_within * (1 - best)), best + least_more)) return;
+  std::vector<FiberOrder> after;
+  for (int group = 0; group < static_cast<int>(kinds.size()); ++group) after.push_back(order_now(group));
   const std::vector<std::int32_t> new_row = rows_in(after);
-  if (contacts.part_across(new_row) < worthwhile * contacts.part_across()) move_to(std::move(after), new_row);
-  allow_more_across();
+  if (contacts.cross_part_fraction(new_row) < worthwhile * now) move_to(std::move(after), new_row);
+  best = contacts.cross_part_fraction();
 }
 
 void Assembly::State::move_to(std::vector<FiberOrder> after, const std::vector<std::int32_t>& new_row) {
@@ -135,8 +124,8 @@ void Assembly::State::move_to(std::vector<FiberOrder> after, const std::vector<s
   rows.velocity_spin = moved(rows.velocity_spin, new_row, velocity_spin_size);
   if (rows.oriented()) rows.orientation = moved(rows.orientation, new_row, quaternion_size);
   order = std::move(after);
-  ++sorted;
-  contacts.renumber(new_row, rows, time(), pool);
+  ++sort_count;
+  contacts.reorder_rows(new_row, rows, time(), pool);
   displacement_budget = 0.5 * contacts.skin();
 }
 

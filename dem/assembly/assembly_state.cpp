@@ -23,10 +23,9 @@ SphereStorage grown(const SphereStorage& from, std::int64_t count, bool oriented
 }
 
 /// Of the fibers of a group that is not there yet.
-FiberOrder order_at_start(const FiberGroup& group, const AssemblyOptions& options, const Domain& domain) {
+FiberOrder order_at_start(const FiberGroup& group, bool in_space, const Domain& domain) {
   const std::size_t spheres = group.chain.poses.size();
-  if (!options.sort_in_space || !is_worth_sorting(static_cast<std::int64_t>(group.fibers.size() * spheres)))
-    return FiberOrder(static_cast<std::int32_t>(group.fibers.size()));
+  if (!in_space) return FiberOrder(static_cast<std::int32_t>(group.fibers.size()));
   std::vector<Vec<double, 3>> middles;
   for (const ChainState<3>& fiber : group.fibers) middles.push_back(fiber.poses[spheres / 2].position);
   return order_in_space(std::move(middles), domain.period);
@@ -58,7 +57,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     GroupKind& kind = kinds.back();
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
-    order.push_back(order_at_start(group, options, domain));
+    order.push_back(order_at_start(group, options.sort_in_space && is_worth_sorting(count), domain));
     contacts.add(group.chain.fiber, fibers.back());
     scratch_size = std::max(scratch_size, kind.kernel->scratch(group.chain.fiber.aspect_ratio));
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
@@ -84,7 +83,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   paths.assign(contacts.parts().count(), 0);
   part_times.assign(contacts.parts().count(), {});
   watch.contacts_before = watch.both_before = 0;
-  allow_more_across();
+  best_cross_part_fraction = first_new == 0 ? contacts.cross_part_fraction() : 0;
   return first_new;
 }
 

@@ -69,8 +69,8 @@ struct Assembly::State {
   std::vector<GroupKind> kinds;   ///< one a group
   std::vector<int> fibers;        ///< in each group
   std::vector<FiberOrder> order;  ///< of each group's fibers in blocks and rows
-  double allowed_across = 0;  ///< part of neighbor pairs across parts from which on fibers are sorted again
-  std::int64_t sorted = 0;    ///< how often
+  double best_cross_part_fraction = 1;  ///< least since fibers were sorted or it was tried, or some came
+  std::int64_t sort_count = 0;          ///< how often they were sorted
   std::vector<int> first_block;  ///< of each group
   std::vector<FiberBlock> blocks;
   std::vector<int> part_blocks;  ///< the first block of each part of spheres, and one past the last
@@ -125,17 +125,14 @@ struct Assembly::State {
   void set_gradient();
   void rebuild_neighbor_list();
   void touch();
-  /// Fibers into their order in space, contacts and bonds with them, where that leaves fewer neighbor pairs
-  /// across parts. No loads are waiting.
-  void sort_in_space();
+  /// Sorts fibers in space where they have mixed. No loads are waiting.
+  void sort_where_mixed();
+  /// Fibers to the places of this order, bonds, contacts and their histories with them.
   void move_to(std::vector<FiberOrder> after, const std::vector<std::int32_t>& new_row);
   /// The row in this order of each row now.
   std::vector<std::int32_t> rows_in(const std::vector<FiberOrder>& after) const;
   /// Those of a group as they lie now.
   FiberOrder order_now(int group) const;
-  /// Whether it is worth it to sort the fibers of a group.
-  bool is_sorted(int group) const;
-  void allow_more_across();
   void march(std::int64_t count);
   AssemblySample sample();
   std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"

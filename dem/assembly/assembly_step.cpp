@@ -30,14 +30,15 @@ bool Assembly::State::update_neighbor_list() {
   const double longest = *std::ranges::max_element(paths);
   longest_path = std::max(longest_path, longest + step * fastest_wall());
   contacts.add_displacements(paths);
+  displacement_budget -= longest;
   if (contacts.walls_moved_far(time())) {
     rebuild_neighbor_list();
-    return true;
+  } else if (displacement_budget > 0) {
+    return false;
+  } else {
+    displacement_budget = contacts.update_neighbor_list(rows, pool);
   }
-  displacement_budget -= longest;
-  if (displacement_budget > 0) return false;
-  displacement_budget = contacts.update_neighbor_list(rows, pool);
-  if (contacts.part_across() > allowed_across) sort_in_space();
+  sort_where_mixed();
   return true;
 }
 

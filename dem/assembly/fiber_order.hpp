@@ -26,7 +26,7 @@ class FiberOrder {
   std::vector<std::int32_t> fiber_, place_;
 };
 
-/// Whether so many spheres are worth it: more than two parts, whose rows and contacts fill the inner caches.
+/// Whether so many spheres in all are worth it: more than two inner caches hold.
 bool is_worth_sorting(std::int64_t spheres);
 
 /// Fibers with these middles [m] along a Hilbert curve: neighbors in space come to lie near each other.

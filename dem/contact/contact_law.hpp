@@ -87,11 +87,8 @@ struct ContactLawOf {
   static double closing_power(const double* parameters, const double* history) {
     return Law::closing_power(from_numbers<Parameters>(parameters), from_numbers<History>(history));
   }
-  /// A law's History::spring turns with the bodies' order, all else is the same for both.
   static void exchange_bodies(double* history) {
-    History exchanged = from_numbers<History>(history);
-    exchanged.spring = -1.0 * exchanged.spring;
-    to_numbers(exchanged, history);
+    to_numbers(Law::exchanged(from_numbers<History>(history)), history);
   }
   static ContactAction<double> act(const double* parameters, const TouchingPair<double>& pair,
                                    const double* history) {

@@ -95,12 +95,12 @@ class Contacts {
   std::vector<SavedContact> saved() const;
   /// Spheres lie in other rows now: `new_row` of each old one, within spheres of a kind. Contacts keep their
   /// histories, the neighbor list is built anew.
-  void renumber(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
+  void reorder_rows(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
                 ThreadPool& pool);
   /// Part of the neighbor pairs that join spheres of different parts.
-  double part_across() const;
+  double cross_part_fraction() const;
   /// The same with each row's sphere in its new row.
-  double part_across(const std::vector<std::int32_t>& new_row) const;
+  double cross_part_fraction(const std::vector<std::int32_t>& new_row) const;
   void clear();
   void restore(const std::vector<SavedContact>& contacts);
   /// The ContactAccumulators of all parts as numbers of a saved state.

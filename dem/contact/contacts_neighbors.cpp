@@ -100,7 +100,7 @@ void Contacts::add_displacements(const std::vector<double>& paths) {
 
 bool Contacts::walls_moved_far(double time) const {
   return std::ranges::any_of(domain_.walls, [&](const Wall& wall) {
-    return norm(wall.velocity) * (time - reference_time_) > 0.5 * skin_;
+    return time < wall.active_until && norm(wall.velocity) * (time - reference_time_) > 0.5 * skin_;
   });
 }
 

@@ -20,7 +20,7 @@ std::vector<SavedContact> Contacts::saved() const {
   return all;
 }
 
-void Contacts::renumber(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
+void Contacts::reorder_rows(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
                         ThreadPool& pool) {
   std::vector<SavedContact> contacts = saved();
   for (SavedContact& c : contacts) {
@@ -42,13 +42,13 @@ void Contacts::exchange_bodies(SavedContact& contact) const {
   for (int n = 1; n < 7; ++n) contact.work[n] = -contact.work[n];
 }
 
-double Contacts::part_across() const {
+double Contacts::cross_part_fraction() const {
   std::size_t across = 0, all = 0;
   for (const Part& part : parts_) across += part.pairs.across, all += part.pairs.count;
   return all > 0 ? static_cast<double>(across) / static_cast<double>(all) : 0;
 }
 
-double Contacts::part_across(const std::vector<std::int32_t>& new_row) const {
+double Contacts::cross_part_fraction(const std::vector<std::int32_t>& new_row) const {
   std::size_t across = 0, all = 0;
   for (const Part& part : parts_) {
     all += part.pairs.count;

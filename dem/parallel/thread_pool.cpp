@@ -1,5 +1,7 @@
 #include "dem/parallel/thread_pool.hpp"
 
+#include <system_error>
+
 #include "dem/parallel/spin_wait.hpp"
 
 namespace fiberchain::dem {
@@ -29,7 +31,11 @@ unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) : shares_(threads) {
-  for (int t = 1; t < threads; ++t) workers_.emplace_back([this, t] { serve(t); });
+  workers_.reserve(static_cast<std::size_t>(threads));
+  try {
+    for (int t = 1; t < threads; ++t) workers_.emplace_back([this, t] { serve(t); });
+  } catch (const std::system_error&) {  // those there are do the work
+  }
 }
 
 ThreadPool::~ThreadPool() {

@@ -99,6 +99,12 @@ struct HertzMindlin {
     return {force, moment};
   }
 
+  /// With the second body as the first.
+  static History<double> exchanged(History<double> h) {
+    h.spring = -h.spring;
+    return h;
+  }
+
   template <class Real>
   static Real overlap(const History<Real>& h) {
     return h.sqrt_overlap * h.sqrt_overlap;

@@ -50,6 +50,10 @@ struct LinearContact {
     h = {min(Real(1.0), limit * size) * trial, pair.overlap, v, Real(0.0)};
     return {h.spring - force * pair.normal, {Real(0.0), Real(0.0), Real(0.0)}};
   }
+  static History<double> exchanged(History<double> h) {
+    h.spring = -h.spring;
+    return h;
+  }
   template <class Real>
   static Real overlap(const History<Real>& h) {
     return h.depth;
