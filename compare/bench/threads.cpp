@@ -1,5 +1,6 @@
 #include "compare/bench/threads.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -101,7 +102,7 @@ StepWork work_of(const Measured& m) {
 SharingCosts costs_of(const Measured& m) {
   const double busy = 2 * m.two.all - m.two.idle.sum() - m.two.idle.serial;
   SharingCosts costs{busy / (m.one.all - m.two.idle.serial), 0};
-  costs.meeting = m.two.all - modeled_step(work_of(m), 2, costs);
+  costs.meeting = std::max(0.0, m.two.all - modeled_step(work_of(m), 2, costs));
   return costs;
 }
 

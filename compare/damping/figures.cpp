@@ -28,20 +28,16 @@ Figure ring_down_figure(const dem::Table& table) {
     if (row % 3 != 0) continue;
     chain.add(table.number(row, "time"), table.number(row, "chain_y"));
   }
-  return {
-      "Fig 6: free end after the release, r_f = 10, ξ_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
-      {"time over the first mode's period"},
-      {"{/:Italic y}({/:Italic t})/{/:Italic y}_{max}"},
-      {elastica, chain}};
+  return {"Fig 6: free end after the release, r_f = 10, ξ_b = 1, {/:Italic P L}^2/{/:Italic EI} = 1",
+          {"time over the first mode's period"},
+          {"{/:Italic y}({/:Italic t})/{/:Italic y}_{max}"},
+          {elastica, chain}};
 }
 
 Figure bond_damping_figure(const DampingPoints& points) {
   std::map<std::pair<int, double>, DampingPoints> groups;
   for (const DampingPoint& p : points) groups[{p.asked.aspect_ratio, p.asked.load}].push_back(p);
-  Figure figure{"Fig 7: damping of the fiber against damping of the bonds",
-                {"ξ_b", true},
-                {"ξ_f", true},
-                {}};
+  Figure figure{"Fig 7: damping of the fiber against damping of the bonds", {"ξ_b", true}, {"ξ_f", true}, {}};
   const DampingValue x = [](const DampingPoint& p) { return p.asked.bond_damping; };
   for (const auto& [kind, group] : groups) {
     const bool small = kind.second <= largest_mode_release_load;

@@ -41,7 +41,8 @@ std::string with_svg_metadata(std::string svg, const dem::Provenance& provenance
   for (const auto& [key, value] : dem::entries(provenance))
     metadata += fmt::format("{}: {}\n", key, dem::xml_escaped(value));
   svg.insert(end + 1, metadata + "</metadata>");
-  return svg.insert(root + std::string_view("<svg").size(), " xml:space=\"preserve\"");  // spaces at changes of font
+  return svg.insert(root + std::string_view("<svg").size(),
+                    " xml:space=\"preserve\"");  // spaces at changes of font
 }
 
 std::string with_png_metadata(std::string png, const dem::Provenance& provenance) {

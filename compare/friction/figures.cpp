@@ -46,9 +46,8 @@ Figure aspect_ratio_figure(const RollingPoints& points) {
     });
     figure.series.push_back(
         series(fmt::format("r_f = {}", aspect_ratio), group, rolling_friction, measured_damping, color));
-    figure.series.push_back(
-        series(fmt::format("r_f = {}, if ξ_r acted as ξ_b", aspect_ratio), group,
-               rolling_friction, as_bond, color, Mark::line, Dash::dashed));
+    figure.series.push_back(series(fmt::format("r_f = {}, if ξ_r acted as ξ_b", aspect_ratio), group,
+                                   rolling_friction, as_bond, color, Mark::line, Dash::dashed));
     ++color;
   }
   return figure;
@@ -69,8 +68,8 @@ Figure step_figure(const RollingPoints& points) {
     if (step == 0.1) {
       figure.series.push_back(series("set-valued, 0.1 {/:Italic t_b}", by(dem::Rolling::set_valued),
                                      rolling_friction, measured_damping, color++, Mark::line));
-      figure.series.push_back(series("if ξ_r acted as ξ_b", by(dem::Rolling::set_valued),
-                                     rolling_friction, as_bond, color++, Mark::line, Dash::dashed));
+      figure.series.push_back(series("if ξ_r acted as ξ_b", by(dem::Rolling::set_valued), rolling_friction,
+                                     as_bond, color++, Mark::line, Dash::dashed));
     }
     figure.series.push_back(series(fmt::format("explicit sign, {} {{/:Italic t_b}}", step),
                                    by(dem::Rolling::explicit_sign), rolling_friction, measured_damping,
@@ -87,10 +86,8 @@ Figure step_figure(const RollingPoints& points) {
 }
 
 Figure load_figure(const RollingPoints& points) {
-  Figure figure{"Rolling friction at several loads, r_f = 30, ξ_b = 1",
-                friction_axis(),
-                damping_axis(false),
-                {}};
+  Figure figure{
+      "Rolling friction at several loads, r_f = 30, ξ_b = 1", friction_axis(), damping_axis(false), {}};
   int color = 0;
   for (const double load : {3.0, 1.0, 0.3}) {
     const RollingPoints group =
@@ -98,8 +95,8 @@ Figure load_figure(const RollingPoints& points) {
     figure.series.push_back(series(fmt::format("{{/:Italic P L}}^2/{{/:Italic EI}} = {}", load), group,
                                    rolling_friction, measured_damping, color++));
     if (load == 0.3) {
-      figure.series.push_back(series("if ξ_r acted as ξ_b", group, rolling_friction,
-                                     as_bond, color, Mark::line, Dash::dashed));
+      figure.series.push_back(
+          series("if ξ_r acted as ξ_b", group, rolling_friction, as_bond, color, Mark::line, Dash::dashed));
     }
   }
   return figure;
@@ -117,8 +114,8 @@ Figure amplitude_figure(const RollingPoints& points) {
       const RollingPoints group = where(points, [&](const RollingCase& c) {
         return c.aspect_ratio == aspect_ratio && c.rolling_friction == xi_r;
       });
-      figure.series.push_back(series(fmt::format("r_f = {}, ξ_r = {}", aspect_ratio, xi_r), group,
-                                     x, measured_damping, color, Mark::points));
+      figure.series.push_back(series(fmt::format("r_f = {}, ξ_r = {}", aspect_ratio, xi_r), group, x,
+                                     measured_damping, color, Mark::points));
       figure.series.push_back(series(
           "", group, x, [](const RollingPoint& p) { return p.weak; }, color, Mark::line));
       ++color;

@@ -130,8 +130,8 @@ dem::Table flow_shapes_table(const FlowScene& scene, const FlowHistory& history)
 std::vector<std::pair<std::string, Figure>> flow_scene_figures(const FlowScene& scene,
                                                                const FlowHistory& history) {
   const std::string what = fmt::format(
-      "r_f = {}, 3πμ|{{/:Italic A}}|{{/:Italic L}}^4/{{/:Italic EI}} = {:.4g}",
-      scene.fiber.aspect_ratio, elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate));
+      "r_f = {}, 3πμ|{{/:Italic A}}|{{/:Italic L}}^4/{{/:Italic EI}} = {:.4g}", scene.fiber.aspect_ratio,
+      elasto_viscous_number(scene.fiber, scene.fluid.viscosity, scene.rate));
   Figure shapes{
       "Shapes of the fiber, " + what, {"{/:Italic x}/{/:Italic L}"}, {"{/:Italic y}/{/:Italic L}"}, {}};
   shapes.legend_title = "strain";

@@ -222,12 +222,12 @@ dem::Table release_last_table(const ReleaseRun& run) {
 Figure release_figure(const ReleaseScene& scene, const ReleaseRun& run) {
   Series chain{"free end", {}, run.y, Mark::line};
   for (const double t : run.time) chain.x.push_back(t / run.period);
-  return {fmt::format(
-              "Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, ξ_b = {:g}, {}",
-              scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
-          {"time over the first mode's period"},
-          {"{/:Italic y}/{/:Italic L}"},
-          {chain}};
+  return {
+      fmt::format("Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, ξ_b = {:g}, {}",
+                  scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
+      {"time over the first mode's period"},
+      {"{/:Italic y}/{/:Italic L}"},
+      {chain}};
 }
 
 }  // namespace fiberchain::compare

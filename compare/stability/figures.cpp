@@ -76,12 +76,7 @@ Figure damping_curves(const StabilityPoints& points) {
     // in the plane the corrected bond knows nothing of nu
     const bool any_nu = any.bond == dem::BondModel::corrected && any.dimension == 2;
     if (nu != 0.3 && (any_nu || (nu != -0.2 && nu != 0 && nu != 0.49))) continue;
-    Series theory{any_nu ? "any ν" : fmt::format("ν = {}", nu),
-                  {},
-                  {},
-                  Mark::line,
-                  Dash::solid,
-                  color};
+    Series theory{any_nu ? "any ν" : fmt::format("ν = {}", nu), {}, {}, Mark::line, Dash::solid, color};
     for (int i = 0; i <= 60; ++i) {
       StabilityCase at = any;
       at.poisson_ratio = nu;
@@ -103,11 +98,11 @@ Figure damping_curves(const StabilityPoints& points) {
 /// The limit over that of the endless chain, a color per damping.
 Figure aspect_ratio_curves(const StabilityPoints& points) {
   const StabilityCase& any = points[0].asked;
-  Figure figure{.title = fmt::format("Limit of finite chains, {}, ν = {}", kind_title(any),
-                                     any.poisson_ratio),
-                .x = {"{/:Italic r}_f (lines: theory, points: runs)", true},
-                .y = {"limit / endless chain's limit"},
-                .series = {}};
+  Figure figure{
+      .title = fmt::format("Limit of finite chains, {}, ν = {}", kind_title(any), any.poisson_ratio),
+      .x = {"{/:Italic r}_f (lines: theory, points: runs)", true},
+      .y = {"limit / endless chain's limit"},
+      .series = {}};
   std::set<int> aspect_ratios;
   for (const StabilityPoint& p : points) aspect_ratios.insert(p.asked.aspect_ratio);
   int color = 0;

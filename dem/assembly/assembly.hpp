@@ -123,7 +123,7 @@ class Assembly {
   double deepest_overlap() const;              ///< over the smaller radius, largest since the start
   double longest_path() const;                 ///< of a sphere in a step over the smallest radius, likewise
   std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
-  std::int64_t sort_count() const;                 ///< how often fibers have been sorted in space since the start
+  std::int64_t sort_count() const;             ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;
   AssemblySample sample() const;              ///< the same and the bending, in one pass
   StepTimes times() const;                    ///< since the start; zero unless asked for

@@ -98,8 +98,8 @@ std::vector<std::int32_t> Assembly::State::rows_in(const std::vector<FiberOrder>
   return new_row;
 }
 
-/// Tries once neighbor pairs across parts are a quarter more, or those within parts a fifth less, than they were
-/// at best since the last try; moves fibers where that pays.
+/// Tries once neighbor pairs across parts are a quarter more, or those within parts a fifth less, than they
+/// were at best since the last try; moves fibers where that pays.
 void Assembly::State::sort_where_mixed() {
   constexpr double more = 1.25, less_within = 0.8, least_more = 0.05, worthwhile = 0.95;
   if (!options.sort_in_space || !is_worth_sorting(rows.count)) return;

@@ -66,12 +66,12 @@ struct Assembly::State {
   AssemblyOptions options;
   double step;
   std::int64_t steps = 0;
-  std::vector<GroupKind> kinds;   ///< one a group
-  std::vector<int> fibers;        ///< in each group
-  std::vector<FiberOrder> order;  ///< of each group's fibers in blocks and rows
+  std::vector<GroupKind> kinds;         ///< one a group
+  std::vector<int> fibers;              ///< in each group
+  std::vector<FiberOrder> order;        ///< of each group's fibers in blocks and rows
   double best_cross_part_fraction = 1;  ///< least since fibers were sorted or it was tried, or some came
   std::int64_t sort_count = 0;          ///< how often they were sorted
-  std::vector<int> first_block;  ///< of each group
+  std::vector<int> first_block;         ///< of each group
   std::vector<FiberBlock> blocks;
   std::vector<int> part_blocks;  ///< the first block of each part of spheres, and one past the last
   SphereStorage rows;

@@ -96,7 +96,7 @@ class Contacts {
   /// Spheres lie in other rows now: `new_row` of each old one, within spheres of a kind. Contacts keep their
   /// histories, the neighbor list is built anew.
   void reorder_rows(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
-                ThreadPool& pool);
+                    ThreadPool& pool);
   /// Part of the neighbor pairs that join spheres of different parts.
   double cross_part_fraction() const;
   /// The same with each row's sphere in its new row.

@@ -21,7 +21,7 @@ std::vector<SavedContact> Contacts::saved() const {
 }
 
 void Contacts::reorder_rows(const std::vector<std::int32_t>& new_row, const SphereStorage& rows, double time,
-                        ThreadPool& pool) {
+                            ThreadPool& pool) {
   std::vector<SavedContact> contacts = saved();
   for (SavedContact& c : contacts) {
     c.key.first.number = new_row[c.key.first.number];

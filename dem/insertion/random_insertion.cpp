@@ -235,7 +235,7 @@ std::vector<FiberGroup> random_insertion(const std::vector<InsertionCount>& coun
             fmt::format("fiber {} of {} found no place in {} attempts: between walls and other fibers, the "
                         "region ({:.3g} m x {:.3g} m x "
                         "{:.3g} m) is too small or too full for fibers {:.3g} m long; make it larger or "
-                        "taller, or fill in batches",
+                        "taller, or fill in batches (batches.no_room says what those without room do)",
                         done + 1, fibers, rules.attempts, rules.region.high[0] - rules.region.low[0],
                         rules.region.high[1] - rules.region.low[1],
                         rules.region.high[2] - rules.region.low[2], fiber_length(counts[g].chain.fiber)));

@@ -9,8 +9,8 @@
 
 namespace fiberchain::dem {
 
-/// Threads that share loops. They look for work for two milliseconds, leaving their processor to whoever wants
-/// it, and then sleep. Where the system gives no more threads, there are fewer.
+/// Threads that share loops. They look for work for two milliseconds, leaving their processor to whoever
+/// wants it, and then sleep. Where the system gives no more threads, there are fewer.
 class ThreadPool {
  public:
   using Clock = std::chrono::steady_clock;
@@ -46,7 +46,8 @@ class ThreadPool {
     start_and_finish();
   }
 
-  /// work(thread), as often as there are threads, by those that are free; back when all are done. `work` must not throw.
+  /// work(thread), as often as there are threads, by those that are free; back when all are done. `work` must
+  /// not throw.
   template <class Work>
   void for_each_thread(Work&& work) {
     parallel_for(threads(), [&](int, int thread) { work(thread); });

@@ -23,10 +23,14 @@ constexpr std::int64_t kStride = 64;
 
 /// The step's origin and limits.
 std::string step_words(const StepChoice& choice, const PackingScene& scene) {
+  const std::string off = std::isfinite(choice.restitution_error)
+                              ? fmt::format("off by up to {:.2g}", choice.restitution_error)
+                              : "not to be found";
   const std::string limits = fmt::format(
-      ": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s; restitution off by up to {:.2g} "
-      "where single spheres meet at {:.3g} m/s",
-      choice.bonds, choice.damped_bonds, choice.contacts, choice.restitution_error, choice.speed);
+      ": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s; restitution {} where single spheres meet "
+      "at "
+      "{:.3g} m/s",
+      choice.bonds, choice.damped_bonds, choice.contacts, off, choice.speed);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
   if (choice.set_by == "speed") {
     return fmt::format(

@@ -54,12 +54,6 @@ Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber); 
 
 namespace {
 
-/// Keys that set a chosen step: what is at fault where it is no step of a packing.
-std::string what_sets(const StepChoice& choice) {
-  if (choice.set_by == "speed" || choice.set_by == "restitution") return "gravity";
-  return "fibers";
-}
-
 std::int64_t steps_in(const PackingScene& scene, const PackingPlan& plan) {
   constexpr double shortest = 1e-13, longest = 1e3;  // of any fibers [s]
   const double steps = std::ceil(scene.duration / plan.step * (1 - 1e-12));
@@ -71,7 +65,7 @@ std::int64_t steps_in(const PackingScene& scene, const PackingPlan& plan) {
                      fmt::format("duration = {} s is not allowed: it takes {}", scene.duration, how));
   }
   throw InvalidKey(
-      what_sets(plan.choice),
+      "duration",
       fmt::format("the duration of {} s would take {}, a step set by {}{}; allowed: less than 1e12 "
                   "steps; look at youngs_modulus, density, diameter and damping of fibers and walls, "
                   "at gravity and speeds",

@@ -6,6 +6,9 @@
 #include <boost/endian/conversion.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -72,6 +75,25 @@ BOOST_AUTO_TEST_CASE(svg_is_whole_and_carries_its_provenance) {
   BOOST_TEST(svg.find("a &lt; b") != std::string::npos);
   BOOST_TEST(svg.find("It's a 'test' of ") != std::string::npos);
   BOOST_TEST(svg.find("here") != std::string::npos);
+}
+
+/// gnuplot writes letters of its Symbol font as Latin ones, and viewers drop spaces at changes of font.
+BOOST_AUTO_TEST_CASE(greek_letters_and_spaces_are_what_they_are) {
+  Figure figure = example();
+  figure.title = "bond, ν = 0.3, 3πμ{/:Italic L} wide";
+  const std::string svg = to_svg(figure, {});
+  BOOST_TEST(svg.find("bond, ν = 0.3, 3πμ") != std::string::npos);
+  BOOST_TEST(svg.find("<svg xml:space=\"preserve\"") != std::string::npos);
+  int figures = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(FIBERCHAIN_SOURCE_DIR) / "data/figures")) {
+    if (entry.path().extension() != ".svg") continue;
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    BOOST_TEST(text.find("Symbol") == std::string::npos, entry.path());
+    ++figures;
+  }
+  BOOST_TEST(figures > 5);
 }
 
 BOOST_AUTO_TEST_CASE(png_is_whole_and_carries_its_provenance) {

@@ -7,8 +7,8 @@
 // a line here; a scene names it by ContactProperties::law = &contact_law("name")
 // (dem/contact/contact_law.hpp).
 //
-// A law is a type with, as static functions from parameters() on; act, overlap, elastic_force, spring_energy on any
-// Real, the others on doubles:
+// A law is a type with, as static functions from parameters() on; act, overlap, elastic_force, spring_energy
+// on any Real, the others on doubles:
 // clang-format off
 //   name                                  as a scene names it
 //   acts_beyond_touch                     whether it acts across a gap; then also
