@@ -36,7 +36,7 @@ struct Physics {
   bool curved;  ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
   bool solved = false;  ///< dashpots centered in the step and solved for: stable up to the undamped limit
   Rolling rolling = Rolling::none;
-  bool fluid = false;  ///< Stokes' settling_damping of a flow on every sphere, solved within the step
+  bool fluid = false;  ///< Stokes' drag of a flow on every sphere, solved within the step
 
   constexpr bool operator==(const Physics&) const = default;
 };
