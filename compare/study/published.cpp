@@ -154,12 +154,6 @@ fs::path find_data_directory(const std::optional<fs::path>& asked) {
   throw InputError("no directory 'published' with the published values in " + tried);
 }
 
-std::vector<Claim> read_published(const fs::path& file) {
-  std::vector<Claim> claims;
-  read_into(claims, file);
-  return claims;
-}
-
 std::vector<Claim> read_all_published(const fs::path& data_directory) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(data_directory / "published")) {

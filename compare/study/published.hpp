@@ -52,12 +52,9 @@ struct Claim {
 /// @throws InputError naming the looked in if there is none
 std::filesystem::path find_data_directory(const std::optional<std::filesystem::path>& asked);
 
-/// The claims in one file.
-/// @throws InputError naming file, line and column of what is wrong, or an id that comes twice
-std::vector<Claim> read_published(const std::filesystem::path& file);
-
 /// All claims in DATA/published/*.csv, files in alphabetical order.
-/// @throws InputError as above, or if there is no such file
+/// @throws InputError naming file, line and column of what is wrong, or an id that comes twice; also if there
+/// is no such file
 std::vector<Claim> read_all_published(const std::filesystem::path& data_directory);
 
 /// The claim of that id.

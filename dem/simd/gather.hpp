@@ -25,6 +25,15 @@ void store_lanes(const Real& value, double* target) {
   }
 }
 
+/// Of the lanes, 0 if all are negative.
+template <class Real>
+double largest_lane(const Real& value) {
+  double numbers[lane_count<Real>], largest = 0;
+  store_lanes(value, numbers);
+  for (const double number : numbers) largest = number > largest ? number : largest;
+  return largest;
+}
+
 /// source[index[lane]]
 template <class Real>
 Real gather_lanes(const double* source, const std::int32_t* index) {

@@ -9,6 +9,7 @@
 #include "dem/flow/draining_balance.hpp"
 #include "dem/flow/inertialess.hpp"
 #include "dem/flow/interacting_balance.hpp"
+#include "dem/flow/mobility.hpp"
 #include "dem/model/errors.hpp"
 
 BOOST_AUTO_TEST_SUITE(inertialess_test)
@@ -86,6 +87,26 @@ double left_over(const dem::FlowCase<Dim>& flow, const dem::ChainVector<Dim>& v)
   return std::max(force / force_size, moment / moment_size);
 }
 
+/// Largest motion of a sphere that the forces on it do not give through the mobility, over the largest that
+/// the bonds' forces give.
+template <int Dim>
+double unexplained(const dem::FlowCase<Dim>& flow, const dem::ChainVector<Dim>& v) {
+  const auto M = dem::mobility<Dim>(flow.fluid, kRadius, flow.start);
+  const auto stream = dem::undisturbed<Dim>(flow.fluid.flow.gradient, flow.start);
+  const auto bonds = dem::bond_forces(flow.chain, flow.start),
+             dashpots = dem::dashpot_forces(flow.chain, flow.start, v);
+  constexpr int m = dem::sphere_motions<Dim>;
+  Eigen::VectorXd forces(v.size() * m), elastic(v.size() * m), rest(v.size() * m);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    elastic.segment<m>(i * m) = bonds[i];
+    forces.segment<m>(i * m) = bonds[i] + dashpots[i];
+    rest.segment<m>(i * m) = v[i] - stream[i];
+  }
+  rest -= M.motion * forces;
+  if (M.strain.cols() > 0) rest -= M.strain * dem::strain_components(flow.fluid.flow.gradient);
+  return rest.cwiseAbs().maxCoeff() / (M.motion * elastic).cwiseAbs().maxCoeff();
+}
+
 /// Orbit of the end-to-end direction: angle about the vorticity and orbit constant.
 struct Orbit {
   double period;  ///< of the second turn; the first settles the bonds [s]
@@ -143,6 +164,47 @@ BOOST_AUTO_TEST_CASE(every_sphere_is_in_balance) {
     BOOST_TEST(left_over(space, dem::DrainingBalance<3>(space.chain, space.boundary, space.fluid)
                                     .velocities(0, space.start)) < 1e-12);
   }
+}
+
+/// The dashpots' forces, which depend on the velocities, act through the fluid on every sphere.
+BOOST_AUTO_TEST_CASE(every_sphere_moves_by_the_forces_on_all) {
+  for (const auto hydrodynamics : {dem::Hydrodynamics::interactions, dem::Hydrodynamics::stresslets}) {
+    for (const double damping : {0.0, 0.6}) {
+      const dem::Fiber fiber = fiber_of(7, 40, damping);
+      const auto plane = strained_case<2>(fiber, shear(hydrodynamics));
+      BOOST_TEST(
+          unexplained(plane,
+                      dem::InteractingBalance<2>(plane.chain, {}, plane.fluid).velocities(0, plane.start)) <
+          1e-12);
+      const auto space = strained_case<3>(fiber, shear(hydrodynamics));
+      BOOST_TEST(
+          unexplained(space,
+                      dem::InteractingBalance<3>(space.chain, {}, space.fluid).velocities(0, space.start)) <
+          1e-12);
+    }
+  }
+}
+
+/// Differences of the path against the balance; without its dashpots the fiber would move otherwise.
+BOOST_AUTO_TEST_CASE(damped_spheres_that_interact_move_as_their_forces_say) {
+  const auto flow = strained_case<3>(fiber_of(7, 40, 0.6), shear(dem::Hydrodynamics::interactions));
+  dem::InertialessMotion<3> motion(flow, 1e-10);
+  const double t = 0.2 / kRate, h = 1e-3 / kRate;
+  const auto before = motion.at(t - h).poses, now = motion.at(t).poses, after = motion.at(t + h).poses;
+  const auto off = [&](double damping) {
+    dem::Chain<3> chain = flow.chain;
+    chain.fiber.bond_damping = damping;
+    const auto v = dem::InteractingBalance<3>(chain, {}, flow.fluid).velocities(t, now);
+    double most = 0, largest = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const auto moved = (0.5 / h) * (after[i].position - before[i].position);
+      for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(moved[c] - v[i][c]));
+      largest = std::max(largest, dem::norm(moved));
+    }
+    return most / largest;
+  };
+  BOOST_TEST(off(0.6) < 1e-4);
+  BOOST_TEST(off(0) > 1e-3);
 }
 
 /// Falling at one speed under the same force on every sphere: the drag is that of all spheres, ends included.

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "dem/model/invalid_key.hpp"
 #include "tests/dem/small_packing.hpp"
 
 BOOST_AUTO_TEST_SUITE(periodic_contact_test)
@@ -153,6 +154,19 @@ BOOST_AUTO_TEST_CASE(momentum_of_a_periodic_packing_is_kept) {
   }
   BOOST_TEST(most > 10);
   BOOST_TEST(norm(momentum(&unused) - before) < 1e-13 * size);
+}
+
+/// It would be another wall at every image.
+BOOST_AUTO_TEST_CASE(a_wall_across_or_askew_to_a_periodic_side_is_refused) {
+  const auto with = [](const V& normal) {
+    dem::Domain around = rough({0.031, 0, 0});
+    around.walls = {{dem::Plane{{-0.01, -0.01, -0.01}, normal}}};
+    return dem::Assembly(colliding({}), around, {.step = 4e-6}).steps();
+  };
+  const auto names_walls = [](const dem::InvalidKey& error) { return error.key == "walls"; };
+  BOOST_CHECK_EXCEPTION(with({1, 0, 0}), dem::InvalidKey, names_walls);
+  BOOST_CHECK_EXCEPTION(with({0.6, 0.8, 0}), dem::InvalidKey, names_walls);
+  BOOST_TEST(with({0, 0.6, 0.8}) == 0);
 }
 
 /// Planar extension presses two fibers across it together: each sphere's drag is carried by its contact.

@@ -18,14 +18,6 @@ double summed(const Real& value, int count) {
   return sum;
 }
 
-template <class Real>
-double largest_lane(const Real& value) {
-  double numbers[lane_count<Real>], largest = 0;
-  store_lanes(value, numbers);
-  for (const double number : numbers) largest = number > largest ? number : largest;
-  return largest;
-}
-
 /// Energies of the step. A kick with a force takes force times the mean of the velocities before and after
 /// it: the one before is at hand, the one after comes with the next step, which corrects this one by what its
 /// row keeps: dashpot force, tangential force, rolling moment, power of the tangential force. `elastic_force`

@@ -4,6 +4,7 @@
 #include "dem/motion/leapfrog.hpp"
 #include "dem/simd/as_numbers.hpp"
 #include "dem/simd/flatten.hpp"
+#include "dem/simd/gather.hpp"
 #include "dem/simd/transpose.hpp"
 
 // Included by one source file an instruction set, as instantiate.hpp.
@@ -121,19 +122,6 @@ template <class Real>
 void drift_row(const BlockStorage<Real>& rows, MovingSphere<Real, 3>& s, const Real& dt) {
   s.pose.position = s.pose.position + dt * s.velocity;
   if (rows.oriented()) turn(s.pose, dt * s.spin);
-}
-
-template <class Real>
-double largest_lane(const Real& value) {
-  if constexpr (lane_count<Real> == 1) {
-    return value;
-  } else {
-    alignas(64) double numbers[lane_count<Real>];
-    value.store_aligned(numbers);
-    double largest = numbers[0];
-    for (const double n : numbers) largest = largest < n ? n : largest;
-    return largest;
-  }
 }
 
 /// Bonds, then kick and drift: one sweep along the chains, the sphere whose second bond is still to come in
