@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "dem/parallel/partition.hpp"
+#include "dem/parallel/wavefront_schedule.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -45,15 +45,9 @@ class Wave {
     return dem::PartDependencies(std::move(reached));
   }
 
-  /// Its own from the first on, then those of others from their last on.
   std::vector<int> turns(int thread, int threads) const {
-    const int count = static_cast<int>(parts_.size());
     std::vector<int> all;
-    for (int k = count * thread / threads; k < count * (thread + 1) / threads; ++k) all.push_back(k);
-    for (int other = 1; other < threads; ++other) {
-      const int whose = (thread + other) % threads;
-      for (int k = count * (whose + 1) / threads - 1; k >= count * whose / threads; --k) all.push_back(k);
-    }
+    dem::each_turn(static_cast<int>(parts_.size()), thread, threads, [&](int k) { all.push_back(k); });
     return all;
   }
 

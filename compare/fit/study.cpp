@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "compare/fit/table.hpp"
 #include "compare/measure/linear_chain_of.hpp"
@@ -39,9 +38,7 @@ double first_mode_damping(const dem::Fiber& fiber, double load) {
 /// The longest first, so that the last thread is not left with it.
 std::vector<double> first_mode_dampings(const FitSweep& asked, const Ratios& aspect_ratios,
                                         const Jobs& jobs) {
-  std::vector<std::size_t> order(aspect_ratios.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, std::ranges::greater{}, [&](std::size_t i) { return aspect_ratios[i]; });
+  const std::vector<std::size_t> order = dearest_first({aspect_ratios.begin(), aspect_ratios.end()});
   std::vector<double> found(aspect_ratios.size());
   jobs.run(order.size(), [&](std::size_t k) {
     found[order[k]] = first_mode_damping(fiber_of(asked, aspect_ratios[order[k]]), asked.load);

@@ -9,16 +9,12 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Arrays of a block that its fibers take with them (FiberBlock::saved_arrays): bond histories, workspace,
-/// loads of the step before. What fibers have dissipated stays: only its sum counts.
-constexpr std::array moved_arrays{2, 3, 4};
-
-using LaneArrays = std::array<std::vector<double>, moved_arrays.size()>;
+using LaneArrays = std::array<std::vector<double>, FiberBlock::moved_arrays.size()>;
 
 LaneArrays copies_of(FiberBlock& block) {
   LaneArrays copies;
   for (std::size_t n = 0; n < copies.size(); ++n) {
-    const std::span<double> from = block.saved_arrays()[moved_arrays[n]];
+    const std::span<double> from = block.saved_arrays()[FiberBlock::moved_arrays[n]];
     copies[n].assign(from.begin(), from.end());
   }
   return copies;
@@ -26,7 +22,7 @@ LaneArrays copies_of(FiberBlock& block) {
 
 void copy_lane(const LaneArrays& from, int from_lane, FiberBlock& to, int to_lane, int width) {
   for (std::size_t n = 0; n < from.size(); ++n) {
-    const std::span<double> numbers = to.saved_arrays()[moved_arrays[n]];
+    const std::span<double> numbers = to.saved_arrays()[FiberBlock::moved_arrays[n]];
     for (std::size_t k = 0; k < numbers.size(); k += width) numbers[k + to_lane] = from[n][k + from_lane];
   }
 }
@@ -68,7 +64,7 @@ std::int64_t Assembly::State::number_of(std::int64_t row) const {
 std::int64_t Assembly::State::row_of(std::int64_t number) const {
   const int group = group_of(number);
   const std::int64_t n = kinds[group].spheres(), own = number - group_begin(group);
-  return first_sphere(group, order[group].place(own / n)) + own % n;
+  return first_row(group, static_cast<int>(own / n)) + own % n;
 }
 
 /// The group that a row or a number is of.
@@ -82,7 +78,7 @@ FiberOrder Assembly::State::order_now(int group) const {
   const GroupKind& kind = kinds[group];
   std::vector<Vec<double, 3>> middles;
   for (int fiber = 0; fiber < fibers[group]; ++fiber)
-    middles.push_back(rows.position(row_of(first_sphere(group, fiber)) + kind.spheres() / 2));
+    middles.push_back(rows.position(first_row(group, fiber) + kind.spheres() / 2));
   return order_in_space(std::move(middles), domain.period);
 }
 
@@ -90,8 +86,7 @@ std::vector<std::int32_t> Assembly::State::rows_in(const std::vector<FiberOrder>
   std::vector<std::int32_t> new_row(rows.count);
   for (int group = 0; group < static_cast<int>(kinds.size()); ++group) {
     for (int fiber = 0; fiber < fibers[group]; ++fiber) {
-      const std::int64_t from = first_sphere(group, order[group].place(fiber)),
-                         to = first_sphere(group, after[group].place(fiber));
+      const std::int64_t from = first_row(group, fiber), to = first_sphere(group, after[group].place(fiber));
       for (int i = 0; i < kinds[group].spheres(); ++i) new_row[from + i] = static_cast<std::int32_t>(to + i);
     }
   }

@@ -103,6 +103,10 @@ struct Assembly::State {
   std::int64_t first_sphere(int group, int fiber) const {
     return group_begin(group) + static_cast<std::int64_t>(fiber) * kinds[group].spheres();
   }
+  /// Row of a fiber's first sphere.
+  std::int64_t first_row(int group, int fiber) const {
+    return first_sphere(group, order[group].place(fiber));
+  }
   int group_of(std::int64_t row) const;
   std::int64_t number_of(std::int64_t row) const;
   std::int64_t row_of(std::int64_t number) const;

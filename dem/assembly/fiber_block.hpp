@@ -107,6 +107,9 @@ class FiberBlock {
   /// All state beyond the spheres' rows: previous step, energy dissipated by the fluid, bond histories,
   /// workspace, loads of the previous step for the energy account, dissipated energies.
   std::array<std::span<double>, 6> saved_arrays();
+  /// Those of them that lie in lanes and that fibers take with them to another place. What they have
+  /// dissipated stays: only its sum counts.
+  static constexpr std::array moved_arrays{2, 3, 4};
 
  private:
   static double* intact(const GroupKind& kind, double* history) {

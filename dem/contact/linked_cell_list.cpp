@@ -5,15 +5,6 @@
 
 namespace fiberchain::dem {
 
-Box box_around(std::span<const Vec<double, 3>> points) {
-  Box box{points[0], points[0]};
-  for (const Vec<double, 3>& x : points) {
-    for (int c = 0; c < 3; ++c)
-      box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
-  }
-  return box;
-}
-
 CellGeometry::CellGeometry(const Box& box, const Vec<double, 3>& period, double edge, double most)
     : low_(box.low) {
   most = std::min(most, 1e9);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
+#include <ranges>
 #include <vector>
 
 #include "dem/math/vec.hpp"
@@ -16,7 +16,15 @@ struct Box {
 };
 
 /// The least one around some points, at least one.
-Box box_around(std::span<const Vec<double, 3>> points);
+template <std::ranges::forward_range Points>
+Box box_around(const Points& points) {
+  Box box{*std::ranges::begin(points), *std::ranges::begin(points)};
+  for (const Vec<double, 3>& x : points) {
+    for (int c = 0; c < 3; ++c)
+      box.low[c] = std::min(box.low[c], x[c]), box.high[c] = std::max(box.high[c], x[c]);
+  }
+  return box;
+}
 
 /// Cells that fill a box. What stands outside of it counts for the cells at its border; along periodic
 /// axes the box is the period.

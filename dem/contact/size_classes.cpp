@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace fiberchain::dem {
 namespace {
@@ -12,15 +13,10 @@ constexpr double kSlack = 0.5;
 /// Where spheres are few, cells grow rather than be so many that the caches cannot hold them.
 constexpr double kCellsASphere = 16;
 
-Box box_around(std::span<const std::int32_t> members, std::span<const Vec<double, 3>> positions,
-               const Vec<double, 3>& period) {
-  Box box{positions[members[0]], positions[members[0]]};
-  for (const std::int32_t i : members) {
-    for (int c = 0; c < 3; ++c) {
-      box.low[c] = std::min(box.low[c], positions[i][c]);
-      box.high[c] = std::max(box.high[c], positions[i][c]);
-    }
-  }
+/// Around the places of these spheres; from 0 along periodic axes.
+Box box_of(std::span<const std::int32_t> members, std::span<const Vec<double, 3>> positions,
+           const Vec<double, 3>& period) {
+  Box box = box_around(members | std::views::transform([&](std::int32_t i) { return positions[i]; }));
   for (int c = 0; c < 3; ++c) {
     if (period[c] > 0) box.low[c] = 0;
   }
@@ -57,7 +53,7 @@ void SizeClasses::sort(std::uint32_t which, const SphereSet& all, std::span<cons
   for (std::size_t k = 0; k < classes_.size(); ++k) {
     if ((which >> k & 1) == 0) continue;
     Class& own = classes_[k];
-    const CellGeometry cells(box_around(own.members, positions, all.period), all.period, own.edge,
+    const CellGeometry cells(box_of(own.members, positions, all.period), all.period, own.edge,
                              kCellsASphere * static_cast<double>(own.members.size()) + 64);
     own.cells.sort(cells, own.members, all, positions, slot_);
     for (const std::int32_t i : own.members) first_place_[i] = positions[i];

@@ -10,10 +10,6 @@ struct IdleTimes {
   double serial = 0;        ///< between loops, what one thread does alone
 
   double sum() const { return start + dependencies + end + serial; }
-  IdleTimes& operator+=(const IdleTimes& more) {
-    start += more.start, dependencies += more.dependencies, end += more.end, serial += more.serial;
-    return *this;
-  }
   friend IdleTimes operator-(IdleTimes a, const IdleTimes& b) {
     a.start -= b.start, a.dependencies -= b.dependencies, a.end -= b.end, a.serial -= b.serial;
     return a;

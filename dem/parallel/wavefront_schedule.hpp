@@ -8,6 +8,17 @@
 
 namespace fiberchain::dem {
 
+/// visit(part) as a thread looks at all parts: its own from the first on, then what others have left, from
+/// their ends on.
+template <class Visit>
+void each_turn(int parts, int thread, int threads, const Visit& visit) {
+  for (int k = parts * thread / threads; k < parts * (thread + 1) / threads; ++k) visit(k);
+  for (int other = 1; other < threads; ++other) {
+    const int whose = (thread + other) % threads;
+    for (int k = parts * (whose + 1) / threads - 1; k >= parts * whose / threads; --k) visit(k);
+  }
+}
+
 /// Two pieces of work a part: the first may read what the second changes of its own and of the later parts
 /// that it reaches, and leaves something for them. So second(k) waits for first(k) and for first(j) of all j
 /// < k that reach k, and for nothing else: a part's numbers are still in the inner cache when its second
@@ -38,14 +49,7 @@ class WavefrontSchedule {
       wait_until_done(first_[k], pool, thread);
       second(k, thread);
     };
-    pool.for_each_thread([&](int thread) {
-      for (int k = count * thread / n; k < count * (thread + 1) / n; ++k) both(k, thread);
-      // what others have left, from their ends on
-      for (int other = 1; other < n; ++other) {
-        const int whose = (thread + other) % n;
-        for (int k = count * (whose + 1) / n - 1; k >= count * whose / n; --k) both(k, thread);
-      }
-    });
+    pool.for_each_thread([&](int thread) { each_turn(count, thread, n, [&](int k) { both(k, thread); }); });
   }
 
  private:

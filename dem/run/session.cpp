@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -27,9 +28,8 @@ std::string step_words(const StepChoice& choice, const PackingScene& scene) {
                               ? fmt::format("off by up to {:.2g}", choice.restitution_error)
                               : "not to be found";
   const std::string limits = fmt::format(
-      ": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s; restitution {} where single spheres meet "
-      "at "
-      "{:.3g} m/s",
+      ": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s; restitution {} where single spheres "
+      "meet at {:.3g} m/s",
       choice.bonds, choice.damped_bonds, choice.contacts, off, choice.speed);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
   if (choice.set_by == "speed") {

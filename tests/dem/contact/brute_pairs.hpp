@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <random>
 #include <vector>
 
+#include "dem/contact/contact_law.hpp"
 #include "dem/contact/neighbor_list.hpp"
 
 namespace listed {
@@ -47,6 +49,26 @@ inline Pairs updated(const Pairs& before, const dem::NeighborList& list, int par
   }
   std::ranges::sort(pairs);
   return pairs;
+}
+
+/// A list of spheres of any sizes, in parts of as many each.
+inline dem::NeighborList list_of(const dem::SphereSet& set, double skin, int parts,
+                                 dem::InstructionSet instructions) {
+  const bool periodic = dem::norm(set.period) > 0;
+  return {set, skin, dem::even_partition(static_cast<std::int32_t>(set.radius.size()), parts),
+          dem::law_of({}).kernel({false, periodic, false, false}, instructions)};
+}
+
+/// Moves all spheres at random by at most half of step(sphere) along each axis.
+template <class Random, class Step>
+void jiggle(std::vector<dem::Vec<double, 3>>& positions, dem::SphereStorage& rows, Random& random,
+            const Step& step) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (int c = 0; c < 3; ++c)
+      rows.position_row(static_cast<std::int64_t>(i))[c] = positions[i][c] +=
+          step(static_cast<int>(i)) * (uniform(random) - 0.5);
+  }
 }
 
 }  // namespace listed

@@ -42,8 +42,7 @@ BOOST_AUTO_TEST_CASE(neighbor_pairs_are_those_of_brute_force) {
     }
     dem::ThreadPool pool(2);
     const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::NeighborList list(set, 0.007, dem::even_partition(n, parts),
-                           dem::law_of({}).kernel({false, periodic, false, false}, instructions));
+    dem::NeighborList list = listed::list_of(set, 0.007, parts, instructions);
     list.build(positions, pool);
     Pairs pairs = updated({}, list, parts);
     BOOST_TEST(pairs.size() > 400u);
@@ -51,11 +50,9 @@ BOOST_AUTO_TEST_CASE(neighbor_pairs_are_those_of_brute_force) {
     // spheres go far and near, out of the box that they began in too; cells are sorted again at times
     dem::SphereStorage rows(n, false);
     for (int round = 0; round < 150; ++round) {
-      for (int i = 0; i < n; ++i) {
-        const double step = i % 3 == 0 ? 0.02 : round % 50 == 0 ? 0.7 : 0.0005;
-        for (int c = 0; c < 3; ++c)
-          rows.position_row(i)[c] = positions[i][c] += step * (uniform(random) - 0.5);
-      }
+      listed::jiggle(positions, rows, random, [&](int i) {
+        return i % 3 == 0 ? 0.02 : round % 50 == 0 ? 0.7 : 0.0005;
+      });
       if (round % 5 != 0) continue;
       const double farthest = list.farthest_moved(rows, pool);
       list.update(rows, 0.004, pool);

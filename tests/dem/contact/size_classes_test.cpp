@@ -46,8 +46,7 @@ BOOST_AUTO_TEST_CASE(neighbor_pairs_of_sizes_1_to_100_are_those_of_brute_force) 
     const int parts = 1 + 3 * trial;
     dem::ThreadPool pool(1 + trial % 3);
     const auto instructions = trial < 2 ? dem::InstructionSet::scalar : dem::best_instruction_set();
-    dem::NeighborList list(set, 0.004, dem::even_partition(n, parts),
-                           dem::law_of({}).kernel({false, periodic, false, false}, instructions));
+    dem::NeighborList list = listed::list_of(set, 0.004, parts, instructions);
     list.build(positions, pool);
     Pairs pairs = updated({}, list, parts);
     BOOST_TEST(pairs.size() > 30u);
@@ -55,12 +54,10 @@ BOOST_AUTO_TEST_CASE(neighbor_pairs_of_sizes_1_to_100_are_those_of_brute_force) 
     // the small ones move, the large ones, all, a few by far
     dem::SphereStorage rows(n, false);
     for (int round = 0; round < 80; ++round) {
-      for (int i = 0; i < n; ++i) {
+      listed::jiggle(positions, rows, random, [&](int i) {
         const bool large = set.radius[i] > 0.05, moves = round % 3 == 2 || large == (round % 3 == 1);
-        const double step = round % 40 == 39 && i % 9 == 0 ? 0.9 : moves ? 0.01 : 0.0001;
-        for (int c = 0; c < 3; ++c)
-          rows.position_row(i)[c] = positions[i][c] += step * (uniform(random) - 0.5);
-      }
+        return round % 40 == 39 && i % 9 == 0 ? 0.9 : moves ? 0.01 : 0.0001;
+      });
       list.update(rows, 0.002, pool);
       pairs = updated(pairs, list, parts);
       BOOST_REQUIRE((pairs == brute_pairs(list)));

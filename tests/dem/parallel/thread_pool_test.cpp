@@ -1,11 +1,9 @@
 // Threads share a loop: every call is made once, and a thread that has no work left takes others'.
 #include <atomic>
 #include <boost/test/unit_test.hpp>
-#include <stdexcept>
 #include <thread>
 #include <vector>
 
-#include "dem/parallel/parallel_for.hpp"
 #include "dem/parallel/thread_pool.hpp"
 
 BOOST_AUTO_TEST_SUITE(thread_pool_test)
@@ -49,24 +47,6 @@ BOOST_AUTO_TEST_CASE(calls_of_a_busy_thread_are_taken_by_another) {
       BOOST_TEST(made == count - 1);
     }
   }
-}
-
-BOOST_AUTO_TEST_CASE(the_first_exception_of_a_loop_comes_out_and_ends_it) {
-  for (const int threads : {1, 2, 5}) {
-    std::vector<std::atomic<int>> calls(1000);
-    const auto work = [&](std::size_t i) {
-      ++calls[i];
-      if (i == 37) throw std::runtime_error("37");
-    };
-    BOOST_CHECK_EXCEPTION(dem::parallel_for(calls.size(), threads, work), std::runtime_error,
-                          [](const std::runtime_error& error) { return error.what() == std::string("37"); });
-    for (std::size_t i = 0; i <= 37; ++i) BOOST_TEST(calls[i] == 1);
-    if (threads == 1) BOOST_TEST(calls[38] == 0);
-    std::vector<int> squares(113);
-    dem::parallel_for(squares.size(), threads, [&](std::size_t i) { squares[i] = static_cast<int>(i * i); });
-    for (std::size_t i = 0; i < squares.size(); ++i) BOOST_TEST(squares[i] == static_cast<int>(i * i));
-  }
-  dem::parallel_for(0, 3, [](std::size_t) { BOOST_ERROR("there is nothing to call"); });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
