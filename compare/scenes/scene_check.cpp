@@ -106,9 +106,12 @@ FiberSteps leapfrog_steps(const dem::FlowScene& scene) {
     times[static_cast<std::size_t>(n)] = scene.duration * n / scene.samples;
   const dem::FlowPlan plan = dem::plan_of(flow, times, scene.motion);
   const double steps = std::accumulate(plan.counts.begin(), plan.counts.end(), 0.0);
-  return {scene.duration / steps, scene.motion.step_ratio ? "scene"
+  return {scene.duration / steps,
+          scene.motion.step_ratio                            ? "scene"
           : scene.motion.method == dem::FlowMethod::leapfrog ? "0.8 of the stable step"
-                                                             : "turning, tension and bending", steps, {}};
+                                                             : "turning, tension and bending",
+          steps,
+          {}};
 }
 
 dem::Table check(const dem::FlowScene& scene, int) {

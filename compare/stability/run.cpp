@@ -14,9 +14,10 @@ constexpr int together = 8;  // steps tried at once
 
 template <int Dim>
 dem::Physics physics_of(const StabilityRun& run) {
-  return dem::physics_of(
-      dem::straight_chain<Dim>(run.fiber),
-      {.form = run.form, .solved = run.scheme == dem::Integrator::leapfrog_damped ? dem::Solved::dashpots : dem::Solved::nothing});
+  return dem::physics_of(dem::straight_chain<Dim>(run.fiber),
+                         {.form = run.form,
+                          .solved = run.scheme == dem::Integrator::leapfrog_damped ? dem::Solved::dashpots
+                                                                                   : dem::Solved::nothing});
 }
 
 template <int Dim>

@@ -83,6 +83,8 @@ inline constexpr Column packing[] = {
     {"taken_contact_normal", number, "J", "taken by contacts along their normal"},
     {"taken_contact_tangential", number, "J", "taken by contacts along the surface"},
     {"taken_contact_rolling", number, "J", "taken by the rolling friction of contacts"},
+    {"taken_scheme", number, "J",
+     "work of beta dt^2 K, which stands beside the masses where bonds are solved for within the step"},
     {"taken_fluid", number, "J", "taken by the fluid"},
     {"given_walls", number, "J", "given by walls that move"},
     {"given_inserted", number, "J", "brought by fibers put in later"},
