@@ -8,7 +8,7 @@
 namespace fiberchain::app {
 namespace {
 
-compare::SofteningPlan plan_of(const Arguments& arguments) {
+compare::SofteningPlan softening_plan(const Arguments& arguments) {
   compare::SofteningPlan plan;
   read_list(arguments, "--modulus", {.low = 1e-6, .high = 10}, plan.moduli);
   read_number(arguments, "--stiffness", {.low = 0, .high = 1e6, .low_open = true}, plan.stiffness);
@@ -21,7 +21,7 @@ compare::SofteningPlan plan_of(const Arguments& arguments) {
 
 int run_tables_contact_modulus(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::SofteningPlan plan = plan_of(arguments);
+  const compare::SofteningPlan plan = softening_plan(arguments);
   const auto directory = open_output(output, context);
   const std::vector<compare::PackingCase> cases = compare::softening_cases(plan);
   const auto progress = context.progress(cases.size() * static_cast<std::size_t>(plan.samples + 1));

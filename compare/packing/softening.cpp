@@ -18,7 +18,7 @@ double mean_overlap_of(const PackingRun& run) { return run.end.overlap_mean; }
 double peak_overlap_of(const PackingRun& run) { return run.end.overlap_peak; }
 
 /// Over the runs of a group that finished; nothing where none has.
-std::optional<Spread> spread_over(const SeedGroup& group, double (*of)(const PackingRun&)) {
+std::optional<Spread> spread_of_finished(const SeedGroup& group, double (*of)(const PackingRun&)) {
   std::vector<double> values;
   for (const PackingRun* run : group.runs) {
     if (run->status == "finished") values.push_back(of(*run));
@@ -51,10 +51,10 @@ dem::Table softening_table(const std::vector<PackingRun>& runs) {
                     "solid_fraction_deviation", "coordination", "coordination_deviation", "bending_plateau",
                     "bending_deviation", "overlap_mean", "overlap_peak"});
   for (const SeedGroup& group : seed_groups(runs)) {
-    const auto fraction = spread_over(group, fraction_of);
+    const auto fraction = spread_of_finished(group, fraction_of);
     if (!fraction) continue;
-    const Spread coordination = *spread_over(group, coordination_of),
-                 bending = *spread_over(group, bending_of);
+    const Spread coordination = *spread_of_finished(group, coordination_of),
+                 bending = *spread_of_finished(group, bending_of);
     table.append({{"contact_modulus", group.asked.contact_modulus},
                   {"stiffness", group.asked.stiffness},
                   {"fibers", std::int64_t{group.asked.fibers}},
@@ -65,8 +65,8 @@ dem::Table softening_table(const std::vector<PackingRun>& runs) {
                   {"coordination_deviation", coordination.deviation},
                   {"bending_plateau", bending.mean},
                   {"bending_deviation", bending.deviation},
-                  {"overlap_mean", spread_over(group, mean_overlap_of)->most},
-                  {"overlap_peak", spread_over(group, peak_overlap_of)->most}});
+                  {"overlap_mean", spread_of_finished(group, mean_overlap_of)->most},
+                  {"overlap_peak", spread_of_finished(group, peak_overlap_of)->most}});
   }
   return table;
 }
@@ -80,12 +80,12 @@ Figure softening_figure(const std::vector<PackingRun>& runs) {
       {"solid fraction", fraction_of}, {"coordination", coordination_of}, {"mean bending angle", bending_of}};
   const std::vector<SeedGroup> groups = seed_groups(runs);
   for (int color = 0; const auto& [label, of] : parts) {
-    const auto own = groups.empty() ? std::nullopt : spread_over(groups.front(), of);
+    const auto own = groups.empty() ? std::nullopt : spread_of_finished(groups.front(), of);
     if (!own) continue;
     Series means{label, {}, {}, Mark::line, Dash::solid, color},
         each{"", {}, {}, Mark::points, Dash::solid, color};
     for (const SeedGroup& group : groups) {
-      const auto spread = spread_over(group, of);
+      const auto spread = spread_of_finished(group, of);
       if (!spread) continue;
       means.add(group.asked.contact_modulus, spread->mean / own->mean);
       for (const PackingRun* run : group.runs) {
