@@ -69,10 +69,14 @@ struct BondState {
 /// Sums over an assembly.
 struct AssemblySample {
   EnergyBalance energy;
-  double bending;      ///< angles of all bonds [rad]
-  std::int64_t bonds;  ///< how many
+  double bending;            ///< angles of all bonds [rad]
+  std::int64_t bonds;        ///< how many
+  double overlap;            ///< of contacts, each over its smaller radius
+  std::int64_t overlapping;  ///< how many
 
   double bending_mean() const { return bending / static_cast<double>(bonds); }
+  /// 0 where nothing touches.
+  double overlap_mean() const { return overlapping > 0 ? overlap / static_cast<double>(overlapping) : 0; }
 };
 
 class Assembly {
