@@ -56,7 +56,7 @@ StabilityPoint point_of(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
   const bool planar = asked.dimension == 2;
   StabilityPoint point{asked, endless_limit(asked), modal_limit(asked), nan, nan, nan, nan, "", "", 0, ""};
-  point.quarter_growth = reference::growth_per_step(chain, explicit_scheme(asked.scheme), asked.ends,
+  point.quarter_growth = reference::growth_per_step(chain, time_scheme(asked.scheme), asked.ends,
                                                     0.25 * reference::bond_time(chain), planar);
   measure(point);
   return point;
@@ -64,7 +64,7 @@ StabilityPoint point_of(const StabilityCase& asked) {
 
 void check(const StabilityCase& asked) {
   dem::check(stability_fiber(asked));
-  explicit_scheme(asked.scheme);
+  time_scheme(asked.scheme);
   if (asked.dimension != 2 && asked.dimension != 3) {
     throw InputError(fmt::format("dimension = {} is not allowed: 2 or 3", asked.dimension));
   }
@@ -72,9 +72,9 @@ void check(const StabilityCase& asked) {
 
 }  // namespace
 
-reference::ExplicitScheme explicit_scheme(dem::Integrator scheme) {
-  if (scheme == dem::Integrator::leapfrog) return reference::ExplicitScheme::lagged_dashpots;
-  if (scheme == dem::Integrator::leapfrog_damped) return reference::ExplicitScheme::damped_in_step;
+reference::TimeScheme time_scheme(dem::Integrator scheme) {
+  if (scheme == dem::Integrator::leapfrog) return reference::lagged_dashpots;
+  if (scheme == dem::Integrator::leapfrog_damped) return reference::damped_in_step;
   throw InputError(fmt::format(
       "scheme = {} is not allowed: only leapfrog and leapfrog-damped have a stable step", dem::name(scheme)));
 }
@@ -87,14 +87,13 @@ dem::Fiber stability_fiber(const StabilityCase& asked) {
 
 double modal_limit(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
-  return reference::finite_stable_step(chain, explicit_scheme(asked.scheme), asked.ends,
-                                       asked.dimension == 2) /
+  return reference::finite_stable_step(chain, time_scheme(asked.scheme), asked.ends, asked.dimension == 2) /
          reference::bond_time(chain);
 }
 
 double endless_limit(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
-  return reference::endless_stable_step(chain, explicit_scheme(asked.scheme), asked.dimension == 2) /
+  return reference::endless_stable_step(chain, time_scheme(asked.scheme), asked.dimension == 2) /
          reference::bond_time(chain);
 }
 

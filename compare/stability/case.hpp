@@ -42,8 +42,8 @@ struct StabilityOptions {
   std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
-/// The scheme in the reference's words. Throws InputError for one that is not explicit.
-reference::ExplicitScheme explicit_scheme(dem::Integrator scheme);
+/// The scheme in the reference's words. Throws InputError for one without.
+reference::TimeScheme time_scheme(dem::Integrator scheme);
 
 /// The fiber of a case.
 dem::Fiber stability_fiber(const StabilityCase& asked);
