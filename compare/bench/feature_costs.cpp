@@ -27,7 +27,7 @@ struct Feature {
 constexpr Feature features[] = {
     {"planar instead of spatial", [](Physics& p) { p.dimension = 2; }},
     {"no bond damping", [](Physics& p) { p.damped = false; }},
-    {"damping lagged instead of solved in the step", [](Physics& p) { p.solved = false; }},
+    {"bonds lagged instead of solved in the step", [](Physics& p) { p.solved = dem::Solved::nothing; }},
     {"no rolling friction", [](Physics& p) { p.rolling = dem::Rolling::none; }},
     {"no fluid", [](Physics& p) { p.fluid = false; }},
     {"no drag", [](Physics& p) { p.settling_damping = false; }},

@@ -63,7 +63,11 @@ template SwingingChain<3> swinging_chain_of<3>(const Physics&);
 
 std::string text(const Physics& p) {
   std::string all = fmt::format("{} {}", p.dimension == 2 ? "planar" : "spatial", dem::name(p.form));
-  if (p.damped) all += p.solved ? " damped in the step" : " damped";
+  if (p.solved == dem::Solved::bonds) {
+    all += " bonds in the step";
+  } else if (p.damped) {
+    all += p.solved == dem::Solved::dashpots ? " damped in the step" : " damped";
+  }
   if (p.settling_damping) all += " drag";
   if (p.fluid) all += " in fluid";
   if (p.curved) all += " curved";

@@ -170,8 +170,7 @@ ReleasePlan plan_release(const ReleaseScene& scene) {
 }
 
 dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
-  const bool marched =
-      run.integrator == dem::Integrator::leapfrog || run.integrator == dem::Integrator::leapfrog_damped;
+  const bool marched = dem::is_leapfrog(run.integrator);
   const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
   return table_of(
       {{"aspect_ratio", scene.fiber.aspect_ratio},

@@ -106,12 +106,14 @@ FiberSteps leapfrog_steps(const dem::FlowScene& scene) {
     times[static_cast<std::size_t>(n)] = scene.duration * n / scene.samples;
   const dem::FlowPlan plan = dem::plan_of(flow, times, scene.motion);
   const double steps = std::accumulate(plan.counts.begin(), plan.counts.end(), 0.0);
-  return {scene.duration / steps, scene.motion.step_ratio ? "scene" : "0.8 of the stable step", steps, {}};
+  return {scene.duration / steps, scene.motion.step_ratio ? "scene"
+          : scene.motion.method == dem::FlowMethod::leapfrog ? "0.8 of the stable step"
+                                                             : "turning, tension and bending", steps, {}};
 }
 
 dem::Table check(const dem::FlowScene& scene, int) {
   const bool planar = scene.dimension == dem::Dimension::planar;
-  if (scene.motion.method == dem::FlowMethod::leapfrog) {
+  if (dem::is_leapfrog(scene.motion.method)) {
     return fiber_table("flow", scene, planar ? leapfrog_steps<2>(scene) : leapfrog_steps<3>(scene));
   }
   const bool coupled = scene.fluid.hydrodynamics != dem::Hydrodynamics::free_draining;

@@ -16,7 +16,7 @@ template <int Dim>
 dem::Physics physics_of(const StabilityRun& run) {
   return dem::physics_of(
       dem::straight_chain<Dim>(run.fiber),
-      {.form = run.form, .centered_dashpots = run.scheme == dem::Integrator::leapfrog_damped});
+      {.form = run.form, .solved = run.scheme == dem::Integrator::leapfrog_damped ? dem::Solved::dashpots : dem::Solved::nothing});
 }
 
 template <int Dim>

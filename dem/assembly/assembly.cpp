@@ -65,6 +65,25 @@ void check_periodic_invariance(const Domain& domain) {
   }
 }
 
+/// What is built with springs solved for.
+void check_stiff(const std::vector<FiberGroup>& groups, const AssemblyOptions& options) {
+  if (options.integrator == Integrator::leapfrog) return;
+  if (options.integrator != Integrator::leapfrog_stiff) {
+    throw InvalidKey("integrator", fmt::format("integrator = {} is not allowed: fibers among others have leapfrog "
+                                               "and leapfrog-stiff",
+                                               name(options.integrator)));
+  }
+  if (options.law != nullptr)
+    throw InvalidInput("integrator = leapfrog-stiff is not allowed: it is built for the library's bond laws");
+  for (const FiberGroup& group : groups) {
+    if (group.chain.fiber.rolling_friction > 0 && options.rolling != Rolling::none) {
+      throw InvalidKey("integrator",
+                       "integrator = leapfrog-stiff is not allowed: rolling friction of the bonds is built for "
+                       "the leapfrog that leaves them explicit");
+    }
+  }
+}
+
 double stored(const EnergyBalance& energy) { return sum_of(energy, EnergyRole::stored); }
 
 }  // namespace
@@ -72,6 +91,7 @@ double stored(const EnergyBalance& energy) { return sum_of(energy, EnergyRole::s
 Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOptions options) {
   if (groups.empty()) throw InvalidInput("fibers = none is not allowed: an assembly needs at least one");
   for (const FiberGroup& group : groups) check(group);
+  check_stiff(groups, options);
   check_fluid(domain);
   check_periodic_invariance(domain);
   if (!options.placed_anywhere) check_places(groups, domain, 0);
@@ -105,6 +125,7 @@ Assembly::Assembly(Assembly&&) noexcept = default;
 void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
+  check_stiff({group}, s.options);
   check_places({group}, s.domain, s.time());
   const double largest = largest_bond_step(stable_time_step({group}, s.domain, s.options));
   if (s.step > largest) {
@@ -157,6 +178,7 @@ void Assembly::break_bond(int group, int fiber, int bond) {
 }
 
 double Assembly::deepest_overlap() const { return state_->contacts.deepest(); }
+double Assembly::largest_turn() const { return state_->largest_turn; }
 double Assembly::longest_path() const { return state_->longest_path / state_->smallest_radius(); }
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 std::vector<ContactState> Assembly::contacts() const {

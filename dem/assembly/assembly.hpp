@@ -13,6 +13,8 @@
 #include "dem/contact/contact_state.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
+#include "dem/motion/integrator.hpp"
+#include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/motion/physics.hpp"
 #include "dem/parallel/idle_times.hpp"
 #include "dem/simd/instruction_set.hpp"
@@ -28,6 +30,7 @@ inline constexpr double usual_restitution_error = 0.01;
 
 struct AssemblyOptions {
   std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
+  Integrator integrator = Integrator::leapfrog;  ///< leapfrog, or leapfrog_stiff
   BondForm form = BondForm::incremental;
   const PackingLaw* law =
       nullptr;  ///< of the bonds, from outside of the library (packing_law.hpp), in place of `form`
@@ -122,6 +125,8 @@ class Assembly {
   std::int64_t touching() const;               ///< contacts now
   double deepest_overlap() const;              ///< over the smaller radius, largest since the start
   double longest_path() const;                 ///< of a sphere in a step over the smallest radius, likewise
+  /// Largest turn of a bond in a step [rad] since the start, or more; 0 where bonds are not solved for.
+  double largest_turn() const;
   std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
   std::int64_t sort_count() const;             ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;

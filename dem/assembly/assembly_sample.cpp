@@ -22,9 +22,8 @@ struct BlockSums {
   std::int64_t count = 0;  ///< of bonds
 };
 
-/// Half of the work of the kick that is centered on this moment, and what the last step took, which is not
-/// accounted yet.
-double damping_now(const Assembly::State& s, const FiberBlock& block, const FiberReader& reader, int lane) {
+/// Half of the work of the kick that is centered on this moment.
+double damping_now(const Assembly::State& s, const FiberBlock& block, const FiberReader& reader) {
   const GroupKind& kind = s.kinds[block.group()];
   const ChainState<3>& state = reader.state();
   const auto sphere = [&](int i) {
@@ -33,9 +32,6 @@ double damping_now(const Assembly::State& s, const FiberBlock& block, const Fibe
   double sum = 0;
   for (int i = 0; i + 1 < kind.spheres(); ++i) {
     sum += 0.5 * s.step * dashpot_power(kind.parameters.bond, sphere(i), sphere(i + 1));
-    if (kind.law->dissipated != nullptr)
-      sum += kind.law->dissipated(kind.parameters.bond, kind.chain, state, i,
-                                  kind.history_of(block.histories(), lane, i), kind.kernel->width, s.step);
   }
   return sum;
 }
@@ -62,10 +58,12 @@ BlockSums sums_of(const Assembly::State& s, const FiberBlock& block, FiberReader
     sums.bonds.energy += own.energy;
     sums.bonds.bending += own.bending;
     sums.count += kind.chain.fiber.aspect_ratio;
-    if (s.options.account_energy && block.moved()) energy.bond_damping += damping_now(s, block, reader, lane);
+    if (s.options.account_energy && block.moved()) energy.bond_damping += damping_now(s, block, reader);
   }
-  energy.bond_damping += block.bond_damping();
-  energy.bond_friction += block.bond_friction();
+  const FiberBlock::Taken taken = block.taken(kind, s.rows);
+  energy.bond_damping += taken.damping;
+  energy.bond_friction += taken.friction;
+  energy.scheme += taken.scheme;
   energy.fluid += block.fluid_dissipation();
   return sums;
 }
@@ -84,6 +82,7 @@ AssemblySample Assembly::State::sample() {
     energy.bonds += own.bonds.energy;
     energy.bond_damping += own.energy.bond_damping;
     energy.bond_friction += own.energy.bond_friction;
+    energy.scheme += own.energy.scheme;
     energy.fluid += own.energy.fluid;
     all.bending += own.bonds.bending;
     all.bonds += own.count;

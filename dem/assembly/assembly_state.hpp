@@ -81,6 +81,7 @@ struct Assembly::State {
   LaneArray gradient;                 ///< fluid: A now, lane by lane
   std::vector<LaneArray> scratch;     ///< one a thread
   double longest_path = 0;            ///< of all since the start [m]
+  double largest_turn = 0;            ///< of a bond that is solved for in a step since the start [rad]
   std::vector<double> paths;          ///< largest displacement in the last step, one a part [m]
   std::vector<PartTimes> part_times;  ///< without `reached`
   WavefrontSchedule wavefront{0};
@@ -155,6 +156,8 @@ struct Assembly::State {
   std::int64_t rows_ahead(std::int64_t end) const;
   /// Throws Diverged where bodies may have passed through each other.
   void check_passage(std::int64_t from) const;
+  /// Throws Diverged where bonds that are solved for are beyond what steps bear.
+  void check_stiff(std::int64_t from);
   double step_block(std::size_t number, LoadRange own_loads, LaneArray& own_scratch);
   double fluid_dissipation(const FiberBlock& block, const BlockSnapshot& before) const;
   std::int64_t broken() const;

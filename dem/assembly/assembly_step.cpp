@@ -5,6 +5,7 @@
 
 #include "dem/assembly/assembly_state.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/motion/stiff_limits.hpp"
 
 // The time step of an assembly: bonds and motion, contacts, the Verlet criterion.
 namespace fiberchain::dem {
@@ -16,6 +17,25 @@ constexpr int steps_between_checks = 256;
 /// Overlap over the smaller radius, path of a step over the smallest: beyond them a body may be on the other
 /// side of another before contacts have stopped it.
 constexpr double deepest_passable = 1, longest_passable = 0.5;
+
+RelativeMotion<double, 3> motion_between(const Vec<double, 3>& v1, const Vec<double, 3>& w1,
+                                         const Vec<double, 3>& v2, const Vec<double, 3>& w2) {
+  return {v2 - v1, 0.5 * (w1 + w2), w2 - w1};
+}
+
+/// Work of a kick on what a bond that is solved for adds to the mass matrix [J].
+double solved_work(const MarchParameters<double, 3>& p, const MovingSphere<double, 3>& a,
+                   const MovingSphere<double, 3>& b, const RelativeMotion<double, 3>& after) {
+  const Vec<double, 3> r = b.pose.position - a.pose.position;
+  const RelativeMotion<double, 3> before = motion_between(a.velocity, a.spin, b.velocity, b.spin);
+  const RelativeMotion<double, 3> change{after.velocity - before.velocity, after.mean_spin - before.mean_spin,
+                                         after.relative_spin - before.relative_spin};
+  constexpr Physics physics{.dimension = 3, .form = BondForm::total, .damped = true, .settling_damping = false, .curved = false, .solved = Solved::bonds};
+  const auto action = dashpot_action(solved_dashpots<physics, double>(p), r, unit(r), change);
+  const Vec<double, 3> w = 0.5 * (before.mean_spin + after.mean_spin);
+  return dot(action.force, 0.5 * (before.velocity + after.velocity) - cross(w, r)) +
+         0.5 * dot(action.moment, before.relative_spin + after.relative_spin);
+}
 
 }  // namespace
 
@@ -57,6 +77,10 @@ double Assembly::State::fluid_dissipation(const FiberBlock& block, const BlockSn
         dissipated += mean * (step * s.force[c] - m * (v[c] - s.velocity[c])) +
                       mean_spin * (step * s.moment[c] - J * (w[c] - s.spin[c]));
       }
+      if (i == 0 || options.integrator == Integrator::leapfrog) continue;
+      const std::int64_t row = block.first(lane) + i;
+      dissipated -= solved_work(kind.parameters, block.sphere(kind, before, lane, i - 1), s,
+                                motion_between(rows.velocity(row - 1), rows.spin(row - 1), v, w));
     }
   }
   return dissipated;
@@ -163,6 +187,34 @@ void Assembly::State::check_passage(std::int64_t from) const {
                             longest_path / smallest_radius(), longest_passable)));
 }
 
+/// Stops where bonds that are solved for turn in a step, or are drawn out, beyond what steps bear
+/// (stiff_limits.hpp).
+void Assembly::State::check_stiff(std::int64_t from) {
+  std::vector<BondExtremes> extremes(kinds.size());
+  for (FiberBlock& block : blocks) {
+    BondExtremes& most = extremes[block.group()];
+    const BondExtremes own = block.take_extremes();
+    most.relative_speed = std::max(most.relative_speed, own.relative_speed);
+    most.length = std::max(most.length, own.length);
+  }
+  for (std::size_t g = 0; g < kinds.size(); ++g) {
+    const Fiber& fiber = kinds[g].chain.fiber;
+    const double l = bond_length(fiber), turn = step * extremes[g].relative_speed / l,
+                 tension = bond_stiffness(fiber).stretch * (extremes[g].length - l),
+                 bearable = largest_tension(fiber, step);
+    largest_turn = std::max(largest_turn, turn);
+    if (turn <= dem::largest_turn && tension <= bearable) continue;
+    throw Diverged(fmt::format(
+        "the run cannot be trusted, {} the fastest: between steps {} and {} (dt = {:.6g} s, t = {:.6g} s) a bond {}; "
+        "likely cause: a step too long for these speeds",
+        place_of(fastest_sphere()), from, steps, step, time(),
+        turn > dem::largest_turn
+            ? fmt::format("turned by {:.3g} rad in a step, allowed {:g}", turn, dem::largest_turn)
+            : fmt::format("had a tension of {:.3g} N, which bonds that are solved for bear up to {:.3g} N", tension,
+                          bearable)));
+  }
+}
+
 std::int64_t Assembly::State::fastest_sphere() const {
   std::int64_t fastest = 0;
   double most = -1;
@@ -195,6 +247,7 @@ void Assembly::State::march(std::int64_t count) {
     const std::int64_t sphere = broken();
     if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
     if (!options.allow_passage) check_passage(from);
+    if (options.integrator == Integrator::leapfrog_stiff) check_stiff(from);
     done += steps - from;
   }
 }

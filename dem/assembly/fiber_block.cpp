@@ -12,8 +12,8 @@ namespace {
 
 using Sphere = MovingSphere<double, 3>;
 
-/// Lanes of `dissipated_`: two sums a lane.
-constexpr int taken_numbers = 2;
+/// Lanes of `dissipated_`: three sums a lane.
+constexpr int taken_numbers = 3;
 
 double sum_of_lanes(const double* numbers, int lanes) {
   double sum = 0;
@@ -45,7 +45,10 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
   const Fiber& fiber = chain.fiber;
   const PackingLaw& law = packing_law(options);
   const Physics physics =
-      physics_of(chain, {.form = law.form, .rolling = options.rolling, .fluid = domain.fluid.has_value()});
+      physics_of(chain, {.form = law.form,
+                         .solved = options.integrator == Integrator::leapfrog_stiff ? Solved::bonds : Solved::nothing,
+                         .rolling = options.rolling,
+                         .fluid = domain.fluid.has_value()});
   GroupKind kind{.chain = chain,
                  .law = &law,
                  .kernel = &law.kernel(physics, options.instruction_set),
@@ -118,7 +121,8 @@ PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRa
           .gradient = gradient,
           .next_history = nullptr,
           .rows_ahead = 0,
-          .previous_step = previous_step_};
+          .previous_step = previous_step_,
+          .extremes = &extremes_};
 }
 
 double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
@@ -133,8 +137,20 @@ double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange lo
 
 void FiberBlock::account(const GroupKind& kind, SphereStorage& rows, LaneArray& scratch) {
   if (previous_.size() == 0) return;
+  const int width = kind.kernel->width;
+  double* sums = dissipated_.data();
   kind.kernel->account(view(kind, rows, {nullptr, first_[0]}, scratch, nullptr),
-                       {previous_.data(), dissipated_.data(), dissipated_.data() + kind.kernel->width});
+                       {previous_.data(), sums, sums + width, sums + 2 * width});
+}
+
+FiberBlock::Taken FiberBlock::taken(const GroupKind& kind, const SphereStorage& rows) const {
+  if (previous_.size() == 0) return {};
+  FiberBlock now = *this;  // with the last kick
+  LaneArray unused;
+  if (moved()) now.account(kind, const_cast<SphereStorage&>(rows), unused);
+  const double* sums = now.dissipated_.data();
+  const int width = kind.kernel->width;
+  return {sum_of_lanes(sums, lanes_), sum_of_lanes(sums + width, lanes_), sum_of_lanes(sums + 2 * width, lanes_)};
 }
 
 BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
@@ -154,12 +170,23 @@ void FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, Load
   fit(into.workspace, workspace_.size());
   std::copy_n(history_, history_size_, into.history.data());
   std::copy_n(workspace_.data(), workspace_.size(), into.workspace.data());
+  kind.kernel->snapshot(snapshot_view(kind, rows, loads, gradient, into));
+}
+
+PackingBlock FiberBlock::snapshot_view(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                                       const double* gradient, BlockSnapshot& into) const {
   // what a snapshot writes are its own copies
   PackingBlock view = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereStorage&>(rows), loads,
                                                           into.spheres, gradient);
   view.history = into.history.data();
   view.workspace = into.workspace.data();
-  kind.kernel->snapshot(view);
+  return view;
+}
+
+void FiberBlock::to_this_moment(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                                const double* gradient, BlockSnapshot& snapshot) const {
+  if (kind.kernel->half_kick != nullptr)
+    kind.kernel->half_kick(snapshot_view(kind, rows, loads, gradient, snapshot), false);
 }
 
 Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const {
@@ -171,11 +198,13 @@ Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, 
 
 void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loads, const double* gradient,
                        const Gradient& A) {
-  const BlockSnapshot now = snapshot(kind, rows, loads, gradient);
+  BlockSnapshot now = snapshot(kind, rows, loads, gradient);
+  const bool together = kind.kernel->half_kick != nullptr;
+  if (together) kind.kernel->half_kick(snapshot_view(kind, rows, loads, gradient, now), true);
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
       Sphere s = sphere(kind, now, lane, i);
-      move_half_step(s, kind.half_of(i), EndLoad<double, 3>{}, A, true);
+      if (!together) move_half_step(s, kind.half_of(i), EndLoad<double, 3>{}, A, true);
       double* own = rows.velocity_row(first_[lane] + i);
       for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];
     }
@@ -188,12 +217,6 @@ void FiberBlock::break_bond(const GroupKind& kind, int lane, int bond) {
        ++k) {  // unused lanes repeat the last fiber
     *intact(kind, kind.history_of(history_, k, bond)) = 0;
   }
-}
-
-double FiberBlock::bond_damping() const { return sum_of_lanes(dissipated_.data(), lanes_); }
-
-double FiberBlock::bond_friction() const {
-  return sum_of_lanes(dissipated_.data() + dissipated_.size() / taken_numbers, lanes_);
 }
 
 std::array<std::span<double>, 6> FiberBlock::saved_arrays() {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dem/assembly/packing_law.hpp"
@@ -88,6 +89,10 @@ class FiberBlock {
                 BlockSnapshot& into) const;
   MovingSphere<double, 3> sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane,
                                  int index) const;
+  /// Velocities of a snapshot half a step on where those of a fiber's spheres depend on each other; else they
+  /// stay and each follows from its sphere's forces (move_half_step).
+  void to_this_moment(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient,
+                      BlockSnapshot& snapshot) const;
 
   /// Histories of its bonds at the last step.
   const double* histories() const { return history_; }
@@ -99,8 +104,13 @@ class FiberBlock {
   /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
   void break_bond(const GroupKind& kind, int lane, int bond);
 
-  double bond_damping() const;                                    ///< dissipated so far [J]
-  double bond_friction() const;                                   ///< dissipated so far [J]
+  /// Since the start, up to this moment but for half of the kick that is centered on it [J].
+  struct Taken {
+    double damping, friction, scheme;
+  };
+  Taken taken(const GroupKind& kind, const SphereStorage& rows) const;
+  /// Of its bonds since this was asked last.
+  BondExtremes take_extremes() { return std::exchange(extremes_, {}); }
   double fluid_dissipation() const { return fluid_dissipated_; }  ///< so far [J]
   void add_fluid_dissipation(double energy) { fluid_dissipated_ += energy; }
 
@@ -115,6 +125,8 @@ class FiberBlock {
   static double* intact(const GroupKind& kind, double* history) {
     return history + kind.law->intact_place * static_cast<std::size_t>(kind.kernel->width);
   }
+  PackingBlock snapshot_view(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                             const double* gradient, BlockSnapshot& into) const;
   PackingBlock view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
                     const double* gradient);
 
@@ -123,6 +135,7 @@ class FiberBlock {
   std::size_t history_size_;
   double previous_step_ = 0, fluid_dissipated_ = 0;
   std::vector<std::int64_t> first_;
+  BondExtremes extremes_;
   LaneArray workspace_, previous_, dissipated_;
 };
 

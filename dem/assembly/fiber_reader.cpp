@@ -33,7 +33,9 @@ void each_fiber(const Assembly::State& s, int group, const Visit& visit) {
 void FiberReader::take(const FiberBlock& block) {
   block_ = &block;
   kind_ = &all_.kinds[block.group()];
-  block.snapshot(*kind_, all_.rows, all_.loads.of(all_.part_of(block)), all_.gradient.data(), now_);
+  const LoadRange loads = all_.loads.of(all_.part_of(block));
+  block.snapshot(*kind_, all_.rows, loads, all_.gradient.data(), now_);
+  block.to_this_moment(*kind_, all_.rows, loads, all_.gradient.data(), now_);
 }
 
 const ChainState<3>& FiberReader::read(int lane) {
@@ -41,7 +43,8 @@ const ChainState<3>& FiberReader::read(int lane) {
   state_.poses.resize(spheres), state_.velocity.resize(spheres), state_.spin.resize(spheres);
   for (int i = 0; i < kind_->spheres(); ++i) {
     MovingSphere<double, 3> s = block_->sphere(*kind_, now_, lane, i);
-    move_half_step(s, kind_->half_of(i), EndLoad<double, 3>{}, gradient_, false);
+    if (kind_->kernel->half_kick == nullptr)
+      move_half_step(s, kind_->half_of(i), EndLoad<double, 3>{}, gradient_, false);
     state_.poses[i] = s.pose, state_.velocity[i] = s.velocity, state_.spin[i] = s.spin;
   }
   return state_;

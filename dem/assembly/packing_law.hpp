@@ -29,10 +29,6 @@ struct PackingLaw {
                    const double* histories, std::size_t stride, std::size_t bond_stride);
   BondState (*state)(const BondParameters<double>&, const Chain<3>&, const ChainState<3>&, int bond,
                      const double* history, std::size_t stride);
-  /// Energy that bond `bond` took beside its dashpots in the step of `dt` that led to this state, from the
-  /// history before it [J]; null where there is none.
-  double (*dissipated)(const BondParameters<double>&, const Chain<3>&, const ChainState<3>&, int bond,
-                       const double* history, std::size_t stride, double dt);
   /// Flag of a bond that can break: 1 intact, 0 broken. Its place in the history; -1 where bonds do not
   /// break.
   int intact_place;
@@ -84,24 +80,6 @@ BondState state(const BondParameters<double>& law, const Chain<3>& chain, const 
   });
 }
 
-template <class Law>
-double dissipated(const BondParameters<double>& law, const Chain<3>& chain, const ChainState<3>& state,
-                  int bond, const double* numbers, std::size_t stride, double dt) {
-  const auto history = get_strided<BondLawHistory<Law, double, 3>>(numbers, stride);
-  return with_configuration(chain, state, bond, [&](const BondConfiguration<double, 3>& now) {
-    return Law::dissipated(law, history, now, dt);
-  });
-}
-
-template <class Law>
-constexpr auto dissipated_of() -> decltype(PackingLaw::dissipated) {
-  if constexpr (Law::dissipates) {
-    return dissipated<Law>;
-  } else {
-    return nullptr;
-  }
-}
-
 /// A law whose bonds can break ends its history with the flag `intact`.
 template <class Law>
 constexpr int intact_place_of() {
@@ -127,7 +105,6 @@ constexpr PackingLaw packing_law_with(const PackingKernel& (*kernel)(const Physi
       .start = packing_law_detail::start<Law>,
       .sums = packing_law_detail::sums<Law>,
       .state = packing_law_detail::state<Law>,
-      .dissipated = packing_law_detail::dissipated_of<Law>(),
       .intact_place = packing_law_detail::intact_place_of<Law>()};
 }
 

@@ -34,7 +34,7 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
   constexpr double pressed = 0.1;  // overlap over the radius that contacts are expected to stay below
   constexpr int neighbors = 6;     // of a sphere, so pressed
   const Fiber& fiber = group.chain.fiber;
-  const ContactBody body = sphere_body(fiber);
+  const ContactBody body = sphere_body(fiber, domain.contacts);
   ContactRates worst{};
   // the law knows spheres between the ends; what it gives acts on end spheres, too
   const auto meet = [&](const ContactBody& other, double lightest) {
@@ -45,7 +45,7 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
   };
   const double own = end_mass_share(fiber);
   for (const FiberGroup& other : groups)
-    meet(sphere_body(other.chain.fiber), std::min(own, end_mass_share(other.chain.fiber)));
+    meet(sphere_body(other.chain.fiber, domain.contacts), std::min(own, end_mass_share(other.chain.fiber)));
   if (!domain.walls.empty()) meet(wall_body(domain), own);
   return worst;
 }
@@ -67,7 +67,7 @@ template <class Use>
 void for_pairs_of_bodies(const std::vector<FiberGroup>& groups, const Domain& domain, const Use& use) {
   std::vector<ContactBody> bodies;
   for (const FiberGroup& group : groups) {
-    const ContactBody body = sphere_body(group.chain.fiber);
+    const ContactBody body = sphere_body(group.chain.fiber, domain.contacts);
     if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
   }
   const std::size_t kinds = bodies.size();

@@ -12,9 +12,10 @@ double joined(double a, double b) { return 1 / (1 / a + 1 / b); }
 
 }  // namespace
 
-ContactBody sphere_body(const Fiber& fiber) {
+ContactBody sphere_body(const Fiber& fiber, const ContactProperties& contacts) {
   const auto [E, nu] = contact_elasticity(fiber.material);
-  return {E, nu, sphere_radius(fiber), sphere_mass(fiber), sphere_inertia(fiber)};
+  return {contacts.youngs_modulus.value_or(E), contacts.poisson_ratio.value_or(nu), sphere_radius(fiber),
+          sphere_mass(fiber), sphere_inertia(fiber)};
 }
 
 ContactBody wall_body(const Domain& domain) {

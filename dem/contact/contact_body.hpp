@@ -14,8 +14,9 @@ struct ContactBody {
   bool operator==(const ContactBody&) const = default;
 };
 
-/// A sphere of the fiber that is not an end; an end sphere of half its mass meets others by the same law.
-ContactBody sphere_body(const Fiber& fiber);
+/// A sphere of the fiber that is not an end; an end sphere of half its mass meets others by the same law. Its
+/// surface has the elasticity of these properties, else the fiber's (contact_elasticity).
+ContactBody sphere_body(const Fiber& fiber, const ContactProperties& contacts);
 ContactBody wall_body(const Domain& domain);
 
 /// The two as one.

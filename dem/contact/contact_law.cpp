@@ -44,6 +44,12 @@ void check(const ContactProperties& properties) {
   };
   require("friction", properties.friction);
   require("rolling_friction", properties.rolling_friction);
+  const double E = properties.youngs_modulus.value_or(1), nu = properties.poisson_ratio.value_or(0);
+  if (!(E > 0 && std::isfinite(E)))
+    throw InvalidInput(fmt::format("contact modulus = {} is not allowed: it must be finite and above 0", E));
+  if (!(nu > -1 && nu <= 0.5))
+    throw InvalidInput(fmt::format(
+        "Poisson's ratio of contacts = {} is not allowed: it must be above -1 and at most 0.5", nu));
 }
 
 int shape_index(const ContactLaw& law, const Wall& wall) {

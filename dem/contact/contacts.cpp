@@ -34,7 +34,7 @@ double Contacts::law_reach(const std::vector<ContactBody>& bodies) const {
 
 void Contacts::check_periods(const std::vector<FiberGroup>& more) const {
   std::vector<ContactBody> bodies = bodies_;
-  for (const FiberGroup& group : more) bodies.push_back(sphere_body(group.chain.fiber));
+  for (const FiberGroup& group : more) bodies.push_back(sphere_body(group.chain.fiber, domain_.contacts));
   const auto [least, largest] = std::ranges::minmax(bodies, {}, &ContactBody::radius);
   check_minimum_image(domain_.period, 2 * largest.radius + kSkin * least.radius + law_reach(bodies));
 }
@@ -49,7 +49,7 @@ int Contacts::kind_of(const ContactBody& body) {
 }
 
 void Contacts::add(const Fiber& fiber, int count) {
-  const int kind = kind_of(sphere_body(fiber)), n = fiber.aspect_ratio + 1;
+  const int kind = kind_of(sphere_body(fiber, domain_.contacts)), n = fiber.aspect_ratio + 1;
   std::int32_t number = fiber_.empty() ? 0 : fiber_.back() + 1;
   for (int f = 0; f < count; ++f, ++number) {
     fiber_.insert(fiber_.end(), n, number);

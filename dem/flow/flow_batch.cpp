@@ -29,7 +29,10 @@ ChainBatch<Dim> block_of(const std::vector<typename FlowBatch<Dim>::Member>& mem
     chains.push_back(member.flow->chain);
     steps.push_back(first_step(member.plan));
   }
-  const Physics physics = physics_of<Dim>(chains, {.form = options.form, .fluid = true});
+  const Physics physics = physics_of<Dim>(
+      chains, {.form = options.form,
+               .solved = options.method == FlowMethod::leapfrog_stiff ? Solved::bonds : Solved::nothing,
+               .fluid = true});
   return {chains,  members[0].plan.clamps, steps, std::vector<double>(chains.size(), 0.0),
           physics, options.instruction_set};
 }

@@ -48,8 +48,8 @@ void check_case(const FlowCase<Dim>& flow, const std::vector<double>& times, con
     throw InvalidInput(fmt::format("hydrodynamics: {} is built for method: inertialess only",
                                    name(flow.fluid.hydrodynamics)));
   }
-  if (options.method != FlowMethod::leapfrog && options.form == BondForm::incremental) {
-    throw InvalidInput("form: incremental is built for method: leapfrog only");
+  if (!is_leapfrog(options.method) && options.form == BondForm::incremental) {
+    throw InvalidInput("form: incremental is built for method: leapfrog and leapfrog-stiff only");
   }
   double before = 0;
   for (const double time : times) {

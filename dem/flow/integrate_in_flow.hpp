@@ -18,7 +18,8 @@ namespace fiberchain::dem {
 enum class FlowMethod {
   inertialess,  ///< velocities from the balance of forces, implicit in the bonds (CVODE); total form
   cvode,        ///< with inertia, implicit (CVODE); free draining, total form
-  leapfrog      ///< with inertia, explicit in the bonds, drag solved within the step; free draining
+  leapfrog,     ///< with inertia, explicit in the bonds, drag solved within the step; free draining
+  leapfrog_stiff  ///< the same with springs and dashpots solved within the step, too
 };
 
 constexpr std::string_view name(FlowMethod method) {
@@ -27,9 +28,16 @@ constexpr std::string_view name(FlowMethod method) {
       return "cvode";
     case FlowMethod::leapfrog:
       return "leapfrog";
+    case FlowMethod::leapfrog_stiff:
+      return "leapfrog-stiff";
     default:
       return "inertialess";
   }
+}
+
+/// Whether chains march in lanes.
+constexpr bool is_leapfrog(FlowMethod method) {
+  return method == FlowMethod::leapfrog || method == FlowMethod::leapfrog_stiff;
 }
 
 /// A free fiber in a fluid and where it starts. It starts with the velocities of the undisturbed flow.
@@ -55,7 +63,7 @@ struct FlowOptions {
   double tolerance = 1e-8;          ///< inertialess, cvode: local error relative to L and to 1 rad
   BondForm form = BondForm::total;  ///< leapfrog only; the others have the total form
   std::optional<double> step_ratio =
-      std::nullopt;             ///< leapfrog: largest dt / t_b; left out: 0.8 of the stable step
+      std::nullopt;  ///< leapfrogs: largest dt / t_b; left out: 0.8 of the stable step, or of the stiff one's limits
   bool allow_unstable = false;  ///< leapfrog: march even beyond the stable step
   InstructionSet instruction_set = best_instruction_set();
 };

@@ -7,8 +7,10 @@
 #include <tuple>
 
 #include "dem/flow/flow_batch.hpp"
+#include "dem/flow/stretch_limit.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
+#include "dem/motion/stiff_limits.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -37,8 +39,31 @@ Clamps clamps_of(const FlowCase<Dim>& flow) {
   return clamps;
 }
 
-double largest_step(const Fiber& fiber, double stable, const FlowOptions& options) {
-  if (!options.step_ratio) return 0.8 * stable;
+/// Largest step with the springs solved for [s]: bonds turn at most as fast as the flow's gradient, their
+/// tension is at most that which the flow's stretching draws them out with, and bending is followed.
+double largest_stiff_step(const Fiber& fiber, const Fluid& fluid, double turn, double period_part) {
+  const Gradient A = gradient_at(fluid.flow, 0);
+  double squares = 0;
+  for (const auto& row : A)
+    for (const double rate : row) squares += rate * rate;
+  const double bonds = fiber.aspect_ratio, rate = std::sqrt(squares),
+               tension = stokes_drag(fluid, fiber).translation * largest_stretching(A) * bond_length(fiber) *
+                         bonds * bonds / 8;
+  double step = std::min(period_part * free_bending_period(fiber), step_for_tension(fiber, tension));
+  return rate > 0 ? std::min(step, turn / rate) : step;
+}
+
+double stable_step(const Fiber& fiber, const Fluid& fluid, const FlowOptions& options) {
+  if (options.method != FlowMethod::leapfrog_stiff) return stable_time_step(fiber, fluid);
+  return largest_stiff_step(fiber, fluid, largest_turn, 0.1);
+}
+
+double largest_step(const Fiber& fiber, const Fluid& fluid, double stable, const FlowOptions& options) {
+  if (!options.step_ratio) {
+    return options.method == FlowMethod::leapfrog_stiff
+               ? largest_stiff_step(fiber, fluid, safe_turn, followed_period_part)
+               : 0.8 * stable;
+  }
   const double ratio = *options.step_ratio, t_b = bond_time_step(fiber);
   if (!(ratio > 0) || !std::isfinite(ratio)) {
     throw InvalidKey(
@@ -72,8 +97,8 @@ auto kind_of(const FlowJob<Dim>& job, const FlowPlan& plan) {
 template <int Dim>
 FlowPlan plan_of(const FlowCase<Dim>& flow, const std::vector<double>& times, const FlowOptions& options) {
   check_built(flow, options);
-  FlowPlan plan{stable_time_step(flow.chain.fiber, flow.fluid), {}, {}, clamps_of(flow)};
-  const double largest = largest_step(flow.chain.fiber, plan.stable, options);
+  FlowPlan plan{stable_step(flow.chain.fiber, flow.fluid, options), {}, {}, clamps_of(flow)};
+  const double largest = largest_step(flow.chain.fiber, flow.fluid, plan.stable, options);
   double before = 0;
   for (const double time : times) {
     const double interval = time - before;

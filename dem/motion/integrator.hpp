@@ -8,6 +8,7 @@ namespace fiberchain::dem {
 enum class Integrator {
   leapfrog,         ///< explicit, dashpots at the velocity half a step before (the paper's way)
   leapfrog_damped,  ///< explicit springs, dashpots solved within the step: stable up to the undamped limit
+  leapfrog_stiff,   ///< springs and dashpots solved within the step: beyond the bonds' own step
   implicit,         ///< midpoint, energy-consistent: any step; energy changes by work and damping only
   cvode,            ///< SUNDIALS' variable-order BDF with the chain's own block-tridiagonal Newton solver
   automatic         ///< the cheapest of these that keeps the requested error
@@ -19,6 +20,8 @@ constexpr std::string_view name(Integrator integrator) {
       return "leapfrog";
     case Integrator::leapfrog_damped:
       return "leapfrog-damped";
+    case Integrator::leapfrog_stiff:
+      return "leapfrog-stiff";
     case Integrator::implicit:
       return "implicit";
     case Integrator::cvode:
@@ -26,6 +29,12 @@ constexpr std::string_view name(Integrator integrator) {
     default:
       return "auto";
   }
+}
+
+/// Whether it is one of the leapfrogs, which march in lanes.
+constexpr bool is_leapfrog(Integrator integrator) {
+  return integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped ||
+         integrator == Integrator::leapfrog_stiff;
 }
 
 /// What a run took, whatever the machine.

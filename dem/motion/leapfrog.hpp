@@ -1,12 +1,12 @@
 #pragma once
 
 #include "dem/motion/bond_step.hpp"
-#include "dem/motion/damping_solve.hpp"
+#include "dem/motion/implicit_kick.hpp"
 #include "dem/motion/local_flow.hpp"
 #include "dem/motion/rolling.hpp"
 
 // Leapfrog: velocities at half steps, poses and forces at full steps, dashpots at the lagged velocity (the
-// paper's way). One sweep along the chain moves each sphere and evaluates the bond behind it.
+// paper's way) or solved for along the chain, with the springs or without (implicit_kick.hpp). One sweep along the chain moves each sphere and evaluates the bond behind it.
 namespace fiberchain::dem {
 
 template <class Real>
@@ -101,11 +101,17 @@ void load_ends(const ChainBlock<P, Real>& chain, double steps_before) {
   add_load(chain.spheres[chain.bonds], blend(ramp.last_from, ramp.last_to, factor));
 }
 
+template <Physics P, class Real>
+void add_dead_loads(const ChainBlock<P, Real>& chain) {
+  if (chain.dead == nullptr) return;
+  for (int i = 0; i <= chain.bonds; ++i) add_load(chain.spheres[i], chain.dead[i]);
+}
+
 /// The kick where the spheres' velocities depend on each other.
 template <Physics P, class Real>
-void kick_together(const ChainBlock<P, Real>& chain) {
-  if constexpr (P.solved) {
-    kick_with_damping(chain);
+void kick_together(const ChainBlock<P, Real>& chain, const LocalFlow<P, Real>& flow) {
+  if constexpr (P.solved != Solved::nothing) {
+    implicit_kick<P, Real>(chain, flow);
   } else {
     for (int i = 0; i <= chain.bonds; ++i) {
       if (!chain.fixed(i))
@@ -115,18 +121,32 @@ void kick_together(const ChainBlock<P, Real>& chain) {
   }
 }
 
+/// Velocities from those of the lagged moment to those of the poses' or, with `back`, the other way, where they
+/// depend on each other. At the poses' moment the dashpots act by the velocity there: none is left to solve.
+template <Physics P, class Real>
+void half_kick(ChainBlock<P, Real> chain, double steps_before, const LocalFlow<P, Real>& flow, bool back) {
+  load_ends<P, Real>(chain, steps_before);
+  if constexpr (P.fluid) add_dead_loads(chain);
+  BondParameters<Real>& bond = chain.parameters.bond;
+  if (back) bond.dash_stretch = bond.dash_shear = bond.dash_twist = bond.dash_bend = Real(0.0);
+  implicit_kick<P, Real>(chain, flow, Real(back ? -0.5 : 0.5));
+}
+
 /// One step; `steps_before` counts from the start of the load ramp. The sphere whose second bond is still to
 /// come stays in registers.
 template <Physics P, class Real>
 void march_step(const ChainBlock<P, Real>& chain, double steps_before, const LocalFlow<P, Real>& flow = {}) {
   load_ends<P, Real>(chain, steps_before);
-  constexpr bool kick_alone = !P.solved && P.rolling != Rolling::set_valued;
-  if constexpr (!kick_alone) kick_together<P, Real>(chain);
+  constexpr bool kick_alone = P.solved == Solved::nothing && P.rolling != Rolling::set_valued;
+  if constexpr (!kick_alone) {
+    if constexpr (P.fluid) add_dead_loads(chain);
+    kick_together<P, Real>(chain, flow);
+  }
   MovingSphere<Real, P.dimension> before;
   for (int i = 0; i <= chain.bonds; ++i) {
     MovingSphere<Real, P.dimension> sphere = chain.spheres[i];
     if (!chain.fixed(i)) {
-      if constexpr (P.fluid) {
+      if constexpr (P.fluid && kick_alone) {
         if (chain.dead) add_load(sphere, chain.dead[i]);
       }
       if constexpr (kick_alone) kick<P>(sphere, chain.parameters, chain.step_of(i), flow);
@@ -145,7 +165,7 @@ void march_step(const ChainBlock<P, Real>& chain, double steps_before, const Loc
 /// Reals that solving along the chain needs.
 template <Physics P, class Real>
 constexpr std::size_t workspace_reals(int bonds) {
-  if (P.solved) return (bonds + 1) * numbers_of<EliminationSlot<Real, P.dimension>, Real>;
+  if (P.solved != Solved::nothing) return (bonds + 1) * numbers_of<EliminationSlot<Real, P.dimension>, Real>;
   if (P.rolling == Rolling::set_valued) return bonds * numbers_of<RollingSlot<Real, P.dimension>, Real>;
   return 0;
 }

@@ -18,6 +18,14 @@ struct MovingSphere {
   Spin<Real, Dim> moment;   ///< of the bonds [N m]
 };
 
+/// A sphere with velocity and spin of another.
+template <class Real, int Dim>
+MovingSphere<Real, Dim> with_velocities(MovingSphere<Real, Dim> sphere, const MovingSphere<Real, Dim>& other) {
+  sphere.velocity = other.velocity;
+  sphere.spin = other.spin;
+  return sphere;
+}
+
 template <class Real, int Dim>
 struct EndLoad {
   Vec<Real, Dim> force;
@@ -50,6 +58,7 @@ struct MarchParameters {
   SphereStep<Real> inner, end;  ///< of the spheres between the ends, and of those
   Real end_share;               ///< mass of an end sphere over that of the others
   Real step;                    ///< dt [s]
+  Real beta;                    ///< of the springs that are solved for within the step (implicit_bond.hpp)
   Real drag;                    ///< force per momentum [1/s]
   Real rolling_arm;             ///< xi_r R / 2 [m]
   LoadRamp<Real, Dim> ramp;

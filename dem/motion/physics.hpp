@@ -27,6 +27,24 @@ constexpr std::string_view name(Rolling rolling) {
   }
 }
 
+/// What of the bonds is solved for along the chain within the step (implicit_kick.hpp).
+enum class Solved {
+  nothing,
+  dashpots,  ///< centered in the step: stable up to the undamped limit
+  bonds      ///< dashpots and springs: stable beyond the springs' own step
+};
+
+constexpr std::string_view name(Solved solved) {
+  switch (solved) {
+    case Solved::dashpots:
+      return "dashpots";
+    case Solved::bonds:
+      return "bonds";
+    default:
+      return "nothing";
+  }
+}
+
 /// What a scene has. A template argument of the inner loop: what a scene lacks is not compiled into it.
 struct Physics {
   int dimension;  ///< 2: position and angle; 3: position and unit quaternion
@@ -34,7 +52,7 @@ struct Physics {
   bool damped;            ///< dashpots in the bonds, their force taken at the lagged velocity unless `solved`
   bool settling_damping;  ///< force on every sphere against its velocity, to settle a chain
   bool curved;  ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
-  bool solved = false;  ///< dashpots centered in the step and solved for: stable up to the undamped limit
+  Solved solved = Solved::nothing;
   Rolling rolling = Rolling::none;
   bool fluid = false;  ///< Stokes' drag of a flow on every sphere, solved within the step
 
@@ -71,14 +89,20 @@ constexpr void each_physics(std::integer_sequence<BondForm, forms...>, const Emi
       }
     }
     plain.settling_damping = false;  // and damped
-    const auto with = [&](BondForm form, bool solved, Rolling rolling) {
+    const auto with = [&](BondForm form, Solved solved, Rolling rolling) {
       Physics physics = plain;
       physics.form = form, physics.solved = solved, physics.rolling = rolling;
       emit(physics);
     };
-    (with(forms, true, Rolling::none), ...);
-    ((BondLawType<forms>::rolls ? with(forms, false, Rolling::set_valued) : void()), ...);
-    ((BondLawType<forms>::rolls ? with(forms, false, Rolling::explicit_sign) : void()), ...);
+    (with(forms, Solved::dashpots, Rolling::none), ...);
+    ((BondLawType<forms>::rolls ? with(forms, Solved::nothing, Rolling::set_valued) : void()), ...);
+    ((BondLawType<forms>::rolls ? with(forms, Solved::nothing, Rolling::explicit_sign) : void()), ...);
+    plain.solved = Solved::bonds;
+    for (const bool fluid : {false, true}) {
+      plain.fluid = fluid;
+      (rest_shapes<forms>(plain, emit), ...);
+    }
+    plain.solved = Solved::nothing;
     for (const bool damped : {false, true}) {
       plain.damped = damped, plain.fluid = true;
       (rest_shapes<forms>(plain, emit), ...);
@@ -119,7 +143,7 @@ inline constexpr auto built_physics_of =
 /// What is also built for one chain along the lanes: no settling_damping, straight at rest, nothing to solve
 /// along the chain.
 constexpr bool built_for_single_chain(const Physics& p) {
-  return !p.settling_damping && !p.curved && !p.solved && p.rolling != Rolling::set_valued;
+  return !p.settling_damping && !p.curved && p.solved == Solved::nothing && p.rolling != Rolling::set_valued;
 }
 
 }  // namespace fiberchain::dem

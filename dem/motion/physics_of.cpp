@@ -13,10 +13,11 @@ Physics physics_of(std::span<const Chain<Dim>> chains, const MarchOptions& optio
       std::ranges::any_of(chains, [](const Chain<Dim>& c) { return c.fiber.rolling_friction > 0; });
   return {.dimension = Dim,
           .form = options.form,
-          .damped = any_damped || any_rolls,  // rolling friction is built with dashpots only
+          // rolling friction and solved springs are built with dashpots only
+          .damped = any_damped || any_rolls || options.solved == Solved::bonds,
           .settling_damping = options.settling_damping,
           .curved = from_poses(options.form) && any_curved,
-          .solved = any_damped && options.centered_dashpots,
+          .solved = any_damped || options.solved == Solved::bonds ? options.solved : Solved::nothing,
           .rolling = any_rolls ? options.rolling : Rolling::none,
           .fluid = options.fluid};
 }

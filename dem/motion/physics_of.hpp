@@ -11,7 +11,7 @@ namespace fiberchain::dem {
 struct MarchOptions {
   BondForm form = BondForm::total;
   bool settling_damping = false;    ///< drag that settles the chain
-  bool centered_dashpots = false;   ///< dashpots, where there are any, centered in the step and solved for
+  Solved solved = Solved::nothing;  ///< within the step: dashpots where there are any, springs always
   Rolling rolling = Rolling::none;  ///< scheme of the rolling friction, for fibers that have any
   bool fluid = false;               ///< a flow drags the spheres
 };

@@ -4,6 +4,7 @@
 
 #include "dem/model/fiber.hpp"
 #include "dem/model/fluid.hpp"
+#include "dem/motion/implicit_bond.hpp"
 #include "dem/motion/moving_sphere.hpp"
 
 // Stokes' drag within a step: solved, not lagged.
@@ -50,6 +51,7 @@ MarchParameters<double, Dim> march_parameters(const Fiber& fiber, const StokesDr
   p.bond = bond_parameters(fiber);
   p.inverse_length = 1 / bond_length(fiber);
   p.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
+  p.beta = stiff_beta;
   set_step(p, fiber, drag, dt);
   return p;
 }

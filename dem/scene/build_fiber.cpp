@@ -64,8 +64,7 @@ CantileverCase<Dim> build_cantilever(const CantileverScene& scene) {
 
 bool has_energy(const ReleaseScene& scene) {
   const Integrator integrator = scene.motion.integrator;
-  const bool leapfrog = integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped;
-  return !leapfrog || scene.fiber.rolling_friction == 0;
+  return !is_leapfrog(integrator) || scene.fiber.rolling_friction == 0;
 }
 
 template <int Dim>

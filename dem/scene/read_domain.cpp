@@ -36,6 +36,14 @@ KeyTable<ContactProperties> contact_keys() {
   table.number("friction", &ContactProperties::friction, kCoefficient, "Coulomb's coefficient µ");
   table.number("rolling_friction", &ContactProperties::rolling_friction, kCoefficient,
                "coefficient µ_r of a moment of at most µ_r R* F_n against rolling");
+  table
+      .quantity("youngs_modulus", "Pa", &ContactProperties::youngs_modulus, kPositive,
+                "Young's modulus of the fibers' surface where it touches; walls have their own")
+      .otherwise("the fiber's");
+  table
+      .number("poisson_ratio", &ContactProperties::poisson_ratio, kPoissonRatio,
+              "Poisson's ratio of that surface")
+      .otherwise("the fiber's");
   return table;
 }
 

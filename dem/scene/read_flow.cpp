@@ -68,20 +68,22 @@ void store_start(const StrictMapping& start, const StartKeys& keys, FlowKeys& fl
 
 KeyTable<FlowOptions> flow_motion_keys() {
   KeyTable<FlowOptions> table;
-  const auto leapfrog = [](const FlowOptions& options) { return options.method == FlowMethod::leapfrog; };
+  const auto leapfrog = [](const FlowOptions& options) { return is_leapfrog(options.method); };
   table.choice("method", &FlowOptions::method,
-               words_of({FlowMethod::inertialess, FlowMethod::cvode, FlowMethod::leapfrog}),
-               "balance of forces without inertia, or with inertia implicit or explicit in the bonds");
+               words_of({FlowMethod::inertialess, FlowMethod::cvode, FlowMethod::leapfrog,
+                         FlowMethod::leapfrog_stiff}),
+               "balance of forces without inertia, or with inertia: implicit, explicit in the bonds, or with "
+               "the bonds solved within the step");
   table.number("tolerance", &FlowOptions::tolerance, kTolerance, "local error, relative to L and to 1 rad")
       .only_with("method: inertialess or cvode",
                  [=](const FlowOptions& options) { return !leapfrog(options); });
   table
       .number("step_ratio", &FlowOptions::step_ratio, kStepRatio,
               "time step over the bond's t_b = sqrt(m / K_n)")
-      .otherwise("0.8 of the largest stable step")
-      .only_with("method: leapfrog", leapfrog);
+      .otherwise("0.8 of the largest stable step; leapfrog-stiff: what turning, tension and bending allow")
+      .only_with("method: leapfrog or leapfrog-stiff", leapfrog);
   table.flag("allow_unstable", &FlowOptions::allow_unstable, "march even beyond the stable step")
-      .only_with("method: leapfrog", leapfrog);
+      .only_with("method: leapfrog or leapfrog-stiff", leapfrog);
   return table;
 }
 
@@ -119,9 +121,9 @@ void check_together(const StrictMapping& top, const FlowScene& scene) {
              "hydrodynamics: interactions and stresslets are built for method: inertialess; leapfrog and "
              "cvode have free_draining");
   }
-  if (scene.motion.form == BondForm::incremental && method != FlowMethod::leapfrog) {
+  if (scene.motion.form == BondForm::incremental && !is_leapfrog(method)) {
     top.fail("bond",
-             "form: incremental is built for method: leapfrog; inertialess and cvode have form: total");
+             "form: incremental is built for the leapfrogs; inertialess and cvode have form: total");
   }
 }
 

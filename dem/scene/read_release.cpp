@@ -3,9 +3,7 @@
 namespace fiberchain::dem {
 namespace {
 
-bool is_leapfrog(const ReleaseOptions& motion) {
-  return motion.integrator == Integrator::leapfrog || motion.integrator == Integrator::leapfrog_damped;
-}
+bool is_leapfrog(const ReleaseOptions& motion) { return is_leapfrog(motion.integrator); }
 
 KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
   KeyTable<ReleaseOptions> table(defaults);
@@ -14,7 +12,7 @@ KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
   };
   table.choice("integrator", &ReleaseOptions::integrator,
                words_of({Integrator::automatic, Integrator::leapfrog, Integrator::leapfrog_damped,
-                         Integrator::implicit, Integrator::cvode}),
+                         Integrator::leapfrog_stiff, Integrator::implicit, Integrator::cvode}),
                "integration in time; `auto`: the cheapest that keeps `error`");
   table
       .number("error", &ReleaseOptions::error, {.low = 1e-9, .high = 1, .high_open = true},
@@ -23,12 +21,14 @@ KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
   table
       .number("step_ratio", &ReleaseOptions::step_ratio, kStepRatio,
               "time step over the bond's t_b = sqrt(m / K_n)")
-      .otherwise("0.8 of the largest stable step; `implicit`: the sample interval")
-      .only_with("integrator: leapfrog, leapfrog-damped or implicit", [](const ReleaseOptions& motion) {
+      .otherwise("0.8 of the largest stable step; `implicit` and `leapfrog-stiff`: the sample interval, or what tension "
+                 "and turning allow")
+      .only_with("integrator: leapfrog, leapfrog-damped, leapfrog-stiff or implicit", [](const ReleaseOptions& motion) {
         return is_leapfrog(motion) || motion.integrator == Integrator::implicit;
       });
   table.flag("allow_unstable", &ReleaseOptions::allow_unstable, "march even beyond the stable step")
-      .only_with("integrator: leapfrog or leapfrog-damped", &is_leapfrog);
+      .only_with("integrator: leapfrog, leapfrog-damped or leapfrog-stiff",
+                 [](const ReleaseOptions& motion) { return is_leapfrog(motion); });
   table
       .number("tolerance", &ReleaseOptions::tolerance, {.low = 1e-13, .high = 1, .high_open = true},
               "local error over the first deflection")

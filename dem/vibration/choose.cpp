@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dem/model/errors.hpp"
+#include "dem/motion/stiff_limits.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 /// Time of one bond in one step of a chain alone, over that of the lagged leapfrog, which then runs along the
 /// lanes (measured, rounded: only their order matters).
 struct Cost {
-  double lagged, solved, implicit;
+  double lagged, solved, stiff, implicit;
 };
-constexpr Cost planar_cost{1, 18, 90}, spatial_cost{1, 24, 100};
+constexpr Cost planar_cost{1, 18, 19, 90}, spatial_cost{1, 24, 25, 100};
 
 /// Damping ratio of the first mode, xi_f = tau w / 2 with the bending dashpot's retardation time tau.
 double first_mode_damping(const Fiber& fiber, double frequency) {
@@ -31,16 +32,7 @@ struct Candidate {
 
 /// Largest turn of the free end in an implicit step [rad]: beyond, Newton's method halves steps of a sudden
 /// release (measured).
-constexpr double largest_turn = 0.02;
-
-/// Tip deflection over L that the motion swings to.
-template <int Dim>
-double swing(const Release<Dim>& release, double frequency) {
-  if (release.start.empty()) return 0;
-  const double moved = norm(release.start.back().position - release.chain.poses.back().position);
-  const double speed = release.velocity.empty() ? 0.0 : norm(release.velocity.back());
-  return std::max(moved, speed / frequency) / fiber_length(release.chain.fiber);
-}
+constexpr double largest_newton_turn = 0.02;
 
 /// Largest w dt with a w dt + b (w dt)^2 <= error.
 double largest_angle(double a, double b, double error) {
@@ -66,9 +58,14 @@ IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOpt
   std::vector<Candidate> all{candidate(Integrator::leapfrog, xi_f / 2, 1.0 / 24, cost.lagged)};
   if (fiber.rolling_friction == 0) {
     if (damped(fiber)) all.push_back(candidate(Integrator::leapfrog_damped, 0, 1.0 / 24, cost.solved));
+    Candidate stiff = candidate(Integrator::leapfrog_stiff, 0, stiff_beta / 2 + 1.0 / 24, cost.stiff);
+    const double bearable = stiff_release_step(release, safe_turn);
+    stiff.cost *= std::max(1.0, stiff.step / bearable);
+    stiff.step = std::min(stiff.step, bearable);
+    all.push_back(stiff);
     Candidate implicit = candidate(Integrator::implicit, 0, 1.0 / 6, cost.implicit);
     // the tip of a beam turns by about 1.4 a/L as it deflects by a
-    const double longest = largest_turn / (1.4 * std::max(swing(release, w), 1e-9) * w);
+    const double longest = largest_newton_turn / (1.4 * std::max(swing(release), 1e-9) * w);
     implicit.cost *= std::max(1.0, implicit.step / longest);
     implicit.step = std::min(implicit.step, longest);
     all.push_back(implicit);

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
+#include "dem/motion/stiff_limits.hpp"
 #include "dem/motion/time_step.hpp"
 #include "dem/vibration/choose.hpp"
 #include "dem/vibration/release_lanes.hpp"
@@ -18,10 +20,6 @@ namespace fiberchain::dem {
 namespace {
 
 constexpr double most_steps_per_sample = 1e9;
-
-bool marches(Integrator integrator) {
-  return integrator == Integrator::leapfrog || integrator == Integrator::leapfrog_damped;
-}
 
 void require(bool allowed, std::string_view name, double value, std::string_view allowed_text) {
   if (!allowed) throw InvalidInput(fmt::format("{} = {} is not allowed: {}", name, value, allowed_text));
@@ -52,13 +50,28 @@ void check(const Release<Dim>& release, const ReleaseOptions& options) {
   }
 }
 
+/// Largest tension of a bond in the state the chain is let go from [N].
+template <int Dim>
+double start_tension(const Release<Dim>& release) {
+  const double l = bond_length(release.chain.fiber), K = bond_stiffness(release.chain.fiber).stretch;
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < release.start.size(); ++i) {
+    const double length = norm(release.start[i + 1].position - release.start[i].position);
+    largest = std::max(largest, K * (length - l));
+  }
+  return largest;
+}
+
 /// Steps between two samples.
 template <int Dim>
 int steps_per_sample(const Release<Dim>& release, const ReleaseOptions& options) {
   const Fiber& fiber = release.chain.fiber;
   const double interval = release.period / options.samples_per_period;
-  const double t_b = bond_time_step(fiber), limit = stable_release_step(fiber, options.integrator);
-  double step = std::min(interval, 0.8 * limit);
+  const bool stiff = options.integrator == Integrator::leapfrog_stiff;
+  const double t_b = bond_time_step(fiber),
+               limit = stiff ? stiff_release_step(release, largest_turn)
+                             : stable_release_step(fiber, options.integrator);
+  double step = std::min(interval, stiff ? stiff_release_step(release, safe_turn) : 0.8 * limit);
   if (options.step_ratio) {
     step = *options.step_ratio * t_b;
     if (step >= limit && !options.allow_unstable) {
@@ -119,6 +132,22 @@ double stable_release_step(const Fiber& fiber, Integrator integrator) {
 }
 
 template <int Dim>
+double swing(const Release<Dim>& release) {
+  if (release.start.empty()) return 0;
+  const double moved = norm(release.start.back().position - release.chain.poses.back().position);
+  const double speed = release.velocity.empty() ? 0.0 : norm(release.velocity.back());
+  return std::max(moved, speed * release.period / (2 * std::numbers::pi)) / fiber_length(release.chain.fiber);
+}
+
+template <int Dim>
+double stiff_release_step(const Release<Dim>& release, double turn) {
+  // the tip of a beam turns by about 1.4 a/L as it deflects by a
+  const double fastest = 1.4 * swing(release) * 2 * std::numbers::pi / release.period;
+  return std::min(fastest > 0 ? turn / fastest : std::numeric_limits<double>::infinity(),
+                  step_for_tension(release.chain.fiber, start_tension(release)));
+}
+
+template <int Dim>
 double release_step(const Release<Dim>& release, const ReleaseOptions& options) {
   return release.period /
          (static_cast<double>(options.samples_per_period) * steps_per_sample(release, options));
@@ -142,7 +171,7 @@ std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& relea
   std::vector<std::size_t> marched;
   for (std::size_t i = 0; i < releases.size(); ++i) {
     check(releases[i], options);
-    if (marches(options.integrator)) {
+    if (is_leapfrog(options.integrator)) {
       marched.push_back(i);
     } else {
       records[i] = integrate_release(releases[i], steps_per_sample(releases[i], options),
@@ -153,6 +182,10 @@ std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& relea
   return records;
 }
 
+template double swing<2>(const Release<2>&);
+template double swing<3>(const Release<3>&);
+template double stiff_release_step<2>(const Release<2>&, double);
+template double stiff_release_step<3>(const Release<3>&, double);
 template double release_step<2>(const Release<2>&, const ReleaseOptions&);
 template double release_step<3>(const Release<3>&, const ReleaseOptions&);
 template std::vector<ReleaseRecord<2>> ring_down<2>(const std::vector<Release<2>>&, const ReleaseOptions&);

@@ -68,8 +68,18 @@ struct ReleaseRecord {
 template <int Dim>
 double release_step(const Release<Dim>& release, const ReleaseOptions& options);
 
-/// Largest stable step [s] of an explicit integrator for this fiber; infinite for the others.
+/// Largest stable step [s] of an explicit integrator for this fiber; infinite for the others, though what is
+/// solved within the step has limits of its own (stiff_release_step).
 double stable_release_step(const Fiber& fiber, Integrator integrator);
+
+/// Tip deflection over L that the motion swings to, in its first mode from start and velocities.
+template <int Dim>
+double swing(const Release<Dim>& release);
+
+/// Longest step [s] of the leapfrog with springs solved for: bonds turn by at most `turn` [rad] as the fiber
+/// swings in its first mode, and the tension is at most that of the start (stiff_limits.hpp).
+template <int Dim>
+double stiff_release_step(const Release<Dim>& release, double turn);
 
 /// Lets every chain go. A record does not depend on what marches beside it but by round-off where a chain
 /// marches alone. One that blows up stops, the others go on. Throws InvalidInput for cases that make no

@@ -6,6 +6,7 @@
 
 #include "dem/motion/kernels/chain_lane.hpp"
 #include "dem/motion/physics_of.hpp"
+#include "dem/motion/stiff_limits.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -20,9 +21,11 @@ void place(ChainBatch<Dim>& block, int lane, const Release<Dim>& release) {
   put_state(block, lane, release.chain, state);
 }
 
-/// Energy at the moment of the poses; v(-1/2) v(+1/2) makes the kinetic part exact for a linear chain.
+/// Energy at the moment of the poses, with the spheres' velocities then; without them v(-1/2) v(+1/2), which
+/// makes the kinetic part of an explicit step exact for a linear chain.
 template <int Dim>
-double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt, BondForm form) {
+double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& release, double dt, BondForm form,
+              const std::vector<MovingSphere<double, Dim>>& now) {
   const Fiber& fiber = release.chain.fiber;
   const BondParameters<double> bond = bond_parameters(fiber);
   double sum = form == BondForm::total ? elastic_energy(release.chain, block.poses(lane)) : 0.0;
@@ -32,8 +35,12 @@ double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& releas
     if (!clamped) {
       const double share = mass_share(fiber, i), m = share * sphere_mass(fiber),
                    J = share * sphere_inertia(fiber);
-      sum += 0.5 * m * dot(s.velocity, s.velocity + (dt / m) * s.force);
-      sum += 0.5 * J * dot(s.spin, s.spin + (dt / J) * s.moment);
+      if (now.empty()) {
+        sum += 0.5 * m * dot(s.velocity, s.velocity + (dt / m) * s.force);
+        sum += 0.5 * J * dot(s.spin, s.spin + (dt / J) * s.moment);
+      } else {
+        sum += 0.5 * (m * dot(now[i].velocity, now[i].velocity) + J * dot(now[i].spin, now[i].spin));
+      }
     }
     if (form == BondForm::incremental && i < fiber.aspect_ratio) {
       sum += stored_energy(bond, block.history(lane, i),
@@ -48,10 +55,17 @@ TipSample<Dim> sample(const ChainBatch<Dim>& block, int lane, const Release<Dim>
                       double steps, const ReleaseOptions& options) {
   const Fiber& fiber = release.chain.fiber;
   const MovingSphere<double, Dim> s = block.sphere(lane, fiber.aspect_ratio);
-  const double tip_mass = end_mass_share(fiber) * sphere_mass(fiber);
-  const Vec<double, Dim> velocity = s.velocity + (0.5 * dt / tip_mass) * s.force;
+  std::vector<MovingSphere<double, Dim>> now;
+  Vec<double, Dim> velocity;
+  if (options.integrator == Integrator::leapfrog_stiff) {
+    now = block.spheres_now(lane);
+    velocity = now.back().velocity;
+  } else {
+    const double tip_mass = end_mass_share(fiber) * sphere_mass(fiber);
+    velocity = s.velocity + (0.5 * dt / tip_mass) * s.force;
+  }
   return {steps * dt, s.pose.position, velocity,
-          options.energy ? energy(block, lane, release, dt, options.form) : 0.0};
+          options.energy ? energy(block, lane, release, dt, options.form, now) : 0.0};
 }
 
 std::string failure_text(std::size_t fiber, int sphere, double step, double dt, double limit) {
@@ -61,6 +75,17 @@ std::string failure_text(std::size_t fiber, int sphere, double step, double dt, 
   return fmt::format(
       "the run blew up: fiber {}, sphere {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s); likely cause: {}",
       fiber, sphere, step, dt, step * dt, cause);
+}
+
+std::string stiff_failure_text(std::size_t fiber, int bond, double step, double dt, double turn, double drawn,
+                               double strain) {
+  return fmt::format(
+      "the run cannot be trusted: fiber {}, bond {} at step {:.0f} (dt = {:.6g} s, t = {:.6g} s) {}; likely "
+      "cause: a step too long for its speed",
+      fiber, bond, step, dt, step * dt,
+      turn > largest_turn
+          ? fmt::format("turned by {:.3g} rad in a step, allowed {:g}", turn, largest_turn)
+          : fmt::format("is stretched by {:.3g}, the tension of {:.3g} is what such steps bear", drawn, strain));
 }
 
 /// One block of chains and what is recorded of them.
@@ -106,11 +131,31 @@ struct March {
     }
   }
 
+  /// Stops a lane whose bonds turn in a step, or are drawn out, beyond what springs that are solved for bear.
+  void check_stiff(std::size_t lane, double done) {
+    ReleaseRecord<Dim>& r = records[members[lane]];
+    const Fiber& fiber = this->fiber(lane);
+    const double l = bond_length(fiber), strain = largest_tension(fiber, steps[lane]) / (bond_stiffness(fiber).stretch * l);
+    for (int i = 0; i < fiber.aspect_ratio; ++i) {
+      const auto a = block.sphere(static_cast<int>(lane), i), b = block.sphere(static_cast<int>(lane), i + 1);
+      const double turn = norm(b.velocity - a.velocity) * steps[lane] / l,
+                   drawn = norm(b.pose.position - a.pose.position) / l - 1;
+      if (turn <= largest_turn && drawn <= strain) continue;
+      r.steps = done;
+      r.failure = stiff_failure_text(members[lane], i, done, steps[lane], turn, drawn, strain);
+      r.last = lagged_state(block, static_cast<int>(lane), fiber.aspect_ratio + 1);
+      return;
+    }
+  }
+
   /// Looks for lanes that blew up since the saved state, `stretch` steps ago.
   void check(const std::vector<double>& saved, double from, int stretch) {
     for (std::size_t lane = 0; lane < members.size(); ++lane) {
       if (!records[members[lane]].failure.empty()) continue;
-      if (broken_sphere(block, static_cast<int>(lane), fiber(lane)) < 0) continue;
+      if (broken_sphere(block, static_cast<int>(lane), fiber(lane)) < 0) {
+        if (options.integrator == Integrator::leapfrog_stiff) check_stiff(lane, from + stretch);
+        continue;
+      }
       const std::vector<double> now = block.saved();
       block.restore(saved);
       find_break(lane, from, stretch);
@@ -119,10 +164,21 @@ struct March {
   }
 };
 
+Solved solved_by(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::leapfrog_damped:
+      return Solved::dashpots;
+    case Integrator::leapfrog_stiff:
+      return Solved::bonds;
+    default:
+      return Solved::nothing;
+  }
+}
+
 template <int Dim>
 Physics release_physics(const std::vector<Chain<Dim>>& chains, const ReleaseOptions& options) {
   return physics_of<Dim>(chains, {.form = options.form,
-                                  .centered_dashpots = options.integrator == Integrator::leapfrog_damped,
+                                  .solved = solved_by(options.integrator),
                                   .rolling = options.rolling});
 }
 

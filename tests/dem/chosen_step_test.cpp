@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(less_error_takes_a_shorter_step_and_what_is_said_bounds_it)
   const double said = dem::restitution_error({{chain, {}}}, fine.around(), 1.1, step);
   BOOST_TEST(said <= 0.002);
   BOOST_TEST(said > 0.0005);
-  const auto body = dem::sphere_body(fine.fiber());
+  const auto body = dem::sphere_body(fine.fiber(), {});
   BOOST_CHECK_THROW(dem::step_for_restitution(body, body, {0.4, 0, 0}, 1, 0, 1e-5), dem::InvalidInput);
 }
 

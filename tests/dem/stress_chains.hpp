@@ -23,7 +23,7 @@ dem::ChainBatch<Dim> lone_block(const dem::Chain<Dim>& chain, double dt, dem::Bo
                                .damped = dem::damped(chain.fiber),
                                .settling_damping = false,
                                .curved = false,
-                               .solved = solved},
+                               .solved = solved ? dem::Solved::dashpots : dem::Solved::nothing},
                               dem::best_instruction_set());
 }
 

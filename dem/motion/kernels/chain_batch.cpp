@@ -140,9 +140,9 @@ void ChainBatch<Dim>::march(int steps) {
 }
 
 template <int Dim>
-MovingSphere<double, Dim> ChainBatch<Dim>::sphere(int lane, int index) const {
+MovingSphere<double, Dim> ChainBatch<Dim>::sphere_in(const LaneArray& spheres, int lane, int index) const {
   MovingSphere<double, Dim> sphere{};
-  spheres_.get(sphere, place(lane, index, numbers_of<MovingSphere<double, Dim>>), stride());
+  spheres.get(sphere, place(lane, index, numbers_of<MovingSphere<double, Dim>>), stride());
   return sphere;
 }
 
@@ -176,8 +176,26 @@ void ChainBatch<Dim>::start_histories(int lane, const Chain<Dim>& chain, const C
 }
 
 template <int Dim>
+LaneArray ChainBatch<Dim>::half_kicked(bool back) const {
+  LaneArray moved = spheres_;
+  ChainBatchView kicked = const_cast<ChainBatch*>(this)->view();  // writes the copy and the workspace alone
+  kicked.spheres = moved.data();
+  kernel_.half_kick(kicked, steps_on_ramp_, back);
+  return moved;
+}
+
+template <int Dim>
 void ChainBatch<Dim>::synchronize() {
   start();
+  if (kernel_.half_kick != nullptr) {
+    const LaneArray back = half_kicked(true);
+    for (int lane = 0; lane < kernel_.width; ++lane) {
+      for (int i = 0; i <= bonds_; ++i) {
+        set_sphere(lane, i, with_velocities(sphere(lane, i), sphere_in(back, lane, i)));
+      }
+    }
+    return;
+  }
   for (int lane = 0; lane < (along_ ? 1 : kernel_.width); ++lane) {
     for (int i = 0; i <= bonds_; ++i) {
       MovingSphere<double, Dim> s = sphere(lane, i);

@@ -40,9 +40,10 @@ class ChainBatch {
   void march(int steps);
   void restart_ramp() { steps_on_ramp_ = 0; }
 
-  MovingSphere<double, Dim> sphere(int lane, int index) const;
-  /// The same with the velocities of this moment: half a step forward under the forces and the fluid at hand.
-  MovingSphere<double, Dim> sphere_now(int lane, int index) const;
+  MovingSphere<double, Dim> sphere(int lane, int index) const { return sphere_in(spheres_, lane, index); }
+  /// All of a lane with the velocities of this moment: half a step forward under the forces and the fluid at
+  /// hand.
+  std::vector<MovingSphere<double, Dim>> spheres_now(int lane) const;
   /// Sets pose, velocity and forces of a sphere; a clamped one gets no velocity.
   void set_sphere(int lane, int index, const MovingSphere<double, Dim>& sphere);
   /// Summed strain of a bond, its history in the incremental form; zero in another.
@@ -70,6 +71,9 @@ class ChainBatch {
 
   ChainBatchView view();
   void start();
+  /// Spheres with velocities half a step on, or back, where those of a chain depend on each other.
+  LaneArray half_kicked(bool back) const;
+  MovingSphere<double, Dim> sphere_in(const LaneArray& spheres, int lane, int index) const;
   int used(int lane) const { return lane < lanes_ ? lane : lanes_ - 1; }
   void put_parameters(int lane);
   /// Gradients of the steps to come; one stands for all of a steady flow.

@@ -49,8 +49,7 @@ void ChainBatch<Dim>::set_loads(int lane, const Boundary<Dim>& boundary) {
 
 template <int Dim>
 void ChainBatch<Dim>::set_step(int lane, double step) {
-  std::vector<MovingSphere<double, Dim>> now;
-  for (int i = 0; i <= bonds_; ++i) now.push_back(sphere_now(lane, i));
+  std::vector<MovingSphere<double, Dim>> now = spheres_now(lane);
   LaneFluid& fluid = fluids_[lane];
   MarchParameters<double, Dim>& p = parameters_of_[lane];
   fluid.time += (steps_in_fluid_ - fluid.step) * p.step;
@@ -58,9 +57,13 @@ void ChainBatch<Dim>::set_step(int lane, double step) {
   dem::set_step(p, fibers_[lane], fluid.drag, step);
   put_parameters(lane);
   for (int i = 0; i <= bonds_; ++i) {
-    move_half_step(lane, i, now[i], true);
+    if (kernel_.half_kick == nullptr) move_half_step(lane, i, now[i], true);
     set_sphere(lane, i, now[i]);
   }
+  if (kernel_.half_kick == nullptr) return;
+  start();  // dashpots at the velocities of this moment
+  const LaneArray back = half_kicked(true);
+  for (int i = 0; i <= bonds_; ++i) set_sphere(lane, i, with_velocities(sphere(lane, i), sphere_in(back, lane, i)));
 }
 
 template <int Dim>
@@ -107,10 +110,16 @@ void ChainBatch<Dim>::move_half_step(int lane, int index, MovingSphere<double, D
 }
 
 template <int Dim>
-MovingSphere<double, Dim> ChainBatch<Dim>::sphere_now(int lane, int index) const {
-  MovingSphere<double, Dim> s = sphere(lane, index);
-  move_half_step(lane, index, s, false);
-  return s;
+std::vector<MovingSphere<double, Dim>> ChainBatch<Dim>::spheres_now(int lane) const {
+  std::vector<MovingSphere<double, Dim>> now;
+  for (int i = 0; i <= bonds_; ++i) now.push_back(sphere(lane, i));
+  if (kernel_.half_kick != nullptr) {
+    const LaneArray kicked = half_kicked(false);
+    for (int i = 0; i <= bonds_; ++i) now[i] = with_velocities(now[i], sphere_in(kicked, lane, i));
+  } else {
+    for (int i = 0; i <= bonds_; ++i) move_half_step(lane, i, now[i], false);
+  }
+  return now;
 }
 
 #define FIBERCHAIN_INSTANTIATE(Dim)                                                                \
@@ -121,7 +130,7 @@ MovingSphere<double, Dim> ChainBatch<Dim>::sphere_now(int lane, int index) const
   template void ChainBatch<Dim>::fill_gradients(int);                                              \
   template EndLoad<double, Dim> ChainBatch<Dim>::load_now(int, int) const;                         \
   template void ChainBatch<Dim>::move_half_step(int, int, MovingSphere<double, Dim>&, bool) const; \
-  template MovingSphere<double, Dim> ChainBatch<Dim>::sphere_now(int, int) const;
+  template std::vector<MovingSphere<double, Dim>> ChainBatch<Dim>::spheres_now(int) const;
 FIBERCHAIN_INSTANTIATE(2)
 FIBERCHAIN_INSTANTIATE(3)
 #undef FIBERCHAIN_INSTANTIATE

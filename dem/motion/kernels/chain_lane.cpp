@@ -43,7 +43,8 @@ ChainState<Dim> lagged_state(const ChainBatch<Dim>& block, int lane, int spheres
 
 template <int Dim>
 ChainState<Dim> state_now(const ChainBatch<Dim>& block, int lane, int spheres) {
-  return state_of<Dim>(spheres, [&](int i) { return block.sphere_now(lane, i); });
+  const auto now = block.spheres_now(lane);
+  return state_of<Dim>(spheres, [&](int i) { return now[i]; });
 }
 
 template <int Dim>

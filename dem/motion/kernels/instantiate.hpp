@@ -41,6 +41,20 @@ FIBERCHAIN_FLATTEN void march_block(const ChainBatchView& block, double steps_be
     march_step<P, Real>(chain, steps_before + n, flow_of_step<P, Real>(block, n));
 }
 
+template <Physics P, class Real>
+void half_kick_block(const ChainBatchView& block, double steps_before, bool back) {
+  half_kick<P, Real>(typed<P, Real>(block), steps_before, flow_of_step<P, Real>(block, 0), back);
+}
+
+template <Physics P, class Real>
+constexpr auto half_kick_of() -> decltype(ChainKernel::half_kick) {
+  if constexpr (P.solved == Solved::bonds) {
+    return half_kick_block<P, Real>;
+  } else {
+    return nullptr;
+  }
+}
+
 template <class Real>
 struct KernelTable {
   ChainKernel kernels[built_physics.size()];
@@ -54,6 +68,7 @@ constexpr ChainKernel lane_kernel_of() {
             .workspace = workspace_reals<P, Real>,
             .start = start_block<P, Real>,
             .march = march_block<P, Real>,
+            .half_kick = half_kick_of<P, Real>(),
             .start_single_chain = start_single_chain<P, Real>,
             .march_single_chain = march_single_chain<P, Real>};
   } else {
@@ -62,6 +77,7 @@ constexpr ChainKernel lane_kernel_of() {
             .workspace = workspace_reals<P, Real>,
             .start = start_block<P, Real>,
             .march = march_block<P, Real>,
+            .half_kick = half_kick_of<P, Real>(),
             .start_single_chain = nullptr,
             .march_single_chain = nullptr};
   }

@@ -17,9 +17,17 @@ struct BondAccount {
   double* previous;       ///< `bond_account_size` a bond, lane by lane
   double* bond_damping;   ///< sum [J], one a lane
   double* bond_friction;  ///< sum [J], one a lane
+  double* scheme;         ///< sum [J], one a lane: work on the springs' part of the matrix, where they are solved for
 };
-/// Loads of the dashpots (and of explicit rolling friction), their powers, and the relative spin.
+/// Loads of the dashpots (and of explicit rolling friction), their powers, and the relative spin; where bonds
+/// are solved for, their separation and relative motion.
 inline constexpr int bond_account_size = 9 + 1 + 3 + 1 + 3;
+
+/// Over bonds and steps: what limits a step that bonds are solved for in.
+struct BondExtremes {
+  double relative_speed = 0;  ///< of the two spheres [m/s]
+  double length = 0;          ///< [m]
+};
 
 /// A block of `width` fibers of one kind. Unused lanes repeat the last fiber.
 struct PackingBlock {
@@ -42,6 +50,7 @@ struct PackingBlock {
   std::int64_t rows_ahead;     ///< spheres from those of this block to those whose position_radius and
                                ///< velocity_spin are fetched meanwhile
   double previous_step;        ///< the step that led here: dt, or 0 before the first [s]
+  BondExtremes* extremes;      ///< grow, where bonds are solved for
 };
 
 struct PackingKernel {
@@ -55,14 +64,17 @@ struct PackingKernel {
   /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history
   /// moves on.
   void (*snapshot)(const PackingBlock&);
+  /// After a snapshot: its velocities half a step on, or with `back` from those of this moment half a step back.
+  /// Null where each sphere's follow from its own forces (half_step.hpp).
+  void (*half_kick)(const PackingBlock&, bool back);
   /// Before a step: accounts the energy dissipated in the one before. Null where bonds dissipate none.
   void (*account)(const PackingBlock&, const BondAccount&);
 };
 
-/// Every combination built for fibers among others: three dimensions, nothing solved but rolling friction, no
-/// settling damping.
+/// Every combination built for fibers among others: three dimensions, no dashpots solved for without the
+/// springs, no settling damping.
 constexpr bool built_for_packings(const Physics& p) {
-  return p.dimension == 3 && !p.settling_damping && !p.solved;
+  return p.dimension == 3 && !p.settling_damping && p.solved != Solved::dashpots;
 }
 
 /// Kernels of one instruction set, in the order of built_physics; empty where not built for packings.

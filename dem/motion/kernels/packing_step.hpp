@@ -10,6 +10,12 @@
 // Included by one source file an instruction set, as instantiate.hpp.
 namespace fiberchain::dem {
 
+/// Where the slots of the elimination lie: behind the spheres.
+template <class Real>
+double* slots_of(const PackingBlock& block) {
+  return block.scratch + (block.bonds + 1) * sizeof(MovingSphere<Real, 3>) / sizeof(double);
+}
+
 template <Physics P, class Real>
 ChainBlock<P, Real> chain_of(const PackingBlock& block) {
   return {.bonds = block.bonds,
@@ -18,7 +24,7 @@ ChainBlock<P, Real> chain_of(const PackingBlock& block) {
           .history = as_values<HistoryOf<P, Real>>(block.history),
           .natural = as_values<NaturalEnds<Real, 3>>(block.natural),
           .parameters = *as_values<MarchParameters<Real, 3>>(block.parameters),
-          .workspace = as_values<Real>(block.workspace)};
+          .workspace = as_values<Real>(P.solved == Solved::bonds ? slots_of<Real>(block) : block.workspace)};
 }
 
 template <int N, class Real>
@@ -173,9 +179,66 @@ Real step_packing_together(const PackingBlock& block) {
   return fastest;
 }
 
+/// The same where bonds are solved for: forces, matrices and elimination in one sweep to the last sphere, kick
+/// and drift in one back.
+template <Physics P, class Real>
+Real step_packing_solved(const PackingBlock& block) {
+  using std::max;
+  const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
+  const MarchParameters<Real, 3>& p = chain.parameters;
+  const auto flow = local_flow<P, Real>(as_values<Real>(block.gradient));
+  const BlockStorage<Real> rows(block);
+  const Real previous_step(block.previous_step);
+  const BondParameters<Real> law = solved_dashpots<P, Real>(p);
+  auto* slots = as_values<EliminationSlot<Real, 3>>(slots_of<Real>(block));
+  Elimination<P, Real> elimination(p);
+  Real fastest(0.0), bond_speed(0.0), bond_length(0.0);
+  MovingSphere<Real, 3> before = rows.read(0);
+  for (int i = 0; i < block.bonds; ++i) {
+    fetch_ahead<P, Real>(block, i);
+    MovingSphere<Real, 3> sphere = rows.read(i + 1);
+    add_bond<P, Real>(chain, i, before, sphere, previous_step);
+    elimination.pass(before, i == 0, flow, bond_matrix<P, Real>(p, law, before, sphere), slots[i]);
+    chain.spheres[i] = before;
+    const Vec<Real, 3> V = sphere.velocity - before.velocity, r = sphere.pose.position - before.pose.position;
+    bond_speed = max(bond_speed, dot(V, V));
+    bond_length = max(bond_length, dot(r, r));
+    before = sphere;
+  }
+  elimination.finish(before, flow, slots[block.bonds]);
+  chain.spheres[block.bonds] = before;
+  substitute_back<Real, 3>(slots, block.bonds, [&](int i, const Vec<Real, 6>& change) {
+    MovingSphere<Real, 3>& s = chain.spheres[i];
+    add_change(s, change, Real(1.0));
+    drift_row(rows, s, p.step);
+    fastest = max(fastest, dot(s.velocity, s.velocity));
+    rows.write(i, s);
+  });
+  BondExtremes& most = *block.extremes;
+  most.relative_speed = std::max(most.relative_speed, std::sqrt(largest_lane(bond_speed)));
+  most.length = std::max(most.length, std::sqrt(largest_lane(bond_length)));
+  return fastest;
+}
+
+template <Physics P, class Real>
+void half_kick_packing(const PackingBlock& block, bool back) {
+  half_kick<P, Real>(chain_of<P, Real>(block), 0, local_flow<P, Real>(as_values<Real>(block.gradient)), back);
+}
+
+template <Physics P, class Real>
+constexpr auto half_kick_packing_of() -> decltype(PackingKernel::half_kick) {
+  if constexpr (P.solved == Solved::bonds) {
+    return half_kick_packing<P, Real>;
+  } else {
+    return nullptr;
+  }
+}
+
 template <Physics P, class Real>
 FIBERCHAIN_FLATTEN double step_packing(const PackingBlock& block) {
-  if constexpr (P.rolling == Rolling::set_valued) {
+  if constexpr (P.solved == Solved::bonds) {
+    return largest_lane(step_packing_solved<P, Real>(block));
+  } else if constexpr (P.rolling == Rolling::set_valued) {
     return largest_lane(step_packing_together<P, Real>(block));
   } else {
     return largest_lane(sweep_packing<P, Real>(block));
@@ -217,6 +280,41 @@ void account_dashpots(const PackingBlock& block, const MarchParameters<Real, 3>&
   if (block.previous_step == 0) damping = damping - Real(0.5) * p.step * previous.power;
 }
 
+/// Relative motion of a bond's spheres before a kick, and where it was.
+template <class Real>
+struct PreviousMotion {
+  Vec<Real, 3> separation;
+  RelativeMotion<Real, 3> motion;
+  Real counted;  ///< part of the kick that is accounted: a half of the first, which began before the start
+  Real unused[4];
+};
+
+/// Energy taken by the dashpots of a bond that is solved for, and by the springs' part of the matrix [J]. The
+/// kick takes dt C of the mean velocity and beta dt^2 K of the change, both times the mean: exactly.
+template <class Real>
+void account_solved(const PackingBlock& block, const MarchParameters<Real, 3>& p,
+                    const BondConfiguration<Real, 3>& now, PreviousMotion<Real>& previous, Real& damping,
+                    Real& scheme) {
+  const RelativeMotion<Real, 3>&before = previous.motion, &after = now.motion;
+  if (block.previous_step > 0) {
+    const Real half(0.5);
+    const RelativeMotion<Real, 3> mean{half * (before.velocity + after.velocity),
+                                       half * (before.mean_spin + after.mean_spin),
+                                       half * (before.relative_spin + after.relative_spin)},
+        change{after.velocity - before.velocity, after.mean_spin - before.mean_spin,
+               after.relative_spin - before.relative_spin};
+    const Vec<Real, 3>& r = previous.separation;
+    const Vec<Real, 3> e = bond_vector<Real, 3>(r, p.inverse_length).inverse_length * r;
+    const auto work = [&](const BondAction<Real, 3>& action) {
+      return previous.counted * (dot(action.force, mean.velocity - cross(mean.mean_spin, r)) +
+                                 dot(action.moment, mean.relative_spin));
+    };
+    damping = damping + p.step * work(dashpot_action(p.bond, r, e, mean));
+    scheme = scheme + work(dashpot_action(solved_springs<Real, 3>(p), r, e, change));
+  }
+  previous = {now.line.vector, now.motion, Real(block.previous_step > 0 ? 1.0 : 0.5), {}};
+}
+
 /// Energy taken by the rolling friction [J], likewise.
 template <Physics P, class Real>
 void account_rolling(const PackingBlock& block, const ChainBlock<P, Real>& chain, int bond,
@@ -246,7 +344,13 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
   PreviousLoads<Real>& previous = as_values<PreviousLoads<Real>>(account.previous)[bond];
   Real& damping = *as_values<Real>(account.bond_damping);
   const auto add = [&](const BondConfiguration<Real, 3>& now) {
-    if constexpr (P.damped) account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
+    if constexpr (P.solved == Solved::bonds) {
+      account_solved<Real>(block, chain.parameters, now,
+                           as_values<PreviousMotion<Real>>(account.previous)[bond], damping,
+                           *as_values<Real>(account.scheme));
+    } else if constexpr (P.damped) {
+      account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
+    }
     if constexpr (BondLaw<P>::dissipates) {
       const Real dt = Real(block.previous_step);
       damping = damping + BondLaw<P>::dissipated(chain.parameters.bond, chain.history[bond], now, dt);
@@ -258,7 +362,8 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
 
 template <Physics P, class Real>
 FIBERCHAIN_FLATTEN void account_packing(const PackingBlock& block, const BondAccount& account) {
-  static_assert(numbers_of<PreviousLoads<Real>, Real> == bond_account_size);
+  static_assert(numbers_of<PreviousLoads<Real>, Real> == bond_account_size &&
+                numbers_of<PreviousMotion<Real>, Real> == bond_account_size);
   const ChainBlock<P, Real> chain = chain_of<P, Real>(block);
   const BlockStorage<Real> rows(block);
   MovingSphere<Real, 3> before = rows.read_unloaded(0);
@@ -271,7 +376,14 @@ FIBERCHAIN_FLATTEN void account_packing(const PackingBlock& block, const BondAcc
 
 template <Physics P, class Real>
 std::size_t packing_scratch(int bonds) {
-  return (bonds + 1) * sizeof(MovingSphere<Real, 3>) / sizeof(double);
+  constexpr std::size_t slot = P.solved == Solved::bonds ? sizeof(EliminationSlot<Real, 3>) : 0;
+  return (bonds + 1) * (sizeof(MovingSphere<Real, 3>) + slot) / sizeof(double);
+}
+
+/// Kept from step to step.
+template <Physics P, class Real>
+std::size_t packing_workspace(int bonds) {
+  return P.solved == Solved::bonds ? 0 : workspace_reals<P, Real>(bonds);
 }
 
 template <std::size_t count>
@@ -286,10 +398,11 @@ constexpr PackingKernel packing_kernel_of() {
   } else {
     PackingKernel kernel{.width = lane_count<Real>,
                          .history = numbers_of<HistoryOf<P, double>>,
-                         .workspace = workspace_reals<P, Real>,
+                         .workspace = packing_workspace<P, Real>,
                          .scratch = packing_scratch<P, Real>,
                          .step = step_packing<P, Real>,
                          .snapshot = snapshot_packing<P, Real>,
+                         .half_kick = half_kick_packing_of<P, Real>(),
                          .account = nullptr};
     if constexpr (P.damped || BondLaw<P>::dissipates) kernel.account = account_packing<P, Real>;
     return kernel;

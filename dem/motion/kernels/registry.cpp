@@ -17,7 +17,7 @@ std::ptrdiff_t index_of(const Physics& physics, std::span<const Physics> list, b
         "{}, fluid = {} is not among the "
         "combinations that are built{}",
         physics.dimension, name(physics.form), physics.damped, physics.settling_damping, physics.curved,
-        physics.solved, name(physics.rolling), physics.fluid,
+        name(physics.solved), name(physics.rolling), physics.fluid,
         for_packings ? " for fibers among others" : ""));
   }
   return found - list.begin();
