@@ -173,6 +173,7 @@ BOOST_AUTO_TEST_CASE(figures_are_drawn_where_there_are_points_for_them) {
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(point({.scheme = Integrator::implicit}), compare::InputError);
+  BOOST_CHECK_THROW(point({.scheme = Integrator::leapfrog_stiff}), compare::InputError);
   BOOST_CHECK_THROW(point({.dimension = 4}), compare::InputError);
   BOOST_CHECK_THROW(point({.bond_damping = -1}), dem::InvalidInput);
   BOOST_CHECK_THROW(point({.aspect_ratio = 0}), dem::InvalidInput);
