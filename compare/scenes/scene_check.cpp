@@ -125,6 +125,8 @@ dem::Table check(const dem::FlowScene& scene, int) {
 std::string step_origin(const dem::StepChoice& choice) {
   if (choice.set_by == "speed" || choice.set_by == "restitution")
     return fmt::format("chosen by {} at {:.3g} m/s", choice.set_by, choice.speed);
+  if (choice.set_by == "impacts" || choice.set_by == "bending" || choice.set_by == "turning")
+    return fmt::format("chosen by {}, bonds solved within the step", choice.set_by);
   return fmt::format("{} of what is stable: {}", dem::chosen_part, choice.set_by);
 }
 

@@ -140,6 +140,7 @@ void Assembly::insert(FiberGroup group) {
 
 void Assembly::march(std::int64_t steps) { state_->march(steps); }
 double Assembly::step() const { return state_->step; }
+Integrator Assembly::integrator() const { return state_->options.integrator; }
 std::int64_t Assembly::steps() const { return state_->steps; }
 double Assembly::time() const { return state_->time(); }
 std::int64_t Assembly::spheres() const { return state_->rows.count; }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dem/assembly/energy_balance.hpp"
@@ -91,6 +92,7 @@ class Assembly {
   void march(std::int64_t steps);
 
   double step() const;         ///< dt [s]
+  Integrator integrator() const;
   std::int64_t steps() const;  ///< done
   double time() const;         ///< [s]
   std::int64_t spheres() const;
@@ -154,14 +156,24 @@ inline constexpr double chosen_part = 0.9;
 /// Part of the smallest radius that the fastest sphere may go in a step that is chosen.
 inline constexpr double chosen_path = 0.1;
 
+/// Parts of the first period of bending of a free fiber, and of an impact between single spheres, that a step in
+/// which bonds are solved for takes at most: larger ones were seen to change how fibers come to rest.
+inline constexpr double bending_part = 1.0 / 9, impact_part = 1.0 / 40;
+
 /// The step [s] an assembly takes when none is asked for, and what sets it.
 struct StepChoice {
   double step;
-  std::string_view set_by;               ///< "bonds", "bond damping", "contacts", "restitution" or "speed"
+  /// "bonds", "bond damping", "contacts", "restitution" or "speed"; where bonds are solved for also "bending",
+  /// "impacts" or "turning"
+  std::string_view set_by;
   double bonds, damped_bonds, contacts;  ///< largest steps that each is stable with [s]
   double restitution;  ///< that keeps the coefficient of restitution at `speed` [s]; infinite without speed
   double path;         ///< with which `speed` goes chosen_path [s]; infinite without speed
   double speed;        ///< of bodies towards each other, now or later [m/s]
+  double bending = 0;            ///< where bonds are solved for: a part of the first period of bending [s]
+  double impact = 0;             ///< likewise: a part of an impact at `speed` [s]
+  double turning = 0;            ///< likewise: with which bonds turn by safe_turn at `speed` [s]
+  std::string integrator_reason = {};  ///< why the integrator was chosen, if it was
   double restitution_error = 0;  ///< of the coefficient of restitution at `speed` with the step that is taken
 };
 

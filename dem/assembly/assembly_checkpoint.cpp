@@ -60,7 +60,7 @@ FieldRule sphere_field(std::string_view name) {
 
 /// One of the arrays of every block of fibers (FiberBlock::saved_arrays), block after block.
 template <std::size_t index>
-FieldRule block_field(std::string_view name) {
+FieldRule block_field(std::string_view name, int version = 1) {
   return {.name = name,
           .get = [](State& s, const Places&) -> FieldValues {
             Reals all;
@@ -81,7 +81,8 @@ FieldRule block_field(std::string_view name) {
                   std::copy_n(from, own.size(), own.begin());
                   from += static_cast<std::ptrdiff_t>(own.size());
                 }
-              }};
+              },
+          .version = version};
 }
 
 constexpr std::string_view order_field = "fiber_order";
@@ -208,6 +209,7 @@ const std::vector<FieldRule>& fields() {
       number_field<&State::longest_path>("longest_path"),
       number_field<&State::best_cross_part_fraction>("best_cross_part_fraction"),
       number_field<&State::sort_count>("sort_count"),
+      number_field<&State::largest_turn>("largest_turn"),
       {.name = order_field, .get = fiber_orders, .set = set_fiber_orders},
       sphere_field<&SphereStorage::position_radius>("position_radius"),
       sphere_field<&SphereStorage::velocity_spin>("velocity_spin"),
@@ -223,7 +225,7 @@ const std::vector<FieldRule>& fields() {
       block_field<2>("bond_history"),
       block_field<3>("block_workspace"),
       block_field<4>("bond_previous_loads"),
-      block_field<5>("bond_dissipation"),
+      block_field<5>("bond_dissipation", 2),
       {.name = "reference_time",
        .get = [](State& s, const Places&) -> FieldValues { return Reals{s.contacts.reference_time()}; },
        .set = [](State& s,

@@ -145,11 +145,13 @@ void FiberBlock::account(const GroupKind& kind, SphereStorage& rows, LaneArray& 
 
 FiberBlock::Taken FiberBlock::taken(const GroupKind& kind, const SphereStorage& rows) const {
   if (previous_.size() == 0) return {};
-  FiberBlock now = *this;  // with the last kick
-  LaneArray unused;
-  if (moved()) now.account(kind, const_cast<SphereStorage&>(rows), unused);
-  const double* sums = now.dissipated_.data();
+  LaneArray previous = previous_.copy(), dissipated = dissipated_.copy(), unused;
+  // reads all but these
+  PackingBlock now = const_cast<FiberBlock*>(this)->view(kind, const_cast<SphereStorage&>(rows),
+                                                         {nullptr, first_[0]}, unused, nullptr);
   const int width = kind.kernel->width;
+  double* sums = dissipated.data();
+  if (moved()) kind.kernel->account(now, {previous.data(), sums, sums + width, sums + 2 * width});
   return {sum_of_lanes(sums, lanes_), sum_of_lanes(sums + width, lanes_), sum_of_lanes(sums + 2 * width, lanes_)};
 }
 

@@ -4,7 +4,9 @@
 
 #include "dem/assembly/packing_law.hpp"
 #include "dem/contact/contact_rates.hpp"
+#include "dem/contact/impact.hpp"
 #include "dem/contact/restitution_error.hpp"
+#include "dem/motion/stiff_limits.hpp"
 #include "dem/motion/time_step.hpp"
 
 namespace fiberchain::dem {
@@ -86,6 +88,30 @@ double restitution_step(const std::vector<FiberGroup>& groups, const Domain& dom
   return high;
 }
 
+/// Shortest impact of two bodies at `speed` [s].
+double shortest_impact(const std::vector<FiberGroup>& groups, const Domain& domain, double speed) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for_pairs_of_bodies(groups, domain, [&](const ContactBody& a, const ContactBody& b) {
+    shortest = std::min(shortest, elastic_impact(a, b, domain.contacts, speed).time);
+  });
+  return shortest;
+}
+
+void take(StepChoice& choice, double step, std::string_view set_by) {
+  if (step < choice.step) choice.step = step, choice.set_by = set_by;
+}
+
+/// Where bonds are solved for, speeds want that impacts are resolved and that bonds turn little: a bond's spheres
+/// part at up to twice the speed.
+void count_stiff_speeds(StepChoice& choice, const std::vector<FiberGroup>& groups, const Domain& domain) {
+  choice.impact = impact_part * shortest_impact(groups, domain, choice.speed);
+  choice.turning = std::numeric_limits<double>::infinity();
+  for (const FiberGroup& group : groups)
+    choice.turning = std::min(choice.turning, safe_turn * bond_length(group.chain.fiber) / (2 * choice.speed));
+  take(choice, choice.impact, "impacts");
+  take(choice, choice.turning, "turning");
+}
+
 /// The step that is chosen goes no further than the speeds there are and the collisions at them allow.
 void count_speeds(StepChoice& choice, const std::vector<FiberGroup>& groups, const Domain& domain,
                   const AssemblyOptions& options) {
@@ -98,6 +124,7 @@ void count_speeds(StepChoice& choice, const std::vector<FiberGroup>& groups, con
   choice.restitution = restitution_step(groups, domain, choice.speed, options.restitution_error, choice.step);
   choice.step = std::min({stable, choice.path, choice.restitution});
   if (choice.step < stable) choice.set_by = choice.step == choice.path ? "speed" : "restitution";
+  if (options.integrator == Integrator::leapfrog_stiff) count_stiff_speeds(choice, groups, domain);
   choice.restitution_error = restitution_error(groups, domain, choice.speed, choice.step);
 }
 
@@ -127,7 +154,10 @@ StepChoice stable_time_step(const std::vector<FiberGroup>& groups, const Domain&
                     .contacts = none,
                     .restitution = none,
                     .path = none,
-                    .speed = 0};
+                    .speed = 0,
+                    .bending = none,
+                    .impact = none,
+                    .turning = none};
   for (const FiberGroup& group : groups) {
     // springs k times stiffer than the parameters say: with dt / sqrt(k) neither dt^2 K nor dt C is larger
     // than allowed
@@ -140,9 +170,18 @@ StepChoice stable_time_step(const std::vector<FiberGroup>& groups, const Domain&
     choice.contacts = std::min(
         choice.contacts,
         step_that_uses_all([&](double dt) { return contacts.used(dt); }, 4 / std::sqrt(contacts.stiffness)));
+    if (options.integrator == Integrator::leapfrog_stiff) {
+      // what is solved for makes contacts no less stable: spheres that bonds hold are no lighter
+      choice.bonds = choice.damped_bonds = none;
+      choice.bending = std::min(choice.bending, bending_part * free_bending_period(group.chain.fiber));
+      choice.step = std::min({choice.step, chosen_part * choice.contacts, choice.bending});
+      choice.set_by = choice.step == choice.bending ? "bending" : "contacts";
+      continue;
+    }
     const auto used = [&](double dt) { return used_by_bonds(undamped, damped, dt) + contacts.used(dt); };
     choice.step = std::min(choice.step, chosen_part * step_that_uses_all(used, damped));
   }
+  if (options.integrator == Integrator::leapfrog_stiff) return choice;
   const double least = std::min({choice.bonds, choice.damped_bonds, choice.contacts});
   choice.set_by = least == choice.contacts ? "contacts" : least == choice.bonds ? "bonds" : "bond damping";
   return choice;

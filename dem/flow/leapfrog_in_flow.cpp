@@ -44,8 +44,7 @@ Clamps clamps_of(const FlowCase<Dim>& flow) {
 double largest_stiff_step(const Fiber& fiber, const Fluid& fluid, double turn, double period_part) {
   const Gradient A = gradient_at(fluid.flow, 0);
   double squares = 0;
-  for (const auto& row : A)
-    for (const double rate : row) squares += rate * rate;
+  for (int n = 0; n < 9; ++n) squares += A[n / 3][n % 3] * A[n / 3][n % 3];
   const double bonds = fiber.aspect_ratio, rate = std::sqrt(squares),
                tension = stokes_drag(fluid, fiber).translation * largest_stretching(A) * bond_length(fiber) *
                          bonds * bonds / 8;

@@ -27,10 +27,14 @@ std::string step_words(const StepChoice& choice, const PackingScene& scene) {
   const std::string off = std::isfinite(choice.restitution_error)
                               ? fmt::format("off by up to {:.2g}", choice.restitution_error)
                               : "not to be found";
+  const bool stiff = !std::isfinite(choice.bonds);
+  const std::string bonds =
+      stiff ? fmt::format("{:.4g} of bending {:.4g} s, {:.4g} of an impact {:.4g} s, turning {:.4g} s", bending_part,
+                          choice.bending, impact_part, choice.impact, choice.turning)
+            : fmt::format("bonds {:.4g} s, bond damping {:.4g} s", choice.bonds, choice.damped_bonds);
   const std::string limits = fmt::format(
-      ": bonds {:.4g} s, bond damping {:.4g} s, contacts {:.4g} s; restitution {} where single spheres "
-      "meet at {:.3g} m/s",
-      choice.bonds, choice.damped_bonds, choice.contacts, off, choice.speed);
+      ": {}, contacts {:.4g} s; restitution {} where single spheres meet at {:.3g} m/s", bonds, choice.contacts,
+      off, choice.speed);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
   if (choice.set_by == "speed") {
     return fmt::format(
@@ -41,6 +45,7 @@ std::string step_words(const StepChoice& choice, const PackingScene& scene) {
     return fmt::format("restitution within {:g} at {:.3g} m/s; stable{}", scene.restitution_error,
                        choice.speed, limits);
   }
+  if (stiff && choice.set_by != "contacts") return fmt::format("bonds solved within the step, set by {}; each alone{}", choice.set_by, limits);
   return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by,
                      limits);
 }
@@ -280,6 +285,9 @@ std::string program_of(const Provenance& provenance, InstructionSet set) {
 PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
   const auto clock = std::chrono::steady_clock::now();
   const double step = begin.assembly.step();
+  if (!begin.choice.integrator_reason.empty()) {
+    watchers.say(fmt::format("integrator: {} ({})", name(begin.assembly.integrator()), begin.choice.integrator_reason));
+  }
   watchers.say(fmt::format("{} fibers, {} spheres, {}; {} steps of {:.4g} s ({})", fibers_in(job.scene),
                            spheres_in(job.scene), mass_words(job.scene), begin.steps, step,
                            step_words(begin.choice, job.scene)));

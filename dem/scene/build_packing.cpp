@@ -36,10 +36,11 @@ std::vector<FiberGroup> groups_of_files(const PackingScene& scene) {
 }
 
 /// As if all kinds were there from the start: the step stays when batches come.
-StepChoice step_choice(const PackingScene& scene) {
+StepChoice step_choice(const PackingScene& scene, Integrator integrator) {
   std::vector<FiberGroup> kinds;
   for (const PackingFiberKind& kind : scene.kinds) kinds.push_back({chain_of(kind), {}});
   AssemblyOptions options;
+  options.integrator = integrator;
   options.speed = expected_speed(scene);
   options.restitution_error = scene.restitution_error;
   StepChoice choice = assembly_time_step(kinds, scene.domain, options);
@@ -86,6 +87,28 @@ void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
   }
 }
 
+/// The integrator asked for, or the one whose steps cost less for the time they cover.
+PackingPlan with_integrator(const PackingScene& scene) {
+  if (scene.integrator != Integrator::automatic)
+    return {step_choice(scene, scene.integrator), 0, scene.steps, scene.integrator};
+  const bool rolls = std::ranges::any_of(
+      scene.kinds, [](const PackingFiberKind& kind) { return kind.fiber.rolling_friction > 0; });
+  PackingPlan plain{step_choice(scene, Integrator::leapfrog), 0, scene.steps, Integrator::leapfrog};
+  if (rolls) {
+    plain.choice.integrator_reason = "rolling friction of the bonds is built for it";
+    return plain;
+  }
+  PackingPlan stiff{step_choice(scene, Integrator::leapfrog_stiff), 0, scene.steps, Integrator::leapfrog_stiff};
+  const double longer = stiff.choice.step / plain.choice.step;
+  const bool taken = scene.step ? *scene.step > largest_bond_step(plain.choice) : longer > stiff_step_cost;
+  PackingPlan plan = taken ? stiff : plain;
+  plan.choice.integrator_reason = scene.step ? fmt::format("the step given is {} what explicit bonds bear, {:.4g} s", taken ? "beyond" : "within",
+                                      largest_bond_step(plain.choice))
+                        : fmt::format("steps of leapfrog-stiff are {:.3g} times as long and cost {:g} times as much",
+                                      longer, stiff_step_cost);
+  return plan;
+}
+
 /// Bonds refuse a step beyond their limits themselves; contacts have theirs where they are pressed.
 void check_step(const PackingScene& scene, const StepChoice& choice) {
   if (scene.allow_unstable || !scene.step || *scene.step <= choice.contacts) return;
@@ -104,7 +127,7 @@ int useful_threads(const PackingScene& scene, int threads) {
 }
 
 PackingPlan plan_of(const PackingScene& scene) {
-  PackingPlan plan{step_choice(scene), 0, scene.steps};
+  PackingPlan plan = with_integrator(scene);
   check_step(scene, plan.choice);
   plan.step = scene.step.value_or(plan.choice.step);
   if (plan.steps == 0) plan.steps = steps_in(scene, plan);
@@ -121,6 +144,7 @@ PackingStart packing_start(const PackingScene& scene, int threads, const Inserti
     start.groups.push_back(std::move(group));
   }
   start.options = {.step = plan.step,
+                   .integrator = plan.integrator,
                    .form = scene.form,
                    .rolling = scene.rolling,
                    .threads = useful_threads(scene, threads),

@@ -17,7 +17,12 @@ struct PackingPlan {
   StepChoice choice;   ///< step taken where the scene gives none, and what sets it
   double step;         ///< [s]
   std::int64_t steps;  ///< of the whole run
+  Integrator integrator = Integrator::leapfrog;
 };
+
+/// What a step with bonds solved for costs in steps without (measured, bench --case stiff; contacts cost the same in
+/// both).
+inline constexpr double stiff_step_cost = 2.5;
 
 /// @throws InvalidInput for a run of no steps or of too many, and for batches that would never come
 PackingPlan plan_of(const PackingScene& scene);

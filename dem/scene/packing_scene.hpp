@@ -49,6 +49,7 @@ struct PackingScene {
   Batches batches = {};
   Domain domain = {};
   Box scene_box = {};  ///< shown in pictures and files; its cross section is that of densities [m]
+  Integrator integrator = Integrator::leapfrog;  ///< leapfrog, leapfrog_stiff or automatic
   BondForm form = BondForm::incremental;
   Rolling rolling = Rolling::set_valued;
   std::optional<double> step = {};                     ///< [s]; left out: chosen

@@ -106,6 +106,10 @@ KeyTable<PackingScene> packing_motion_keys() {
               "how far the chosen step may take the coefficient of restitution off; where nothing is lost it "
               "bounds how far the energy wanders, too: 1e-3 to 4 %")
       .only_with("a step that is chosen", [](const PackingScene& scene) { return !scene.step; });
+  table.choice("integrator", &PackingScene::integrator,
+               words_of({Integrator::leapfrog, Integrator::leapfrog_stiff, Integrator::automatic}),
+               "bonds explicit, or solved for within the step so that contacts and bending set it; `auto`: the one "
+               "that costs less by its steps");
   table.choice(
       "form", &PackingScene::form, words_of({BondForm::total, BondForm::incremental}),
       "strains of the bonds from the poses of the spheres, or summed over the steps as the paper does");
@@ -193,6 +197,8 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
       top.fail("motion", "rolling friction of the bonds is built for form: incremental");
     }
     if (scene.domain.fluid) top.fail("fluid", "is not built together with rolling friction of the bonds");
+    if (scene.integrator == Integrator::leapfrog_stiff)
+      top.fail("motion", "rolling friction of the bonds is built for integrator: leapfrog");
   }
   check_walls_differ(top, scene.domain.walls);
   check_plates(top, scene);

@@ -24,6 +24,13 @@ class LaneArray {
     std::fill_n(data_.get(), size, 0.0);
   }
 
+  /// The same numbers in memory of its own.
+  LaneArray copy() const {
+    LaneArray other(size_);
+    std::copy_n(data(), size_, other.data());
+    return other;
+  }
+
   std::size_t size() const { return size_; }
   double* data() { return data_.get(); }
   const double* data() const { return data_.get(); }

@@ -177,7 +177,7 @@ void ChainBatch<Dim>::start_histories(int lane, const Chain<Dim>& chain, const C
 
 template <int Dim>
 LaneArray ChainBatch<Dim>::half_kicked(bool back) const {
-  LaneArray moved = spheres_;
+  LaneArray moved = spheres_.copy();
   ChainBatchView kicked = const_cast<ChainBatch*>(this)->view();  // writes the copy and the workspace alone
   kicked.spheres = moved.data();
   kernel_.half_kick(kicked, steps_on_ramp_, back);

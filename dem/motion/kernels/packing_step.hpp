@@ -168,7 +168,7 @@ Real step_packing_together(const PackingBlock& block) {
   for (int i = 0; i <= block.bonds; ++i) chain.spheres[i] = rows.read(i);
   for (int i = 0; i < block.bonds; ++i)
     add_bond<P, Real>(chain, i, chain.spheres[i], chain.spheres[i + 1], previous_step);
-  kick_together<P, Real>(chain);
+  kick_together<P, Real>(chain, LocalFlow<P, Real>{});
   Real fastest(0.0);
   for (int i = 0; i <= block.bonds; ++i) {
     MovingSphere<Real, 3>& s = chain.spheres[i];
