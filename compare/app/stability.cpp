@@ -19,6 +19,10 @@ const std::vector<std::string> stability_shown = {"aspect_ratio",
                                                   "bond_time_verdict",
                                                   "quarter_verdict"};
 
+const std::vector<std::string> growth_shown = {
+    "aspect_ratio", "poisson_ratio", "bond_damping",    "bond",          "form",  "dimension",
+    "step_ratio",   "growth_modes",  "growth_measured", "growth_margin", "swell", "growth_verdict"};
+
 SweepOptions<compare::StabilitySweep> stability_options() {
   using Sweep = compare::StabilitySweep;
   using dem::Integrator;
@@ -29,12 +33,35 @@ SweepOptions<compare::StabilitySweep> stability_options() {
           list_of("--bond-damping", &Sweep::bond_damping, {.low = 0, .high = 1e6}, "xi_b [0 to 10]"),
           words_of("--bond", &Sweep::bond, kBondModels, "bond law: paper, corrected [both]"),
           words_of("--scheme", &Sweep::scheme,
-                   {{"leapfrog", Integrator::leapfrog}, {"leapfrog-damped", Integrator::leapfrog_damped}},
-                   "leapfrog (lagged dashpots), leapfrog-damped (dashpots solved within the step) [both]"),
+                   {{"leapfrog", Integrator::leapfrog},
+                    {"leapfrog-damped", Integrator::leapfrog_damped},
+                    {"leapfrog-stiff", Integrator::leapfrog_stiff}},
+                   "leapfrog (lagged dashpots), leapfrog-damped (dashpots solved within the step), "
+                   "leapfrog-stiff (springs, too) [all]"),
           words_of("--ends", &Sweep::ends,
                    {{"clamped_free", ChainEnds::clamped_free}, {"free_free", ChainEnds::free_free}},
                    "clamped_free, free_free [clamped_free]"),
-          words_of("--dimension", &Sweep::dimension, kDimensions, "planar, spatial [planar]")};
+          words_of("--dimension", &Sweep::dimension, kDimensions, "planar, spatial [planar]"),
+          words_of("--form", &Sweep::form, kBondForms, "total, incremental [incremental]"),
+          list_of("--step", &Sweep::step_ratio, {.low = 1e-3, .high = 1e6},
+                  "time steps over t_b of leapfrog-stiff, which has no stable one [10, 100, 1000]")};
+}
+
+/// Schemes with a stable step and those without: each a table where it has cases, the second beside the
+/// first.
+Results results_of(const std::vector<compare::StabilityPoint>& points,
+                   const std::vector<compare::GrowthPoint>& growth) {
+  Results results{
+      .name = points.empty() ? "stability-growth" : "stability",
+      .heading = points.empty() ? "Growth at large time steps" : "Largest stable time step of a chain",
+      .notes = compare::stability_notes(points) + compare::growth_notes(growth)};
+  if (!points.empty()) results.table = compare::stability_table(points);
+  if (growth.empty()) return results;
+  if (points.empty())
+    results.table = compare::growth_table(growth);
+  else
+    results.more_tables.emplace_back("stability-growth", compare::growth_table(growth));
+  return results;
 }
 
 int run_stability(const Arguments& arguments, Context& context) {
@@ -42,15 +69,17 @@ int run_stability(const Arguments& arguments, Context& context) {
   const auto options = stability_options();
   const compare::StabilitySweep sweep = read_sweep(options, arguments);
   const auto directory = open_output(output, context);
-  const auto cases =
-      chose_cases(options, arguments) ? compare::cases(sweep) : compare::stability_figure_cases();
-  const auto points = measured(compare::stability_points, cases, output.jobs, context);
-  Results results{.name = "stability",
-                  .heading = "Largest stable time step of a chain",
-                  .table = compare::stability_table(points),
-                  .notes = compare::stability_notes(points)};
+  const bool chose = chose_cases(options, arguments);
+  const auto limited = chose ? compare::cases(sweep) : compare::stability_figure_cases();
+  const auto unlimited = chose ? compare::growth_cases(sweep) : compare::growth_figure_cases();
+  const auto points = measured(compare::stability_points, limited, output.jobs, context);
+  const auto growth = context.stopped != 0
+                          ? std::vector<compare::GrowthPoint>{}
+                          : measured(compare::growth_points, unlimited, output.jobs, context);
+  Results results = results_of(points, growth);
   if (directory && context.stopped == 0) results.figures = compare::stability_figures(points);
-  deliver(results, results.table.select(stability_shown), output, directory, context);
+  deliver(results, results.table.select(points.empty() ? growth_shown : stability_shown), output, directory,
+          context);
   return context.stopped != 0 ? kSignaled + context.stopped : kSuccess;
 }
 
@@ -59,7 +88,7 @@ int run_stability(const Arguments& arguments, Context& context) {
 Command stability_command() {
   return {
       .name = "stability",
-      .description = "largest stable time step of a chain: theory, runs, the paper's rules",
+      .description = "largest stable time step of a chain, growth beyond: theory, runs, the paper's rules",
       .footer = std::string("Without a choice of cases the map over Poisson's ratio and damping is made.\n"
                             "Example:\n  fiberchain stability --aspect-ratio 13 --poisson-ratio 0.17,0.3 "
                             "--bond-damping 0,0.7 --bond paper\n") +

@@ -10,18 +10,12 @@
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
 #include "compare/study/stopping.hpp"
+#include "dem/motion/implicit_bond.hpp"
 
 namespace fiberchain::compare {
 namespace {
 
 constexpr double width = 1.4e-3;  // of the measured bracket
-
-StabilityRun run_of(const StabilityCase& asked) {
-  return {.fiber = stability_fiber(asked),
-          .ends = asked.ends,
-          .dimension = asked.dimension,
-          .scheme = asked.scheme};
-}
 
 /// What a run at that time step does, watched for longer the nearer it is to the limit.
 std::string verdict(const StabilityRun& run, double dt, const MeasuredLimit& limit, double& all_steps) {
@@ -56,27 +50,38 @@ StabilityPoint point_of(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
   const bool planar = asked.dimension == 2;
   StabilityPoint point{asked, endless_limit(asked), modal_limit(asked), nan, nan, nan, nan, "", "", 0, ""};
-  point.quarter_growth = reference::growth_per_step(chain, explicit_scheme(asked.scheme), asked.ends,
+  point.quarter_growth = reference::growth_per_step(chain, time_scheme(asked.scheme), asked.ends,
                                                     0.25 * reference::bond_time(chain), planar);
   measure(point);
   return point;
 }
 
+}  // namespace
+
+reference::TimeScheme time_scheme(dem::Integrator scheme) {
+  if (scheme == dem::Integrator::leapfrog) return reference::lagged_dashpots;
+  if (scheme == dem::Integrator::leapfrog_damped) return reference::damped_in_step;
+  if (scheme == dem::Integrator::leapfrog_stiff) return reference::bonds_in_step(dem::stiff_beta);
+  throw InputError(fmt::format("scheme = {} is not allowed: leapfrog, leapfrog-damped or leapfrog-stiff",
+                               dem::name(scheme)));
+}
+
+bool has_stable_step(dem::Integrator scheme) { return time_scheme(scheme).beta < 0.25; }
+
+StabilityRun run_of(const StabilityCase& asked) {
+  return {.fiber = stability_fiber(asked),
+          .ends = asked.ends,
+          .dimension = asked.dimension,
+          .form = asked.form,
+          .scheme = asked.scheme};
+}
+
 void check(const StabilityCase& asked) {
   dem::check(stability_fiber(asked));
-  explicit_scheme(asked.scheme);
+  time_scheme(asked.scheme);
   if (asked.dimension != 2 && asked.dimension != 3) {
     throw InputError(fmt::format("dimension = {} is not allowed: 2 or 3", asked.dimension));
   }
-}
-
-}  // namespace
-
-reference::ExplicitScheme explicit_scheme(dem::Integrator scheme) {
-  if (scheme == dem::Integrator::leapfrog) return reference::ExplicitScheme::lagged_dashpots;
-  if (scheme == dem::Integrator::leapfrog_damped) return reference::ExplicitScheme::damped_in_step;
-  throw InputError(fmt::format(
-      "scheme = {} is not allowed: only leapfrog and leapfrog-damped have a stable step", dem::name(scheme)));
 }
 
 dem::Fiber stability_fiber(const StabilityCase& asked) {
@@ -87,20 +92,23 @@ dem::Fiber stability_fiber(const StabilityCase& asked) {
 
 double modal_limit(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
-  return reference::finite_stable_step(chain, explicit_scheme(asked.scheme), asked.ends,
-                                       asked.dimension == 2) /
+  return reference::finite_stable_step(chain, time_scheme(asked.scheme), asked.ends, asked.dimension == 2) /
          reference::bond_time(chain);
 }
 
 double endless_limit(const StabilityCase& asked) {
   const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
-  return reference::endless_stable_step(chain, explicit_scheme(asked.scheme), asked.dimension == 2) /
+  return reference::endless_stable_step(chain, time_scheme(asked.scheme), asked.dimension == 2) /
          reference::bond_time(chain);
 }
 
 std::vector<StabilityPoint> stability_points(const std::vector<StabilityCase>& cases,
                                              const StabilityOptions& options) {
-  std::ranges::for_each(cases, check);
+  for (const StabilityCase& asked : cases) {
+    check(asked);
+    if (!has_stable_step(asked.scheme))
+      throw InputError(fmt::format("scheme = {} has no stable step to be found", dem::name(asked.scheme)));
+  }
   std::vector<double> costs;
   std::vector<StabilityPoint> points;
   for (const StabilityCase& asked : cases) {

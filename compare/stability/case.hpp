@@ -17,9 +17,10 @@ struct StabilityCase {
   double poisson_ratio = 0.3;
   double bond_damping = 1;
   dem::BondModel bond = dem::BondModel::paper;
-  dem::Integrator scheme = dem::Integrator::leapfrog;  ///< leapfrog or leapfrog_damped
+  dem::Integrator scheme = dem::Integrator::leapfrog;
   reference::ChainEnds ends = reference::ChainEnds::clamped_free;
   int dimension = 2;
+  dem::BondForm form = dem::BondForm::incremental;
 };
 
 struct StabilityPoint {
@@ -42,8 +43,17 @@ struct StabilityOptions {
   std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
-/// The scheme in the reference's words. Throws InputError for one that is not explicit.
-reference::ExplicitScheme explicit_scheme(dem::Integrator scheme);
+/// The scheme in the reference's words. Throws InputError for one that is none of the leapfrogs.
+reference::TimeScheme time_scheme(dem::Integrator scheme);
+
+/// Whether the scheme grows beyond a step: leapfrog and leapfrog_damped do.
+bool has_stable_step(dem::Integrator scheme);
+
+/// The case as it is run.
+StabilityRun run_of(const StabilityCase& asked);
+
+/// Throws InputError or dem::InvalidInput for a case out of range.
+void check(const StabilityCase& asked);
 
 /// The fiber of a case.
 dem::Fiber stability_fiber(const StabilityCase& asked);
@@ -54,7 +64,8 @@ double modal_limit(const StabilityCase& asked);
 /// Limit over t_b of the endless chain by its waves.
 double endless_limit(const StabilityCase& asked);
 
-/// Every case in the order given. Throws InputError or dem::InvalidInput for a case out of range.
+/// Every case in the order given. Throws InputError or dem::InvalidInput for a case out of range, or of a
+/// scheme without a stable step.
 std::vector<StabilityPoint> stability_points(const std::vector<StabilityCase>& cases,
                                              const StabilityOptions& options = {});
 

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/stability/marched_mode.hpp"
 #include "compare/stability/table.hpp"
+#include "compare/static/case.hpp"
 #include "compare/study/validation.hpp"
 #include "dem/motion/time_step.hpp"
 
@@ -70,6 +72,70 @@ std::vector<Measured> own_step(const ValidationInput&) {
   return {{worst}};
 }
 
+/// Runs with bonds solved within the step, far beyond t_b.
+std::vector<GrowthPoint> large_steps(const ValidationInput& in) {
+  const StabilitySweep short_fibers{.aspect_ratio = {5, 20},
+                                    .poisson_ratio = {-0.2, 0.3, 0.49},
+                                    .bond_damping = {0, 0.1, 1, 10},
+                                    .bond = {BondModel::paper},
+                                    .dimension = {2, 3},
+                                    .form = {dem::BondForm::incremental, dem::BondForm::total}};
+  StabilitySweep long_fibers = short_fibers;
+  long_fibers.aspect_ratio = {200};
+  long_fibers.poisson_ratio = {0.3};
+  long_fibers.bond_damping = {0, 1};
+  long_fibers.dimension = {2};
+  std::vector<GrowthCase> all = growth_cases(short_fibers);
+  for (const GrowthCase& more : growth_cases(long_fibers)) all.push_back(more);
+  return growth_points(all, {.jobs = in.jobs});
+}
+
+/// What explicit bonds do at ten times t_b: growth a step of the fastest mode.
+double explicit_growth(Integrator scheme) {
+  const reference::LinearChain chain = linear_chain_of(stability_fiber({.bond_damping = 0.1}));
+  return reference::growth_per_step(chain, time_scheme(scheme), ChainEnds::clamped_free,
+                                    10 * reference::bond_time(chain), true);
+}
+
+/// Largest step at which no run grew, over t_b; runs against modes, in parts of what their length allows.
+std::vector<Measured> beyond_bond_time(const ValidationInput& in) {
+  double largest = 1e300, apart = 0, swell = 0, root = 0;
+  int runs = 0;
+  for (const GrowthPoint& point : large_steps(in)) {
+    double stable = 0;
+    for (const Growth& growth : point.at) {
+      ++runs;
+      if (!growth.grows()) stable = std::max(stable, growth.step_ratio);
+      swell = std::max(swell, growth.swell);
+      root = std::max(root, growth.modes - 1);
+      apart = std::max(apart, std::abs(growth.measured - growth.modes) / growth_margin(growth.steps));
+    }
+    largest = std::min(largest, stable);
+  }
+  return {{.value = largest,
+           .evidence = {runs, swell, root, explicit_growth(Integrator::leapfrog),
+                        explicit_growth(Integrator::leapfrog_damped)}},
+          {apart}};
+}
+
+/// Errors of the first mode's damping ratio and frequency at a ninetieth of its period, against its
+/// oscillator's root; the law beside them.
+std::vector<Measured> first_mode_errors(const ValidationInput&) {
+  dem::Fiber fiber = nominal_fiber(13, 0.17, BondModel::paper);
+  fiber.dashpots = dem::DashpotLaw::retardation_time;
+  fiber.retardation_time = 20 * dem::bond_time_step(fiber);
+  const MarchedMode marched = marched_mode(
+      {.chain = {.fiber = fiber, .scheme = Integrator::leapfrog_stiff}, .part_of_period = 1.0 / 90});
+  const reference::TimeScheme scheme = time_scheme(Integrator::leapfrog_stiff);
+  MarchedMode expected = marched;
+  expected.z = reference::step_root(scheme, marched.angle, marched.damping);
+  const reference::ModeError law = reference::error_law(scheme, marched.angle, marched.damping);
+  return {{.value = marched.damping_error(), .evidence = {law.damping}, .expected = expected.damping_error()},
+          {.value = marched.frequency_error(),
+           .evidence = {law.frequency},
+           .expected = expected.frequency_error()}};
+}
+
 double rayleigh_percent(double nu) {
   const reference::ChainMaterial material{10, 1e-3, 2.6e6, nu, 1000};
   return 100 * reference::bond_time(reference::linear_chain(material)) / reference::rayleigh_step(material);
@@ -105,7 +171,9 @@ const Checks& stability_checks() {
         "stable-step-2", "stable-step-5"},
        limits},
       {{"stable-step-runs", "stable-step-runs-damped"}, agreement, 2},
-      {{"stable-step-own"}, own_step}};
+      {{"stable-step-own"}, own_step},
+      {{"paper-critical-step", "large-step-runs"}, beyond_bond_time, 30},
+      {{"large-step-damping", "large-step-frequency"}, first_mode_errors}};
   return checks;
 }
 

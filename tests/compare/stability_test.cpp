@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(spatial_chains_and_the_total_form_have_the_same_limit) {
       const compare::StabilityRun run{
           .fiber = fiber, .ends = ChainEnds::free_free, .dimension = 3, .form = form};
       const auto limit = compare::measured_limit(run);
-      const double modes = reference::finite_stable_step(
-          compare::linear_chain_of(fiber), reference::ExplicitScheme::lagged_dashpots, ChainEnds::free_free);
+      const double modes = reference::finite_stable_step(compare::linear_chain_of(fiber),
+                                                         reference::lagged_dashpots, ChainEnds::free_free);
       BOOST_TEST(limit.stable < modes * 1.001);
       BOOST_TEST(limit.unstable > modes * 0.9999);
       BOOST_TEST(limit.unstable < limit.stable * 1.001401);
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(motions_beyond_the_limit_grow_as_fast_as_runs_are_made_for)
           const dem::Fiber fiber = compare::stability_fiber(asked);
           const double dt = 1.001 * compare::modal_limit(asked) * dem::bond_time_step(fiber);
           const double growth = reference::growth_per_step(
-              compare::linear_chain_of(fiber), compare::explicit_scheme(scheme), asked.ends, dt, true);
+              compare::linear_chain_of(fiber), compare::time_scheme(scheme), asked.ends, dt, true);
           const double least = scheme == Integrator::leapfrog ? 2 : std::min(2.0, 0.8 / std::max(xi, 1e-9));
           BOOST_TEST((growth - 1) / 0.001 > 0.99 * least,
                      "nu " << nu << " xi_b " << xi << ' ' << dem::name(scheme));
@@ -96,8 +96,8 @@ BOOST_AUTO_TEST_CASE(the_criterion_of_growth_is_sharp) {
       dem::Fiber fiber = compare::nominal_fiber(24, nu, BondModel::corrected);
       fiber.bond_damping = xi;
       const compare::StabilityRun run{.fiber = fiber};
-      const double limit = reference::finite_stable_step(
-          compare::linear_chain_of(fiber), reference::ExplicitScheme::lagged_dashpots, run.ends, true);
+      const double limit = reference::finite_stable_step(compare::linear_chain_of(fiber),
+                                                         reference::lagged_dashpots, run.ends, true);
       const int steps = compare::steps_to_grow(run, 1e-3);
       const auto grew = compare::motion_grows(
           run, {0.2 * limit, 0.999 * limit, 0.99999 * limit, 1.001 * limit, 1.5 * limit}, steps);
@@ -173,6 +173,7 @@ BOOST_AUTO_TEST_CASE(figures_are_drawn_where_there_are_points_for_them) {
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(point({.scheme = Integrator::implicit}), compare::InputError);
+  BOOST_CHECK_THROW(point({.scheme = Integrator::leapfrog_stiff}), compare::InputError);
   BOOST_CHECK_THROW(point({.dimension = 4}), compare::InputError);
   BOOST_CHECK_THROW(point({.bond_damping = -1}), dem::InvalidInput);
   BOOST_CHECK_THROW(point({.aspect_ratio = 0}), dem::InvalidInput);

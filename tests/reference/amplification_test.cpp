@@ -1,4 +1,4 @@
-// The spectral radius of one step of each explicit scheme, by three routes: waves of an endless chain, the
+// The spectral radius of one step of each scheme, by three routes: waves of an endless chain, the
 // dense matrix of a finite one, and the pencil whose definiteness tells the same in linear time.
 #include "reference/amplification.hpp"
 
@@ -14,21 +14,23 @@ BOOST_AUTO_TEST_SUITE(amplification_test)
 namespace ref = fiberchain::reference;
 using ref::ChainEnds;
 using ref::ChainMotion;
-using ref::ExplicitScheme;
+using ref::TimeScheme;
 using std::numbers::pi;
 
 namespace {
 
-constexpr ExplicitScheme schemes[] = {ExplicitScheme::lagged_dashpots, ExplicitScheme::damped_in_step};
+constexpr TimeScheme schemes[] = {ref::lagged_dashpots, ref::damped_in_step};
+constexpr ChainMotion motions[] = {ChainMotion::bending, ChainMotion::axial, ChainMotion::twist};
 constexpr ChainEnds all_ends[] = {ChainEnds::clamped_free, ChainEnds::free_free};
 
 ref::LinearChain chain_of(int bonds, double nu, double xi) {
   return ref::with_bond_damping(ref::linear_chain({bonds, 1.7e-3, 3.1e6, nu, 870}), xi);
 }
 
-double largest_chain_radius(const ref::LinearChain& chain, ExplicitScheme scheme, ChainEnds ends, double dt) {
+double largest_chain_radius(const ref::LinearChain& chain, const TimeScheme& scheme, ChainEnds ends,
+                            double dt) {
   double largest = 0;
-  for (const auto motion : {ChainMotion::bending, ChainMotion::axial, ChainMotion::twist}) {
+  for (const auto motion : motions) {
     largest = std::max(largest, ref::chain_radius(chain, scheme, motion, ends, dt));
   }
   return largest;
@@ -39,7 +41,7 @@ double largest_chain_radius(const ref::LinearChain& chain, ExplicitScheme scheme
 BOOST_AUTO_TEST_CASE(undamped_waves_stay_on_the_unit_circle_to_round_off) {
   const auto chain = chain_of(9, 0.17, 0);
   for (const auto scheme : schemes) {
-    for (const auto motion : {ChainMotion::bending, ChainMotion::axial, ChainMotion::twist}) {
+    for (const auto motion : motions) {
       for (int i = 0; i <= 20; ++i) {
         const double radius =
             ref::wave_radius(chain, scheme, motion, pi * i / 20, 0.9 * ref::bond_time(chain));
@@ -58,7 +60,7 @@ BOOST_AUTO_TEST_CASE(an_axial_wave_has_the_roots_of_its_quadratic) {
   for (const double ratio : {0.2, 0.5, 1.1}) {
     const double dt = ratio * ref::bond_time(chain);
     for (const auto scheme : schemes) {
-      const bool lagged = scheme == ExplicitScheme::lagged_dashpots;
+      const bool lagged = scheme.theta == 0;
       const double a = lagged ? m : m + c * dt / 2, b = -2 * m + k * dt * dt + (lagged ? c * dt : 0);
       const double last = lagged ? m - c * dt : m - c * dt / 2, square = b * b - 4 * a * last;
       const double expected = square < 0 ? std::sqrt(last / a) : (std::abs(b) + std::sqrt(square)) / (2 * a);
@@ -74,7 +76,7 @@ BOOST_AUTO_TEST_CASE(endless_chains_limit_is_that_of_positive_definiteness) {
       for (const bool planar : {false, true}) {
         const auto chain = chain_of(9, nu, xi);
         const double definite = ref::largest_stable_step(chain, planar);
-        const double spectral = ref::endless_stable_step(chain, ExplicitScheme::lagged_dashpots, planar);
+        const double spectral = ref::endless_stable_step(chain, ref::lagged_dashpots, planar);
         BOOST_TEST(std::abs(spectral / definite - 1) < 1e-6,
                    "nu " << nu << " xi_b " << xi << ": " << spectral / definite - 1);
       }
@@ -86,7 +88,7 @@ BOOST_AUTO_TEST_CASE(dashpots_solved_within_the_step_do_not_change_the_limit) {
   for (const double nu : {-0.2, 0.24, 0.43}) {
     const double undamped = ref::largest_stable_step(chain_of(9, nu, 0));
     for (const double xi : {0.0, 0.7, 10.0, 1000.0}) {
-      const double limit = ref::endless_stable_step(chain_of(9, nu, xi), ExplicitScheme::damped_in_step);
+      const double limit = ref::endless_stable_step(chain_of(9, nu, xi), ref::damped_in_step);
       BOOST_TEST(std::abs(limit / undamped - 1) < 1e-6,
                  "nu " << nu << " xi_b " << xi << ": " << limit / undamped - 1);
     }
@@ -112,13 +114,60 @@ BOOST_AUTO_TEST_CASE(finite_chains_leave_the_unit_circle_where_their_pencil_says
   }
 }
 
+// A wave of frequency w: dt w = 1/sqrt(1/4 - beta).
+BOOST_AUTO_TEST_CASE(a_part_of_the_stiffness_in_the_matrix_lengthens_the_undamped_limit) {
+  const auto chain = chain_of(9, -0.15, 0);
+  const double explicit_step = ref::endless_stable_step(chain, ref::damped_in_step);
+  const double finite_step = ref::finite_stable_step(chain, ref::damped_in_step, ChainEnds::free_free);
+  for (const double beta : {0.03, 0.17, 0.2499}) {
+    const TimeScheme scheme = ref::bonds_in_step(beta);
+    const double longer = std::sqrt(0.25 / (0.25 - beta));
+    for (const double xi : {0.0, 3.0}) {
+      const auto damped = chain_of(9, -0.15, xi);
+      BOOST_TEST(std::abs(ref::endless_stable_step(damped, scheme) / (longer * explicit_step) - 1) < 1e-6);
+      BOOST_TEST(
+          std::abs(ref::finite_stable_step(damped, scheme, ChainEnds::free_free) / (longer * finite_step) -
+                   1) < 1e-11);
+    }
+    const double dt = 1.2 * longer * finite_step;
+    const double dense = largest_chain_radius(chain, scheme, ChainEnds::free_free, dt);
+    BOOST_TEST(dense > 1.01);
+    BOOST_TEST(ref::growth_per_step(chain, scheme, ChainEnds::free_free, dt) == dense,
+               boost::test_tools::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(from_beta_one_quarter_on_no_step_lets_a_motion_grow) {
+  for (const double beta : {0.25, 0.3}) {
+    const TimeScheme scheme = ref::bonds_in_step(beta);
+    for (const auto& [nu, xi] : {std::pair{-0.2, 0.0}, {0.49, 0.1}, {0.17, 1.0}, {0.3, 10.0}}) {
+      const auto chain = chain_of(13, nu, xi);
+      BOOST_TEST(std::isinf(ref::endless_stable_step(chain, scheme)));
+      BOOST_TEST(std::isinf(ref::finite_stable_step(chain, scheme, ChainEnds::clamped_free)));
+      for (const double ratio : {0.3, 10.0, 100.0, 1000.0}) {
+        const double dt = ratio * ref::bond_time(chain);
+        BOOST_TEST(ref::growth_per_step(chain, scheme, ChainEnds::clamped_free, dt) == 1);
+        for (const auto motion : motions) {
+          for (int i = 0; i <= 10; ++i) {
+            const double radius = ref::wave_radius(chain, scheme, motion, pi * i / 10, dt);
+            BOOST_TEST(radius < 1 + 1e-11, "phase " << i << ": " << radius - 1);
+            if (xi == 0) BOOST_TEST(radius > 1 - 1e-11);
+          }
+          const double held = ref::chain_radius(chain, scheme, motion, ChainEnds::clamped_free, dt);
+          if (xi == 0) BOOST_TEST(std::abs(held - 1) < 1e-11);
+          if (xi > 0) BOOST_TEST(held < 1 - 1e-7);
+        }
+      }
+    }
+  }
+}
+
 // The last axial mode of the free chain alone: dt = t_b/sin(n pi/(2n + 2)), stretch being what decides at nu
 // = 0.45.
 BOOST_AUTO_TEST_CASE(undamped_limit_of_a_finite_chain_is_its_stiffest_mode) {
   for (const int bonds : {5, 8, 40}) {
     const auto chain = chain_of(bonds, 0.45, 0);
-    const double limit =
-        ref::finite_stable_step(chain, ExplicitScheme::lagged_dashpots, ChainEnds::free_free);
+    const double limit = ref::finite_stable_step(chain, ref::lagged_dashpots, ChainEnds::free_free);
     BOOST_TEST(limit == ref::bond_time(chain) / std::sin(bonds * pi / (2.0 * bonds + 2)),
                boost::test_tools::tolerance(1e-12));
   }
@@ -131,8 +180,7 @@ BOOST_AUTO_TEST_CASE(limits_of_longer_chains_fall_toward_the_endless_one) {
       for (const int bonds : {3, 9, 27, 81, 2000}) {
         const auto chain = chain_of(bonds, 0.1, xi);
         const double endless = ref::largest_stable_step(chain);
-        const double over =
-            ref::finite_stable_step(chain, ExplicitScheme::lagged_dashpots, ends) / endless - 1;
+        const double over = ref::finite_stable_step(chain, ref::lagged_dashpots, ends) / endless - 1;
         BOOST_TEST(over > -1e-12);
         BOOST_TEST(over < before);
         if (bonds == 2000) BOOST_TEST(over < 1e-5);
@@ -155,11 +203,15 @@ BOOST_AUTO_TEST_CASE(bond_time_over_the_rayleigh_step) {
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const auto chain = chain_of(9, 0.3, 1);
-  const auto lagged = ExplicitScheme::lagged_dashpots;
+  const TimeScheme lagged = ref::lagged_dashpots;
   BOOST_CHECK_THROW(ref::wave_radius(chain, lagged, ChainMotion::axial, 4, 1), ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::growth_per_step(chain, lagged, ChainEnds::free_free, 0), ref::InvalidArgument);
+  BOOST_CHECK_THROW(ref::wave_radius(chain, {0.6, 0}, ChainMotion::axial, 1, 1), ref::InvalidArgument);
+  BOOST_CHECK_THROW(ref::wave_radius(chain, lagged, ChainMotion::bending, 1, 1, -1), ref::InvalidArgument);
+  BOOST_CHECK_THROW(ref::finite_stable_step(chain, ref::bonds_in_step(1.1), ChainEnds::free_free),
+                    ref::InvalidArgument);
   BOOST_CHECK_THROW(
-      ref::chain_radius(chain_of(101, 0.3, 1), lagged, ChainMotion::axial, ChainEnds::free_free, 1),
+      ref::chain_radius(chain_of(201, 0.3, 1), lagged, ChainMotion::axial, ChainEnds::free_free, 1),
       ref::InvalidArgument);
   BOOST_CHECK_THROW(ref::rayleigh_step({7, -1, 1, 0.3, 1}), ref::InvalidArgument);
 }

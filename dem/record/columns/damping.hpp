@@ -74,9 +74,10 @@ inline constexpr Column damping[] = {
     {"peak_height", number, "1", "deflection of the free end at that peak, y/L"},
     {"peak_time", number, "1", "time of that peak since the release over t_b"},
 
-    // Stability: the largest time step of an explicit scheme.
+    // Stability: the largest time step of an explicit scheme, growth at large steps of the other.
     {"scheme", text, "",
-     "leapfrog (dashpots at the lagged velocity, as the paper) or leapfrog-damped (solved within the step)"},
+     "leapfrog (dashpots at the lagged velocity, as the paper), leapfrog-damped (dashpots solved within the "
+     "step) or leapfrog-stiff (springs, too)"},
     {"ends", text, "", "how the chain is held: clamped_free or free_free"},
     {"stable_step_endless", number, "1",
      "largest stable time step of the endless chain over t_b, by the amplification's spectral radius over "
@@ -90,6 +91,14 @@ inline constexpr Column damping[] = {
     {"quarter_verdict", text, "",
      "what a run at 0.25 t_b does, the paper's 'small enough': stable or unstable"},
     {"quarter_growth", number, "1", "largest growth a step of a mode at 0.25 t_b: 1 if stable"},
+    {"growth_modes", number, "1", "largest |z| of a mode, which the step multiplies by z"},
+    {"growth_measured", number, "1",
+     "the same of a run: largest speed of its last quarter over that of its second, a step"},
+    {"growth_difference", number, "1", "growth_measured - growth_modes"},
+    {"growth_margin", number, "1",
+     "largest difference that a run of this length allows, in which faster motions take part"},
+    {"swell", number, "1", "largest speed of the run over that of its start"},
+    {"growth_verdict", text, "", "what the run does: unstable if its speed swells tenfold, else stable"},
 };
 
 }  // namespace fiberchain::dem::columns
