@@ -57,12 +57,17 @@ Closing released(const Release& r, double part) {
 
 BOOST_AUTO_TEST_CASE(bonds_and_fluid_take_what_is_gone) {
   const dem::AssemblyOptions total_form{.form = dem::BondForm::total},
-      sign{.rolling = dem::Rolling::explicit_sign};
+      sign{.rolling = dem::Rolling::explicit_sign},
+      stiff{.integrator = dem::Integrator::leapfrog_stiff},
+      stiff_total{.integrator = dem::Integrator::leapfrog_stiff, .form = dem::BondForm::total};
   for (const Release& r : {Release{"damped", 0.37},
                            {"damped, total form", 0.37, 0, total_form},
                            {"damped, total form, curved", 0.37, 0, total_form, true},
                            {"friction", 0.1, 1.3},
                            {"friction by sign", 0.1, 1.3, sign},
+                           {"bonds solved for", 0.37, 0, stiff},
+                           {"bonds solved for, total form, curved", 0.37, 0, stiff_total, true},
+                           {"bonds solved for, shear and weight", 0.2, 0, stiff, false, true, true},
                            {"still fluid", 0.2, 0, {}, false, true},
                            {"shear and weight", 0.2, 0, {}, false, true, true}}) {
     const Closing coarse = released(r, 0.25), fine = released(r, 0.125);
@@ -87,6 +92,7 @@ BOOST_AUTO_TEST_CASE(bonds_and_fluid_take_what_is_gone) {
       BOOST_TEST(fine.end.fluid == 0.0, r.name);
     }
     BOOST_TEST(fine.end.contact_normal == 0.0);
+    BOOST_TEST((fine.end.scheme == 0.0) == (r.options.integrator == dem::Integrator::leapfrog), r.name);
   }
 }
 

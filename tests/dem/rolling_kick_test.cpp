@@ -15,7 +15,7 @@ using dem::Rolling;
 namespace {
 
 constexpr dem::Physics rolling_physics(int dimension, Rolling law) {
-  return {dimension, dem::BondForm::incremental, true, false, false, false, law};
+  return {dimension, dem::BondForm::incremental, true, false, false, dem::Solved::nothing, law};
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct Case {
   bool gravity = false;
   dem::BondModel model = dem::BondModel::paper;
   dem::DashpotLaw dashpots = dem::DashpotLaw::bond_damping;
+  bool stiff = false;  ///< bonds solved for within the step
 };
 
 inline dem::Chain<3> chain_of(const Case& c, int bonds, double size) {
@@ -63,6 +64,7 @@ inline Alone alone(const Case& c, const dem::Chain<3>& chain, const dem::Domain&
   dem::Physics physics{3, c.form, dem::damped(chain.fiber), false,
                        c.form == dem::BondForm::total && !chain.natural.empty()};
   physics.fluid = s.fluid.has_value();
+  if (c.stiff) physics.solved = dem::Solved::bonds, physics.damped = true;
   if (chain.fiber.rolling_friction > 0) physics.rolling = c.rolling, physics.damped = true;
   dem::ChainBatch<3> block({chain}, {false, false}, {dt}, {0}, physics, dem::InstructionSet::scalar);
   const double m = dem::sphere_mass(chain.fiber);
@@ -124,7 +126,7 @@ inline void compare(const dem::ChainState<3>& a, const dem::ChainState<3>& b, do
 constexpr int kSteps = 150;
 
 inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
-  const double speed = c.fluid != Case::vacuum ? 0.15 : c.damping > 0 || c.friction > 0 ? 0.07 : 0.02;
+  const double speed = c.stiff ? 0.02 : c.fluid != Case::vacuum ? 0.15 : c.damping > 0 || c.friction > 0 ? 0.07 : 0.02;
   std::vector<dem::FiberGroup> groups{scattered(chain_of(c, 7, 1), 11, speed, 3),
                                       scattered(chain_of(c, 4, 1.3), 5, speed, 4),
                                       scattered(chain_of(c, 17, 0.9), 1, speed, 5)};
@@ -134,9 +136,13 @@ inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
   const dem::Fiber& fiber = groups[0].chain.fiber;
   const dem::Domain s = around(c, fiber);
   double dt = 1;
-  for (const auto& group : groups) dt = std::min(dt, 0.4 * dem::stable_time_step(group.chain.fiber));
+  for (const auto& group : groups) {
+    const dem::Fiber& own = group.chain.fiber;
+    dt = std::min(dt, c.stiff ? 1.7 * dem::undamped_time_step(own) : 0.4 * dem::stable_time_step(own));
+  }
   dem::Assembly assembly(groups, s,
                          {.step = dt,
+                          .integrator = c.stiff ? dem::Integrator::leapfrog_stiff : dem::Integrator::leapfrog,
                           .form = c.form,
                           .rolling = c.rolling,
                           .threads = threads,

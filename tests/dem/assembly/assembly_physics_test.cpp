@@ -9,6 +9,13 @@ using namespace scenes;
 namespace {
 
 using dem::BondForm, dem::Rolling, dem::BondModel, dem::DashpotLaw;
+
+/// The same with bonds solved for within the step.
+Case stiff(Case c) {
+  c.stiff = true;
+  return c;
+}
+
 const Case cases[]{
     {"incremental", BondForm::incremental, false, 0, 0},
     {"incremental, curved", BondForm::incremental, true, 0, 0},
@@ -77,6 +84,12 @@ const Case cases[]{
     {"fluid, total, damped, curved", BondForm::total, true, 0.2, 0, {}, Case::steady},
     {"fluid, gravity", BondForm::incremental, false, 0, 0, {}, Case::steady, true},
     {"fluid, total, damped, gravity", BondForm::total, false, 0.13, 0, {}, Case::unsteady, true},
+    stiff({"stiff, incremental", BondForm::incremental, false, 0, 0}),
+    stiff({"stiff, incremental, damped, gravity", BondForm::incremental, false, 0.9, 0, {}, Case::vacuum, true}),
+    stiff({"stiff, total, damped, curved", BondForm::total, true, 2.3, 0}),
+    stiff({"stiff, total, corrected", BondForm::total, false, 0.2, 0, {}, Case::vacuum, true, BondModel::corrected}),
+    stiff({"stiff, fluid, total", BondForm::total, false, 0.2, 0, {}, Case::steady, true}),
+    stiff({"stiff, fluid, incremental", BondForm::incremental, false, 0, 0, {}, Case::unsteady}),
 };
 
 }  // namespace
