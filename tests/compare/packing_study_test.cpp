@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/packing/checks.hpp"
+#include "compare/packing/softening.hpp"
 #include "compare/packing/study.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/published.hpp"
@@ -144,6 +145,41 @@ BOOST_AUTO_TEST_CASE(runs_are_compared_seed_by_seed) {
   const compare::Spread d = compare::paired_difference(groups[3], groups[0], &compare::BendingParts::plateau);
   BOOST_TEST(std::abs(d.mean + 0.002) < 1e-12);
   BOOST_TEST(std::abs(d.deviation - 0.02 * 0.002) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(softened_contacts_are_tabled_by_their_modulus_over_the_seeds) {
+  const auto cases =
+      compare::softening_cases({.moduli = {1, 0.03}, .stiffness = 7, .fibers = 1200, .seeds = 2});
+  BOOST_REQUIRE(cases.size() == 4u);
+  const dem::PackingScene own = packing_scene(cases[1]), soft = packing_scene(cases[2]);
+  BOOST_TEST(!own.domain.contacts.youngs_modulus.has_value());
+  BOOST_TEST(*soft.domain.contacts.youngs_modulus == 0.03 * 7 * 2.6e6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(soft.kinds[0].fiber.material.youngs_modulus == 7 * 2.6e6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(soft.domain.wall_youngs_modulus == own.domain.wall_youngs_modulus);
+  BOOST_TEST((cases[2].seed == 1 && cases[3].seed == 2));
+  BOOST_TEST(cases[0].side == 0.12);  // four times as many as on 0.06
+  std::vector<PackingRun> runs;
+  for (const auto& asked : cases) {
+    runs.push_back(made_up(asked, 0.03, 0.007, 0.01));
+    const double odd = asked.seed == 2 ? 1 : 0;
+    runs.back().history.back().solid_fraction = 0.2 + 0.02 * odd;
+    runs.back().end.overlap_peak = asked.contact_modulus == 1 ? 0.04 : 0.3 + odd;
+  }
+  runs[1].status = "blew up";
+  const dem::Table table = compare::softening_table(runs);
+  BOOST_REQUIRE(table.rows().size() == 2u);
+  BOOST_TEST(table.number(0, "seeds") == 1);
+  BOOST_TEST(table.number(0, "solid_fraction") == 0.2);
+  BOOST_TEST(table.number(1, "contact_modulus") == 0.03);
+  BOOST_TEST(table.number(1, "solid_fraction") == 0.21, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(table.number(1, "solid_fraction_deviation") == 0.02 / std::sqrt(2.0),
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(table.number(1, "bending_plateau") == 0.01, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(table.number(1, "overlap_peak") == 1.3);
+  const compare::Figure figure = compare::softening_figure(runs);
+  BOOST_REQUIRE(figure.series.size() == 6u);  // means and seeds of three quantities
+  BOOST_TEST(figure.series[0].y[1] == 1.05, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(figure.series[1].x.size() == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(verdicts_follow_the_runs) {
