@@ -8,29 +8,56 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Tension that the wave with phase k between neighbors bears. Displacement w (in units of l) and rotation p
-/// of the spheres: shear |2 sin(k/2) w - cos(k/2) p|^2, bending |2 sin(k/2) p|^2; a tension adds
-/// N l |2 sin(k/2) w|^2.
-double tension_of_wave(const Fiber& fiber, double dt, double surplus, double k) {
+/// Symmetric 2 x 2 of a sphere: transverse displacement over the bond's length, and rotation.
+struct Block {
+  double ww, wp, pp;
+};
+
+/// Weights of a bond under tension: of (w_2 - w_1 - (p_1 + p_2)/2)^2, (p_2 - p_1)^2 and (w_2 - w_1)^2.
+struct BondWeights {
+  double shear, bend, string;
+};
+
+/// Whether A - dt^2/4 (K + G) is positive definite, A = M + beta dt^2 K_0: K_0 the stiffness in the bond's frame as
+/// it is solved for, K that of the drawn bond (shear by its angle, bending with the shortened chord), G of its
+/// tension.
+bool bears(const Fiber& fiber, double tension, double dt, double beta) {
   const BondStiffness K = bond_stiffness(fiber);
-  const double l = bond_length(fiber), s = 2 * std::sin(k / 2), c = std::cos(k / 2);
-  const double b = dt * dt * surplus, shear = b * K.shear * l * l;
-  const double ww = sphere_mass(fiber) * l * l + shear * s * s, wp = -shear * s * c,
-               pp = sphere_inertia(fiber) + shear * c * c + b * K.bend * s * s;
-  return 4 * (ww - wp * wp / pp) / (dt * dt * l * s * s);
+  const double l0 = bond_length(fiber), l = l0 + tension / K.stretch, squared = dt * dt;
+  const double chord = fiber.bond_model == BondModel::corrected ? tension * l0 / 12 : 0;
+  const BondWeights bond{squared * K.shear * (beta * l * l - l0 * l0 / 4),
+                         squared * (beta * K.bend - (K.bend + chord) / 4), -squared * tension * l / 4};
+  // of one sphere with itself and with the next
+  const double ww = bond.shear + bond.string, wp = bond.shear / 2, pp = bond.shear / 4 + bond.bend;
+  const double next_pp = bond.shear / 4 - bond.bend;
+  Block rest{0, 0, 0};  // from the bond before, what lies before it eliminated
+  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+    const double share = mass_share(fiber, i);
+    Block own{rest.ww + share * sphere_mass(fiber) * l * l, rest.wp, rest.pp + share * sphere_inertia(fiber)};
+    if (i < fiber.aspect_ratio) own = {own.ww + ww, own.wp + wp, own.pp + pp};
+    const double determinant = own.ww * own.pp - own.wp * own.wp;
+    if (!(own.ww > 0 && determinant > 0)) return false;
+    // rows of this sphere, columns of the next: (-ww, wp; -wp, next_pp)
+    const double a = (own.pp * -ww + own.wp * wp) / determinant, b = (own.pp * wp - own.wp * next_pp) / determinant,
+                 c = (own.wp * ww - own.ww * wp) / determinant,
+                 d = (-own.wp * wp + own.ww * next_pp) / determinant;
+    rest = {ww + ww * a + wp * c, -wp + ww * b + wp * d, pp - wp * b - next_pp * d};
+  }
+  return true;
 }
 
 }  // namespace
 
 double largest_tension(const Fiber& fiber, double dt, double beta) {
   check(fiber);
-  constexpr int waves = 256;  // the worst is long where the step is: phases in equal ratios
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= waves; ++i) {
-    const double k = std::numbers::pi * std::pow(1e-3, static_cast<double>(i) / waves);
-    least = std::min(least, tension_of_wave(fiber, dt, beta - 0.25, k));
+  double low = 0, high = sphere_mass(fiber) * bond_length(fiber) / (dt * dt);
+  const double most = bond_stiffness(fiber).stretch * bond_length(fiber);  // twice as long
+  while (high < most && bears(fiber, high, dt, beta)) high *= 2;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    (bears(fiber, middle, dt, beta) ? low : high) = middle;
   }
-  return least;
+  return low;
 }
 
 double free_bending_period(const Fiber& fiber) {
@@ -44,10 +71,11 @@ double free_bending_period(const Fiber& fiber) {
 double step_for_tension(const Fiber& fiber, double tension, double beta) {
   if (!(tension > 0)) return std::numeric_limits<double>::infinity();
   double low = 0, high = bond_time_step(fiber);
-  while (largest_tension(fiber, high, beta) > tension && high < 1e12 * bond_time_step(fiber)) high *= 2;
+  check(fiber);
+  while (high < 1e12 * bond_time_step(fiber) && bears(fiber, tension, high, beta)) high *= 2;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (largest_tension(fiber, middle, beta) > tension ? low : high) = middle;
+    (bears(fiber, tension, middle, beta) ? low : high) = middle;
   }
   return low;
 }

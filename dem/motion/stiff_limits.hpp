@@ -7,10 +7,10 @@
 // straight chain at rest knows no limit. dem/README.md derives both.
 namespace fiberchain::dem {
 
-/// Largest tension of a bond [N] that a step of `dt` [s] bears: the endless straight chain under it is
-/// stable, M + dt^2 ((beta - 1/4) K - G/4) >= 0 for every wave, G its geometric stiffness, which stays
-/// explicit. Compression has no such limit. At beta = 1/4 it is m l / dt^2. Throws InvalidInput as check()
-/// does.
+/// Largest tension of the bonds [N] that a step of `dt` [s] bears: the free straight chain drawn by it is stable,
+/// M + dt^2 (beta K_0 - (K + G)/4) positive definite, G its geometric stiffness, which stays explicit. Free ends
+/// bear half of what an endless chain does, as a beam on an elastic bed (Hetenyi 1946). Compression has no such
+/// limit. At most what draws a bond to twice its length. Throws InvalidInput as check() does.
 double largest_tension(const Fiber& fiber, double dt, double beta = stiff_beta);
 
 /// The largest step [s] that bears a tension [N]; infinite without tension.
