@@ -7,6 +7,7 @@
 #include "compare/study/errors.hpp"
 #include "compare/study/json.hpp"
 #include "dem/record/columns.hpp"
+#include "dem/run/overlaps.hpp"
 #include "dem/scene/key_reference.hpp"
 #include "dem/scene/located_error.hpp"
 
@@ -37,6 +38,13 @@ void warn_of_memory(const dem::Table& table, Context& context) {
     context.log->warn("warning: the scene needs {:.3g} B of memory, {:.3g} B are free", needed, free);
 }
 
+void warn_of_impacts(const dem::Table& table, Context& context) {
+  if (std::holds_alternative<dem::Missing>(table.at(0, "impact_overlap"))) return;
+  const double overlap = table.number(0, "impact_overlap");
+  if (overlap > dem::impact_overlap_limit)
+    context.log->warn("{}", dem::expected_impact_in_words(table.number(0, "impact_speed"), overlap));
+}
+
 int run_check(const Arguments& arguments, Context& context) {
   if (arguments.has("--keys")) {
     if (arguments.has("SCENE"))
@@ -58,6 +66,7 @@ int run_check(const Arguments& arguments, Context& context) {
     print(table, context.out);
   }
   warn_of_memory(table, context);
+  warn_of_impacts(table, context);
   return kSuccess;
 }
 

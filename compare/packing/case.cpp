@@ -90,6 +90,7 @@ PackingEnd end_of(const dem::Assembly& assembly, const States& states, double fl
   for (const dem::ContactState& contact : contacts) {
     end.largest_overlap = std::max(end.largest_overlap, contact.overlap / spheres.radius.front());
   }
+  end.overlap_mean = assembly.sample().overlap_mean(), end.overlap_peak = assembly.deepest_overlap();
   return end;
 }
 

@@ -39,7 +39,8 @@ struct PackingEnd {
   std::vector<double> solid_fractions;  ///< of the slabs
   OrientationProfile orientation;
   double contacts_per_fiber, neighbors_per_fiber, touching_spheres, wall_contacts;
-  double largest_overlap;  ///< over the radius
+  double largest_overlap, overlap_mean;  ///< of the contacts then, over the radius
+  double overlap_peak;                   ///< of all since the start
 };
 
 struct PackingRun {

@@ -16,8 +16,10 @@ constexpr double kLowest = 0.02;                       // of the fibers at the s
 constexpr double kColumn = 2000 / (0.1 * 0.1 * 0.36);  // fibers in a volume then [1/m^3]
 constexpr double kSpeed = 1;                           // downward [m/s]
 
+double youngs_modulus(const PackingCase& asked) { return asked.stiffness * 2.6e6; }  // [Pa]
+
 dem::Fiber fiber_of(const PackingCase& asked) {
-  dem::Fiber fiber{dem::isotropic_material(asked.stiffness * 2.6e6, 0.3, 1000), 0.002, 20};
+  dem::Fiber fiber{dem::isotropic_material(youngs_modulus(asked), 0.3, 1000), 0.002, 20};
   fiber.bond_damping = asked.bond_damping;
   fiber.rolling_friction = asked.rolling_friction;
   return fiber;
@@ -27,7 +29,9 @@ dem::Domain room_of(double side, const PackingCase& asked) {
   dem::Domain around;
   around.gravity = {0, 0, -9.81};
   around.contacts = {.restitution = 0.4, .friction = 0.6};
-  around.wall_youngs_modulus = asked.stiffness * 2.6e6;
+  if (asked.contact_modulus != 1)
+    around.contacts.youngs_modulus = asked.contact_modulus * youngs_modulus(asked);
+  around.wall_youngs_modulus = youngs_modulus(asked);
   around.walls.push_back({dem::Plane{{}, {0, 0, 1}}});
   if (asked.periodic) {
     around.period = {side, side, 0};

@@ -16,6 +16,7 @@ struct PackingCase {
   double bond_damping = 1;      ///< xi_b
   double rolling_friction = 0;  ///< xi_r
   double stiffness = 1;         ///< factor to Young's modulus of fibers and walls
+  double contact_modulus = 1;   ///< Young's modulus of the fibers in contacts over that of their bonds
   int fibers = 2000;
   double side = 0.1;       ///< of the square floor [m]; with it and the number goes the depth
   std::uint64_t seed = 1;  ///< of the filling

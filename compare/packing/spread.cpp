@@ -12,8 +12,8 @@ namespace {
 
 /// What is asked but for the seed.
 auto key(const PackingCase& c) {
-  return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.bond_damping, c.rolling_friction,
-                    c.step_ratio);
+  return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.contact_modulus, c.bond_damping,
+                    c.rolling_friction, c.step_ratio);
 }
 
 bool finished(const PackingRun& run) { return run.status == "finished"; }
@@ -108,6 +108,7 @@ std::string label_of(const PackingCase& asked) {
   std::string label = fmt::format("ξ_b = {:g}", asked.bond_damping);
   if (asked.rolling_friction > 0) label += fmt::format(", ξ_r = {:g}", asked.rolling_friction);
   if (asked.stiffness != 1) label += fmt::format(", {:g} E", asked.stiffness);
+  if (asked.contact_modulus != 1) label += fmt::format(", contacts of {:g} of it", asked.contact_modulus);
   if (asked.step_ratio != 1) label += fmt::format(", {:g} of the step", asked.step_ratio);
   return label;
 }

@@ -13,6 +13,7 @@ dem::NamedRow asked_row(const PackingCase& c) {
   return {{"bond_damping", c.bond_damping},
           {"rolling_friction", c.rolling_friction},
           {"stiffness", c.stiffness},
+          {"contact_modulus", c.contact_modulus},
           {"fibers", std::int64_t{c.fibers}},
           {"side", c.side},
           {"sides", std::string(c.periodic ? "periodic" : "walls")},
@@ -34,6 +35,8 @@ dem::NamedRow end_row(const PackingSample& last, const PackingEnd& end) {
           {"neighbors_per_fiber", end.neighbors_per_fiber},
           {"wall_contacts_per_fiber", end.wall_contacts},
           {"overlap_largest", end.largest_overlap},
+          {"overlap_mean", end.overlap_mean},
+          {"overlap_peak", end.overlap_peak},
           {"order_parameter", end.orientation.order},
           {"order_along_up", end.orientation.order_along_up}};
 }

@@ -46,6 +46,8 @@ dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndSt
                    {"coordination", dem::known(end.coordination)},
                    {"height", end.last.height},
                    {"bending_mean", end.last.bending_mean},
+                   {"overlap_mean", end.last.overlap_mean},
+                   {"overlap_peak", end.last.overlap_peak},
                    {"kinetic_energy", end.last.energy.kinetic},
                    {"run_time", dem::known(end.run_time)},
                    {"status", status_of(end)}});

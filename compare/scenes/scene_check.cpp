@@ -12,6 +12,7 @@
 #include "dem/flow/flow_batch.hpp"
 #include "dem/run/memory.hpp"
 #include "dem/run/packing_estimate.hpp"
+#include "dem/scene/expected_impact.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -19,9 +20,10 @@ namespace {
 using dem::NamedRow;
 
 const std::vector<std::string> kColumns = {
-    "scene_kind",  "fibers",     "spheres",         "bonds",           "time_step",     "step_from",
-    "steps",       "steps_most", "step_cost",       "step_cost_from",  "expected_time", "memory",
-    "memory_free", "frames",     "trajectory_size", "checkpoint_size", "log_size",      "vtk_size"};
+    "scene_kind", "fibers",          "spheres",         "bonds",    "time_step",
+    "step_from",  "impact_speed",    "impact_overlap",  "steps",    "steps_most",
+    "step_cost",  "step_cost_from",  "expected_time",   "memory",   "memory_free",
+    "frames",     "trajectory_size", "checkpoint_size", "log_size", "vtk_size"};
 
 /// A step of a bond in a chain alone, leapfrog, AVX-512: the figure of the README in the plane and in space
 /// [s].
@@ -106,9 +108,12 @@ FiberSteps leapfrog_steps(const dem::FlowScene& scene) {
     times[static_cast<std::size_t>(n)] = scene.duration * n / scene.samples;
   const dem::FlowPlan plan = dem::plan_of(flow, times, scene.motion);
   const double steps = std::accumulate(plan.counts.begin(), plan.counts.end(), 0.0);
-  return {scene.duration / steps, scene.motion.step_ratio ? "scene"
+  return {scene.duration / steps,
+          scene.motion.step_ratio                            ? "scene"
           : scene.motion.method == dem::FlowMethod::leapfrog ? "0.8 of the stable step"
-                                                             : "turning, tension and bending", steps, {}};
+                                                             : "turning, tension and bending",
+          steps,
+          {}};
 }
 
 dem::Table check(const dem::FlowScene& scene, int) {
@@ -142,6 +147,8 @@ dem::Table check(const dem::PackingScene& scene, int threads) {
                 {"bonds", spheres - fibers},
                 {"time_step", plan.step},
                 {"step_from", scene.step ? std::string("scene") : step_origin(plan.choice)},
+                {"impact_speed", plan.choice.speed},
+                {"impact_overlap", dem::expected_impact_overlap(scene, plan.choice.speed)},
                 {"steps", plan.steps},
                 {"step_cost", cost.per_sphere},
                 {"step_cost_from", fmt::format("measured on {} spheres in a dense stack, threads: {}",

@@ -69,17 +69,19 @@ void check_periodic_invariance(const Domain& domain) {
 void check_stiff(const std::vector<FiberGroup>& groups, const AssemblyOptions& options) {
   if (options.integrator == Integrator::leapfrog) return;
   if (options.integrator != Integrator::leapfrog_stiff) {
-    throw InvalidKey("integrator", fmt::format("integrator = {} is not allowed: fibers among others have leapfrog "
-                                               "and leapfrog-stiff",
-                                               name(options.integrator)));
+    throw InvalidKey("integrator",
+                     fmt::format("integrator = {} is not allowed: fibers among others have leapfrog "
+                                 "and leapfrog-stiff",
+                                 name(options.integrator)));
   }
   if (options.law != nullptr)
     throw InvalidInput("integrator = leapfrog-stiff is not allowed: it is built for the library's bond laws");
   for (const FiberGroup& group : groups) {
     if (group.chain.fiber.rolling_friction > 0 && options.rolling != Rolling::none) {
-      throw InvalidKey("integrator",
-                       "integrator = leapfrog-stiff is not allowed: rolling friction of the bonds is built for "
-                       "the leapfrog that leaves them explicit");
+      throw InvalidKey(
+          "integrator",
+          "integrator = leapfrog-stiff is not allowed: rolling friction of the bonds is built for "
+          "the leapfrog that leaves them explicit");
     }
   }
 }

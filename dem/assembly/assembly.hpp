@@ -30,7 +30,7 @@ struct PackingLaw;
 inline constexpr double usual_restitution_error = 0.01;
 
 struct AssemblyOptions {
-  std::optional<double> step = std::nullopt;  ///< dt [s]; left out: chosen (assembly_time_step)
+  std::optional<double> step = std::nullopt;     ///< dt [s]; left out: chosen (assembly_time_step)
   Integrator integrator = Integrator::leapfrog;  ///< leapfrog, or leapfrog_stiff
   BondForm form = BondForm::incremental;
   const PackingLaw* law =
@@ -69,10 +69,14 @@ struct BondState {
 /// Sums over an assembly.
 struct AssemblySample {
   EnergyBalance energy;
-  double bending;      ///< angles of all bonds [rad]
-  std::int64_t bonds;  ///< how many
+  double bending;            ///< angles of all bonds [rad]
+  std::int64_t bonds;        ///< how many
+  double overlap;            ///< of contacts, each over its smaller radius
+  std::int64_t overlapping;  ///< how many
 
   double bending_mean() const { return bending / static_cast<double>(bonds); }
+  /// 0 where nothing touches.
+  double overlap_mean() const { return overlapping > 0 ? overlap / static_cast<double>(overlapping) : 0; }
 };
 
 class Assembly {
@@ -91,7 +95,7 @@ class Assembly {
   /// beyond half of the smallest.
   void march(std::int64_t steps);
 
-  double step() const;         ///< dt [s]
+  double step() const;  ///< dt [s]
   Integrator integrator() const;
   std::int64_t steps() const;  ///< done
   double time() const;         ///< [s]
@@ -124,9 +128,9 @@ class Assembly {
   void visit(int group, const FiberVisit& visitor) const;
   /// Sphere numbers go through the groups, fibers and spheres in order.
   std::int64_t first_sphere(int group, int fiber) const;
-  std::int64_t touching() const;               ///< contacts now
-  double deepest_overlap() const;              ///< over the smaller radius, largest since the start
-  double longest_path() const;                 ///< of a sphere in a step over the smallest radius, likewise
+  std::int64_t touching() const;   ///< contacts now
+  double deepest_overlap() const;  ///< over the smaller radius, largest since the start
+  double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
   /// Largest turn of a bond in a step [rad] since the start, or more; 0 where bonds are not solved for.
   double largest_turn() const;
   std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
@@ -156,23 +160,23 @@ inline constexpr double chosen_part = 0.9;
 /// Part of the smallest radius that the fastest sphere may go in a step that is chosen.
 inline constexpr double chosen_path = 0.1;
 
-/// Parts of the first period of bending of a free fiber, and of an impact between single spheres, that a step in
-/// which bonds are solved for takes at most: larger ones were seen to change how fibers come to rest.
+/// Parts of the first period of bending of a free fiber, and of an impact between single spheres, that a step
+/// in which bonds are solved for takes at most: larger ones were seen to change how fibers come to rest.
 inline constexpr double bending_part = 1.0 / 9, impact_part = 1.0 / 40;
 
 /// The step [s] an assembly takes when none is asked for, and what sets it.
 struct StepChoice {
   double step;
-  /// "bonds", "bond damping", "contacts", "restitution" or "speed"; where bonds are solved for also "bending",
-  /// "impacts" or "turning"
+  /// "bonds", "bond damping", "contacts", "restitution" or "speed"; where bonds are solved for also
+  /// "bending", "impacts" or "turning"
   std::string_view set_by;
   double bonds, damped_bonds, contacts;  ///< largest steps that each is stable with [s]
   double restitution;  ///< that keeps the coefficient of restitution at `speed` [s]; infinite without speed
   double path;         ///< with which `speed` goes chosen_path [s]; infinite without speed
   double speed;        ///< of bodies towards each other, now or later [m/s]
-  double bending = 0;            ///< where bonds are solved for: a part of the first period of bending [s]
-  double impact = 0;             ///< likewise: a part of an impact at `speed` [s]
-  double turning = 0;            ///< likewise: with which bonds turn by safe_turn at `speed` [s]
+  double bending = 0;  ///< where bonds are solved for: a part of the first period of bending [s]
+  double impact = 0;   ///< likewise: a part of an impact at `speed` [s]
+  double turning = 0;  ///< likewise: with which bonds turn by safe_turn at `speed` [s]
   std::string integrator_reason = {};  ///< why the integrator was chosen, if it was
   double restitution_error = 0;  ///< of the coefficient of restitution at `speed` with the step that is taken
 };

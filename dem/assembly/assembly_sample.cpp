@@ -87,7 +87,9 @@ AssemblySample Assembly::State::sample() {
     all.bending += own.bonds.bending;
     all.bonds += own.count;
   }
-  energy.contacts = contacts.stored_energy();
+  const ContactSums touching = contacts.sums();
+  energy.contacts = touching.stored_energy;
+  all.overlap = touching.overlap, all.overlapping = touching.overlapping;
   const ContactAccount<double> dissipated = contacts.dissipated();
   energy.contact_normal = dissipated.normal_dashpot;
   energy.contact_tangential = dissipated.sliding;

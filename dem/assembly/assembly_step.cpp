@@ -30,7 +30,12 @@ double solved_work(const MarchParameters<double, 3>& p, const MovingSphere<doubl
   const RelativeMotion<double, 3> before = motion_between(a.velocity, a.spin, b.velocity, b.spin);
   const RelativeMotion<double, 3> change{after.velocity - before.velocity, after.mean_spin - before.mean_spin,
                                          after.relative_spin - before.relative_spin};
-  constexpr Physics physics{.dimension = 3, .form = BondForm::total, .damped = true, .settling_damping = false, .curved = false, .solved = Solved::bonds};
+  constexpr Physics physics{.dimension = 3,
+                            .form = BondForm::total,
+                            .damped = true,
+                            .settling_damping = false,
+                            .curved = false,
+                            .solved = Solved::bonds};
   const auto action = dashpot_action(solved_dashpots<physics, double>(p), r, unit(r), change);
   const Vec<double, 3> w = 0.5 * (before.mean_spin + after.mean_spin);
   return dot(action.force, 0.5 * (before.velocity + after.velocity) - cross(w, r)) +
@@ -205,13 +210,14 @@ void Assembly::State::check_stiff(std::int64_t from) {
     largest_turn = std::max(largest_turn, turn);
     if (turn <= dem::largest_turn && tension <= bearable) continue;
     throw Diverged(fmt::format(
-        "the run cannot be trusted, {} the fastest: between steps {} and {} (dt = {:.6g} s, t = {:.6g} s) a bond {}; "
+        "the run cannot be trusted, {} the fastest: between steps {} and {} (dt = {:.6g} s, t = {:.6g} s) a "
+        "bond {}; "
         "likely cause: a step too long for these speeds",
         place_of(fastest_sphere()), from, steps, step, time(),
         turn > dem::largest_turn
             ? fmt::format("turned by {:.3g} rad in a step, allowed {:g}", turn, dem::largest_turn)
-            : fmt::format("had a tension of {:.3g} N, which bonds that are solved for bear up to {:.3g} N", tension,
-                          bearable)));
+            : fmt::format("had a tension of {:.3g} N, which bonds that are solved for bear up to {:.3g} N",
+                          tension, bearable)));
   }
 }
 

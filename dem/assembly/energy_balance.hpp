@@ -11,7 +11,7 @@ struct EnergyBalance {
   double bond_damping, bond_friction;        ///< dissipated by the dashpots and the rolling friction of bonds
   double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
   double scheme;  ///< work on the springs' part of the mass matrix, where bonds are solved for; falls as dt^2
-  double fluid;      ///< dissipated by the fluid, negative where it drives
+  double fluid;   ///< dissipated by the fluid, negative where it drives
   double wall_work;  ///< supplied by moving walls
   double inserted;   ///< supplied with inserted fibers
 };
@@ -49,8 +49,8 @@ inline constexpr std::array energy_mechanisms = {
                     "taken by contacts, tangential", "taken by contacts along the surface"},
     EnergyMechanism{&EnergyBalance::contact_rolling, EnergyRole::dissipated, "taken_contact_rolling",
                     "taken by contacts, rolling", "taken by the rolling friction of contacts"},
-    EnergyMechanism{&EnergyBalance::scheme, EnergyRole::dissipated, "taken_scheme",
-                    "taken by the scheme", "work of beta dt^2 K, which stands beside the masses where bonds are "
+    EnergyMechanism{&EnergyBalance::scheme, EnergyRole::dissipated, "taken_scheme", "taken by the scheme",
+                    "work of beta dt^2 K, which stands beside the masses where bonds are "
                     "solved within the step"},
     EnergyMechanism{&EnergyBalance::fluid, EnergyRole::dissipated, "taken_fluid", "taken by the fluid",
                     "taken by the fluid"},

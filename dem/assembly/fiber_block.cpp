@@ -44,11 +44,11 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
                      const Domain& domain, double step) {
   const Fiber& fiber = chain.fiber;
   const PackingLaw& law = packing_law(options);
-  const Physics physics =
-      physics_of(chain, {.form = law.form,
-                         .solved = options.integrator == Integrator::leapfrog_stiff ? Solved::bonds : Solved::nothing,
-                         .rolling = options.rolling,
-                         .fluid = domain.fluid.has_value()});
+  const Physics physics = physics_of(
+      chain, {.form = law.form,
+              .solved = options.integrator == Integrator::leapfrog_stiff ? Solved::bonds : Solved::nothing,
+              .rolling = options.rolling,
+              .fluid = domain.fluid.has_value()});
   GroupKind kind{.chain = chain,
                  .law = &law,
                  .kernel = &law.kernel(physics, options.instruction_set),
@@ -152,7 +152,8 @@ FiberBlock::Taken FiberBlock::taken(const GroupKind& kind, const SphereStorage& 
   const int width = kind.kernel->width;
   double* sums = dissipated.data();
   if (moved()) kind.kernel->account(now, {previous.data(), sums, sums + width, sums + 2 * width});
-  return {sum_of_lanes(sums, lanes_), sum_of_lanes(sums + width, lanes_), sum_of_lanes(sums + 2 * width, lanes_)};
+  return {sum_of_lanes(sums, lanes_), sum_of_lanes(sums + width, lanes_),
+          sum_of_lanes(sums + 2 * width, lanes_)};
 }
 
 BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,

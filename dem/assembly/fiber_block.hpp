@@ -91,8 +91,8 @@ class FiberBlock {
                                  int index) const;
   /// Velocities of a snapshot half a step on where those of a fiber's spheres depend on each other; else they
   /// stay and each follows from its sphere's forces (move_half_step).
-  void to_this_moment(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient,
-                      BlockSnapshot& snapshot) const;
+  void to_this_moment(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
+                      const double* gradient, BlockSnapshot& snapshot) const;
 
   /// Histories of its bonds at the last step.
   const double* histories() const { return history_; }

@@ -101,13 +101,14 @@ void take(StepChoice& choice, double step, std::string_view set_by) {
   if (step < choice.step) choice.step = step, choice.set_by = set_by;
 }
 
-/// Where bonds are solved for, speeds want that impacts are resolved and that bonds turn little: a bond's spheres
-/// part at up to twice the speed.
+/// Where bonds are solved for, speeds want that impacts are resolved and that bonds turn little: a bond's
+/// spheres part at up to twice the speed.
 void count_stiff_speeds(StepChoice& choice, const std::vector<FiberGroup>& groups, const Domain& domain) {
   choice.impact = impact_part * shortest_impact(groups, domain, choice.speed);
   choice.turning = std::numeric_limits<double>::infinity();
   for (const FiberGroup& group : groups)
-    choice.turning = std::min(choice.turning, safe_turn * bond_length(group.chain.fiber) / (2 * choice.speed));
+    choice.turning =
+        std::min(choice.turning, safe_turn * bond_length(group.chain.fiber) / (2 * choice.speed));
   take(choice, choice.impact, "impacts");
   take(choice, choice.turning, "turning");
 }

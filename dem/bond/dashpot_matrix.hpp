@@ -2,6 +2,7 @@
 
 #include "dem/bond/dashpot.hpp"
 #include "dem/math/small_matrix.hpp"
+#include "dem/math/unroll.hpp"
 
 // The dashpots of a bond as a matrix on the velocities and spins of its two spheres.
 namespace fiberchain::dem {
@@ -26,6 +27,7 @@ void spin_arm(const Vec<Real, 2>& r, Real (&X)[2][1]) {
 
 template <class Real>
 void spin_arm(const Vec<Real, 3>& r, Real (&X)[3][3]) {
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < 3; ++i) X[i][i] = Real(0.0);
   X[0][1] = r[2], X[0][2] = -r[1], X[1][0] = -r[2];
   X[1][2] = r[0], X[2][0] = r[1], X[2][1] = -r[0];
@@ -41,12 +43,15 @@ DashpotMatrix<Real, Dim> dashpot_matrix(const BondParameters<Real>& bond, const 
   spin_arm(r, X);
   Square<Real, N> own = zero_matrix<Real, N>(), coupling = own;
   const Real along = bond.dash_stretch - bond.dash_shear, about = bond.dash_twist - bond.dash_bend;
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < Dim; ++i) {
+    FIBERCHAIN_UNROLL
     for (int j = 0; j < Dim; ++j) {
       const Real force = along * e[i] * e[j] + (i == j ? bond.dash_shear : Real(0.0));
       own[i][j] = force;
       coupling[i][j] = -force;
     }
+    FIBERCHAIN_UNROLL
     for (int j = 0; j < S; ++j) {
       const Real half = Real(0.5) * bond.dash_shear * X[i][j];
       own[i][Dim + j] = own[Dim + j][i] = half;
@@ -54,9 +59,12 @@ DashpotMatrix<Real, Dim> dashpot_matrix(const BondParameters<Real>& bond, const 
       coupling[Dim + j][i] = -half;
     }
   }
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < S; ++i) {
+    FIBERCHAIN_UNROLL
     for (int j = 0; j < S; ++j) {
       Real arms = Real(0.0);
+      FIBERCHAIN_UNROLL
       for (int k = 0; k < Dim; ++k) arms = arms + X[k][i] * X[k][j];
       const Real shear = Real(0.25) * bond.dash_shear * arms;
       Real bend = i == j ? bond.dash_bend : Real(0.0);
@@ -66,7 +74,9 @@ DashpotMatrix<Real, Dim> dashpot_matrix(const BondParameters<Real>& bond, const 
     }
   }
   Square<Real, N> second = own;
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < Dim; ++i) {
+    FIBERCHAIN_UNROLL
     for (int j = 0; j < S; ++j) second[i][Dim + j] = second[Dim + j][i] = -own[i][Dim + j];
   }
   return {own, second, coupling};

@@ -124,7 +124,8 @@ const ContactLaw& contact_law(std::string_view name);
 /// The law of these properties: the first of ContactLaws where none is named.
 const ContactLaw& law_of(const ContactProperties& properties);
 
-/// Throws InvalidInput for friction that is negative or not finite, and for an elasticity that no material has.
+/// Throws InvalidInput for friction that is negative or not finite, and for an elasticity that no material
+/// has.
 void check(const ContactProperties& properties);
 
 /// Number of a wall's shape among those of the law's loops. Throws InvalidInput where they are not compiled

@@ -32,6 +32,13 @@ struct ContactAccumulators {
   ContactAccumulators& operator+=(const ContactAccumulators& more);
 };
 
+/// Over all contacts at one moment.
+struct ContactSums {
+  double stored_energy = 0;      ///< in their springs [J]
+  double overlap = 0;            ///< over the smaller radius
+  std::int64_t overlapping = 0;  ///< contacts whose bodies do: not those of laws that act across a gap
+};
+
 class Contacts {
  public:
   Contacts(const Domain& domain, const ContactOptions& options, double step);
@@ -83,7 +90,7 @@ class Contacts {
   double wall_work() const;  ///< likewise [J]
   /// The kick centered on the start's moment began before it.
   void begin_accounts();
-  double stored_energy() const;  ///< in the springs now [J]
+  ContactSums sums() const;  ///< now
 
   std::vector<ContactState> states(const SphereStorage& rows, double time) const;
   /// Where each contact's history is, part by part in the order of their keys, which those that give
@@ -148,6 +155,7 @@ class Contacts {
   const double* parameters_of(const SavedContact& contact) const;
   void exchange_bodies(SavedContact& contact) const;
   double energy_of(const SavedContact& contact) const;  ///< stored in its springs [J]
+  double smaller_radius(const ContactKey& key) const;   ///< [m]
   /// At which its normal spring is pressed [W]. A kick lasts from half a step before to half a step after.
   double closing_power(const SavedContact& contact) const;
   /// What a wall that has just come stores in contacts at once [J].

@@ -49,10 +49,20 @@ double Contacts::energy_of(const SavedContact& c) const {
   return law_.stored_energy(parameters_of(c), c.history);
 }
 
-double Contacts::stored_energy() const {
-  double sum = 0;
-  each_place([&](const ContactPlace& place) { sum += energy_of(saved(place)); });
-  return sum;
+double Contacts::smaller_radius(const ContactKey& key) const {
+  const double first = radius_[key.first.number];
+  return is_sphere(key.second) ? std::min(first, radius_[key.second.number]) : first;
+}
+
+ContactSums Contacts::sums() const {
+  ContactSums all;
+  each_place([&](const ContactPlace& place) {
+    const SavedContact contact = saved(place);
+    all.stored_energy += energy_of(contact);
+    const double overlap = law_.overlap(contact.history);
+    if (overlap > 0) all.overlap += overlap / smaller_radius(contact.key), ++all.overlapping;
+  });
+  return all;
 }
 
 double Contacts::closing_power(const SavedContact& c) const {

@@ -16,9 +16,9 @@ namespace fiberchain::dem {
 
 /// How a fiber in a flow is followed.
 enum class FlowMethod {
-  inertialess,  ///< velocities from the balance of forces, implicit in the bonds (CVODE); total form
-  cvode,        ///< with inertia, implicit (CVODE); free draining, total form
-  leapfrog,     ///< with inertia, explicit in the bonds, drag solved within the step; free draining
+  inertialess,    ///< velocities from the balance of forces, implicit in the bonds (CVODE); total form
+  cvode,          ///< with inertia, implicit (CVODE); free draining, total form
+  leapfrog,       ///< with inertia, explicit in the bonds, drag solved within the step; free draining
   leapfrog_stiff  ///< the same with springs and dashpots solved within the step, too
 };
 
@@ -62,9 +62,9 @@ struct FlowOptions {
   FlowMethod method = FlowMethod::inertialess;
   double tolerance = 1e-8;          ///< inertialess, cvode: local error relative to L and to 1 rad
   BondForm form = BondForm::total;  ///< leapfrog only; the others have the total form
-  std::optional<double> step_ratio =
-      std::nullopt;  ///< leapfrogs: largest dt / t_b; left out: 0.8 of the stable step, or of the stiff one's limits
-  bool allow_unstable = false;  ///< leapfrog: march even beyond the stable step
+  std::optional<double> step_ratio = std::nullopt;  ///< leapfrogs: largest dt / t_b; left out: 0.8 of the
+                                                    ///< stable step, or of the stiff one's limits
+  bool allow_unstable = false;                      ///< leapfrog: march even beyond the stable step
   InstructionSet instruction_set = best_instruction_set();
 };
 

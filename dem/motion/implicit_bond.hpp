@@ -5,8 +5,8 @@
 #include "dem/motion/physics.hpp"
 
 // A bond's part in the matrix of a step that is solved along the chain (implicit_kick.hpp): dt/2 C, and with
-// the springs also beta dt^2 K, K the stiffness of the straight bond in the bond's frame now. Springs have the
-// same matrix as dashpots, on velocities in place of displacements.
+// the springs also beta dt^2 K, K the stiffness of the straight bond in the bond's frame now. Springs have
+// the same matrix as dashpots, on velocities in place of displacements.
 namespace fiberchain::dem {
 
 /// beta of the springs that are solved for. At 1/4 nothing but the inertia holds against tension, which is

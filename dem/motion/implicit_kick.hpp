@@ -1,14 +1,15 @@
 #pragma once
 
+#include "dem/math/unroll.hpp"
 #include "dem/motion/bond_step.hpp"
 #include "dem/motion/implicit_bond.hpp"
 #include "dem/motion/local_flow.hpp"
 #include "dem/simd/as_numbers.hpp"
 
 // A kick in which the velocities of a chain depend on each other: (M + dt/2 C) (v+ - v-) = dt (F - C v-), the
-// dashpots centered in the step; with the springs (M + dt/2 C + beta dt^2 K) (v+ - v-) = dt (F - C v-). F - C v-
-// are the forces of the lagged scheme. Block-tridiagonal along the chain: eliminated from the first sphere to
-// the last. K has no part in rigid motion and, like C, acts between two spheres in balance: momentum and
+// dashpots centered in the step; with the springs (M + dt/2 C + beta dt^2 K) (v+ - v-) = dt (F - C v-). F - C
+// v- are the forces of the lagged scheme. Block-tridiagonal along the chain: eliminated from the first sphere
+// to the last. K has no part in rigid motion and, like C, acts between two spheres in balance: momentum and
 // angular momentum stay.
 namespace fiberchain::dem {
 
@@ -22,7 +23,9 @@ struct EliminationSlot {
 template <class Real, int Dim>
 Vec<Real, motions<Dim>> stacked(const Vec<Real, Dim>& u, const Spin<Real, Dim>& w) {
   Vec<Real, motions<Dim>> all;
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < Dim; ++i) all[i] = u[i];
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < spin_size<Dim>; ++i) all[Dim + i] = w[i];
   return all;
 }
@@ -31,6 +34,7 @@ Vec<Real, motions<Dim>> stacked(const Vec<Real, Dim>& u, const Spin<Real, Dim>& 
 template <class Real, int Dim>
 Vec<Real, motions<Dim>> inertias_of(const MarchParameters<Real, Dim>& p, const SphereStep<Real>& own) {
   Vec<Real, motions<Dim>> diagonal;
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < motions<Dim>; ++i) diagonal[i] = p.step / (i < Dim ? own.impulse : own.angular_impulse);
   return diagonal;
 }
@@ -68,11 +72,15 @@ template <class Real, int N>
 Square<Real, N> lower_of_rest(const Square<Real, N>& B, const Square<Real, N>& coupling,
                               const Square<Real, N>& X) {
   Square<Real, N> rest;
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < N; ++i) {
+    FIBERCHAIN_UNROLL
     for (int j = 0; j <= i; ++j) {
       rest[i][j] = B[i][j];
+      FIBERCHAIN_UNROLL
       for (int k = 0; k < N; ++k) rest[i][j] = rest[i][j] - coupling[k][i] * X[k][j];
     }
+    FIBERCHAIN_UNROLL
     for (int j = i + 1; j < N; ++j) rest[i][j] = Real(0.0);
   }
   return rest;
@@ -82,8 +90,10 @@ Square<Real, N> lower_of_rest(const Square<Real, N>& B, const Square<Real, N>& c
 template <class Real, int N>
 Vec<Real, N> transposed_times(const Square<Real, N>& A, const Vec<Real, N>& x) {
   Vec<Real, N> y;
+  FIBERCHAIN_UNROLL
   for (int i = 0; i < N; ++i) {
     y[i] = A[0][i] * x[0];
+    FIBERCHAIN_UNROLL
     for (int k = 1; k < N; ++k) y[i] = y[i] + A[k][i] * x[k];
   }
   return y;
@@ -111,7 +121,9 @@ class Elimination {
   /// A sphere with all forces on it, and the bond behind it.
   void pass(const MovingSphere<Real, Dim>& sphere, bool is_end, const LocalFlow<P, Real>& flow,
             const DashpotMatrix<Real, Dim>& bond, EliminationSlot<Real, Dim>& slot) {
+    FIBERCHAIN_UNROLL
     for (int c = 0; c < N; ++c) {
+      FIBERCHAIN_UNROLL
       for (int d = 0; d <= c; ++d) A_[c][d] = A_[c][d] + bond.first[c][d];
     }
     reduce(sphere, is_end, flow, slot);
@@ -130,6 +142,7 @@ class Elimination {
   void reduce(const MovingSphere<Real, Dim>& sphere, bool is_end, const LocalFlow<P, Real>& flow,
               EliminationSlot<Real, Dim>& slot) {
     const Vec<Real, N>& inertia = is_end ? end_ : inner_;
+    FIBERCHAIN_UNROLL
     for (int c = 0; c < N; ++c) A_[c][c] = A_[c][c] + inertia[c];
     factorize(A_);
     slot.forward = solved(A_, impulse_of<P, Real>(p_, is_end ? p_.end : p_.inner, sphere, flow) - pushed_);
@@ -176,7 +189,9 @@ void substitute_back(const EliminationSlot<Real, Dim>* slots, int bonds, const U
 
 template <class Real, int Dim>
 void add_change(MovingSphere<Real, Dim>& sphere, const Vec<Real, motions<Dim>>& change, const Real& part) {
+  FIBERCHAIN_UNROLL
   for (int c = 0; c < Dim; ++c) sphere.velocity[c] = sphere.velocity[c] + part * change[c];
+  FIBERCHAIN_UNROLL
   for (int c = 0; c < spin_size<Dim>; ++c) sphere.spin[c] = sphere.spin[c] + part * change[Dim + c];
 }
 
@@ -186,9 +201,10 @@ void implicit_kick(const ChainBlock<P, Real>& chain, const LocalFlow<P, Real>& f
                    const Real& part = Real(1.0)) {
   auto* slots = as_values<EliminationSlot<Real, P.dimension>>(chain.workspace);
   eliminate<P, Real>(chain, flow, slots);
-  substitute_back<Real, P.dimension>(slots, chain.bonds, [&](int i, const Vec<Real, motions<P.dimension>>& change) {
-    add_change(chain.spheres[i], change, part);
-  });
+  substitute_back<Real, P.dimension>(slots, chain.bonds,
+                                     [&](int i, const Vec<Real, motions<P.dimension>>& change) {
+                                       add_change(chain.spheres[i], change, part);
+                                     });
 }
 
 }  // namespace fiberchain::dem

@@ -6,7 +6,8 @@
 #include "dem/motion/rolling.hpp"
 
 // Leapfrog: velocities at half steps, poses and forces at full steps, dashpots at the lagged velocity (the
-// paper's way) or solved for along the chain, with the springs or without (implicit_kick.hpp). One sweep along the chain moves each sphere and evaluates the bond behind it.
+// paper's way) or solved for along the chain, with the springs or without (implicit_kick.hpp). One sweep
+// along the chain moves each sphere and evaluates the bond behind it.
 namespace fiberchain::dem {
 
 template <class Real>
@@ -121,8 +122,9 @@ void kick_together(const ChainBlock<P, Real>& chain, const LocalFlow<P, Real>& f
   }
 }
 
-/// Velocities from those of the lagged moment to those of the poses' or, with `back`, the other way, where they
-/// depend on each other. At the poses' moment the dashpots act by the velocity there: none is left to solve.
+/// Velocities from those of the lagged moment to those of the poses' or, with `back`, the other way, where
+/// they depend on each other. At the poses' moment the dashpots act by the velocity there: none is left to
+/// solve.
 template <Physics P, class Real>
 void half_kick(ChainBlock<P, Real> chain, double steps_before, const LocalFlow<P, Real>& flow, bool back) {
   load_ends<P, Real>(chain, steps_before);

@@ -20,7 +20,8 @@ struct MovingSphere {
 
 /// A sphere with velocity and spin of another.
 template <class Real, int Dim>
-MovingSphere<Real, Dim> with_velocities(MovingSphere<Real, Dim> sphere, const MovingSphere<Real, Dim>& other) {
+MovingSphere<Real, Dim> with_velocities(MovingSphere<Real, Dim> sphere,
+                                        const MovingSphere<Real, Dim>& other) {
   sphere.velocity = other.velocity;
   sphere.spin = other.spin;
   return sphere;

@@ -109,6 +109,7 @@ StepCost measure_step_cost(const PackingScene& scene, double step, int threads, 
   const int used = useful_threads(scene, threads);
   Assembly assembly(std::move(groups), std::move(domain),
                     {.step = step,
+                     .integrator = plan_of(scene).integrator,
                      .form = scene.form,
                      .rolling = scene.rolling,
                      .threads = used,

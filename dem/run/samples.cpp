@@ -20,7 +20,9 @@ double floor_of(const PackingScene& scene, const V& up) {
   return lowest;
 }
 
-const std::vector<std::string> kColumns = {"step", "simulated_time", "contacts", "height", "bending_mean"};
+const std::vector<std::string> kColumns = {"step",         "simulated_time", "contacts",    "height",
+                                           "bending_mean", "overlap_mean",   "overlap_peak"};
+
 /// Terms of the balance that a run knows: those stored, and where energy is accounted all.
 std::vector<EnergyMechanism> known_terms(bool accounted) {
   std::vector<EnergyMechanism> terms;
@@ -112,9 +114,14 @@ RunMoment measure(const Assembly& assembly, const PackingScene& scene, std::vect
   const V up = upward(scene);
   assembly.coordinates(up, room);
   const AssemblySample sample = assembly.sample();
-  return {assembly.steps(),      assembly.time(),
-          assembly.touching(),   quantile(room, fraction) - floor_of(scene, up),
-          sample.bending_mean(), sample.energy};
+  return {.step = assembly.steps(),
+          .time = assembly.time(),
+          .contacts = assembly.touching(),
+          .height = quantile(room, fraction) - floor_of(scene, up),
+          .bending_mean = sample.bending_mean(),
+          .overlap_mean = sample.overlap_mean(),
+          .overlap_peak = assembly.deepest_overlap(),
+          .energy = sample.energy};
 }
 
 RunMoment measure(const Assembly& assembly, const PackingScene& scene) {
@@ -146,10 +153,15 @@ Table run_log_table(const PackingScene& scene) {
 }
 
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left) {
-  NamedRow row = {
-      {"step", moment.step},          {"simulated_time", moment.time},       {"contacts", moment.contacts},
-      {"height", moment.height},      {"bending_mean", moment.bending_mean}, {"step_rate", known(step_rate)},
-      {"time_left", known(time_left)}};
+  NamedRow row = {{"step", moment.step},
+                  {"simulated_time", moment.time},
+                  {"contacts", moment.contacts},
+                  {"height", moment.height},
+                  {"bending_mean", moment.bending_mean},
+                  {"overlap_mean", moment.overlap_mean},
+                  {"overlap_peak", moment.overlap_peak},
+                  {"step_rate", known(step_rate)},
+                  {"time_left", known(time_left)}};
   const NamedRow energies = energy_cells(moment.energy, scene.account_energy);
   row.insert(row.end(), energies.begin(), energies.end());
   Table table = run_log_table(scene);

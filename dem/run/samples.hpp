@@ -14,6 +14,8 @@ struct RunMoment {
   std::int64_t contacts;
   double height;        ///< below which 95 % of the sphere centers lie, over the room's floor [m]
   double bending_mean;  ///< over all bonds [rad]
+  double overlap_mean;  ///< of the contacts, over the smaller radius; 0 where nothing touches
+  double overlap_peak;  ///< the deepest since the start, likewise
   EnergyBalance energy;
 };
 

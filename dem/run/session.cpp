@@ -13,8 +13,10 @@
 #include "dem/run/companions.hpp"
 #include "dem/run/filling_watch.hpp"
 #include "dem/run/insertion_queue.hpp"
+#include "dem/run/overlaps.hpp"
 #include "dem/run/processor_time.hpp"
 #include "dem/run/schedule.hpp"
+#include "dem/scene/expected_impact.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -29,12 +31,12 @@ std::string step_words(const StepChoice& choice, const PackingScene& scene) {
                               : "not to be found";
   const bool stiff = !std::isfinite(choice.bonds);
   const std::string bonds =
-      stiff ? fmt::format("{:.4g} of bending {:.4g} s, {:.4g} of an impact {:.4g} s, turning {:.4g} s", bending_part,
-                          choice.bending, impact_part, choice.impact, choice.turning)
+      stiff ? fmt::format("{:.4g} of bending {:.4g} s, {:.4g} of an impact {:.4g} s, turning {:.4g} s",
+                          bending_part, choice.bending, impact_part, choice.impact, choice.turning)
             : fmt::format("bonds {:.4g} s, bond damping {:.4g} s", choice.bonds, choice.damped_bonds);
-  const std::string limits = fmt::format(
-      ": {}, contacts {:.4g} s; restitution {} where single spheres meet at {:.3g} m/s", bonds, choice.contacts,
-      off, choice.speed);
+  const std::string limits =
+      fmt::format(": {}, contacts {:.4g} s; restitution {} where single spheres meet at {:.3g} m/s", bonds,
+                  choice.contacts, off, choice.speed);
   if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
   if (choice.set_by == "speed") {
     return fmt::format(
@@ -45,7 +47,8 @@ std::string step_words(const StepChoice& choice, const PackingScene& scene) {
     return fmt::format("restitution within {:g} at {:.3g} m/s; stable{}", scene.restitution_error,
                        choice.speed, limits);
   }
-  if (stiff && choice.set_by != "contacts") return fmt::format("bonds solved within the step, set by {}; each alone{}", choice.set_by, limits);
+  if (stiff && choice.set_by != "contacts")
+    return fmt::format("bonds solved within the step, set by {}; each alone{}", choice.set_by, limits);
   return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by,
                      limits);
 }
@@ -117,6 +120,38 @@ class RunWriter {
   std::string fingerprint_;
   Companions files_;
   TrajectoryFrame frame_{};  ///< its memory is kept from one to the next
+};
+
+void say_if_any(const std::string& words, const Say& say) {
+  if (!words.empty()) say(words);
+}
+
+void say_how_deep(const RunMoment& last, double longest_path, const Say& say) {
+  say(
+      fmt::format("overlap over the smaller radius: largest {:.2g}, mean of the contacts {:.2g}{}; longest "
+                  "path of a step {:.2g} of the smallest",
+                  last.overlap_peak, last.overlap_mean,
+                  presses_at_rest(last) ? " at rest" : " at the end, in motion", longest_path));
+  say_if_any(impact_warning(last), say);
+  say_if_any(rest_warning(last), say);
+}
+
+/// Says a warning of each kind once, when it begins.
+class OverlapWatch {
+ public:
+  void look_at(const RunMoment& moment, const Say& say) {
+    tell(impact_warning(moment), moment.time, impact_told_, say);
+    tell(rest_warning(moment), moment.time, rest_told_, say);
+  }
+
+ private:
+  static void tell(const std::string& warning, double time, bool& told, const Say& say) {
+    if (told || warning.empty()) return;
+    told = true;
+    say(fmt::format("t = {:.4g} s: {}", time, warning));
+  }
+
+  bool impact_told_ = false, rest_told_ = false;
 };
 
 /// Marches and writes until the end, or until asked to stop.
@@ -191,6 +226,7 @@ class Session {
     const ProcessorTimer timer(times_.samples);
     last_ = measure(assembly_, job_.scene, room_);
     writer_.write_line(last_, pace_);
+    overlaps_.look_at(last_, watchers_.say);
     if (watchers_.sampled) watchers_.sampled(assembly_);
   }
 
@@ -210,6 +246,7 @@ class Session {
   RunWriter writer_;
   RunMoment last_;
   std::vector<double> room_;  ///< of a sample's numbers
+  OverlapWatch overlaps_;
   RunTimes times_;
   std::int64_t checkpointed_;  ///< step of the last checkpoint
   std::int64_t written_;       ///< step up to which log and trajectory are
@@ -219,19 +256,6 @@ double coordination(const Assembly& assembly) {
   std::int64_t between = 0;
   for (const ContactState& contact : assembly.contacts()) between += is_sphere(contact.key.second);
   return 2.0 * static_cast<double>(between) / static_cast<double>(assembly.spheres());
-}
-
-/// Contact laws hold for small overlaps, the chosen step for those up to a tenth of the radius.
-void say_how_deep(const Assembly& assembly, const PackingWatchers& watchers) {
-  constexpr double small = 0.1;
-  const double overlap = assembly.deepest_overlap();
-  watchers.say(fmt::format(
-      "largest overlap {:.2g} of the smaller radius, longest path of a step {:.2g} of the smallest{}",
-      overlap, assembly.longest_path(),
-      overlap > small ? fmt::format("; warning: beyond {:g} contacts are too soft for what presses "
-                                    "them: take a larger Young's modulus",
-                                    small)
-                      : ""));
 }
 
 void take_counts(const Assembly& assembly, PackingEndState& end) {
@@ -244,7 +268,7 @@ void take_end(const Session& session, const PackingJob& job, const PackingWatche
               PackingEndState& end) {
   end.last = measure(session.assembly(), job.scene);
   end.coordination = coordination(session.assembly());
-  say_how_deep(session.assembly(), watchers);
+  say_how_deep(end.last, session.assembly().longest_path(), watchers.say);
   const int next = session.batches().next();
   if (next < job.scene.batches.number && end.last.step == end.steps) end.next_batch = next;
 }
@@ -286,11 +310,14 @@ PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const
   const auto clock = std::chrono::steady_clock::now();
   const double step = begin.assembly.step();
   if (!begin.choice.integrator_reason.empty()) {
-    watchers.say(fmt::format("integrator: {} ({})", name(begin.assembly.integrator()), begin.choice.integrator_reason));
+    watchers.say(fmt::format("integrator: {} ({})", name(begin.assembly.integrator()),
+                             begin.choice.integrator_reason));
   }
   watchers.say(fmt::format("{} fibers, {} spheres, {}; {} steps of {:.4g} s ({})", fibers_in(job.scene),
                            spheres_in(job.scene), mass_words(job.scene), begin.steps, step,
                            step_words(begin.choice, job.scene)));
+  const double speed = begin.choice.speed;
+  if (speed > 0) watchers.say(expected_impact_in_words(speed, expected_impact_overlap(job.scene, speed)));
   PackingEndState end{
       .choice = begin.choice, .step = step, .steps = begin.steps, .begun_at = begin.assembly.steps()};
   if (end.begun_at >= end.steps) {  // finished before: its files stay as they are

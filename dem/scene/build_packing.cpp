@@ -98,14 +98,16 @@ PackingPlan with_integrator(const PackingScene& scene) {
     plain.choice.integrator_reason = "rolling friction of the bonds is built for it";
     return plain;
   }
-  PackingPlan stiff{step_choice(scene, Integrator::leapfrog_stiff), 0, scene.steps, Integrator::leapfrog_stiff};
+  PackingPlan stiff{step_choice(scene, Integrator::leapfrog_stiff), 0, scene.steps,
+                    Integrator::leapfrog_stiff};
   const double longer = stiff.choice.step / plain.choice.step;
   const bool taken = scene.step ? *scene.step > largest_bond_step(plain.choice) : longer > stiff_step_cost;
   PackingPlan plan = taken ? stiff : plain;
-  plan.choice.integrator_reason = scene.step ? fmt::format("the step given is {} what explicit bonds bear, {:.4g} s", taken ? "beyond" : "within",
-                                      largest_bond_step(plain.choice))
-                        : fmt::format("steps of leapfrog-stiff are {:.3g} times as long and cost {:g} times as much",
-                                      longer, stiff_step_cost);
+  plan.choice.integrator_reason =
+      scene.step ? fmt::format("the step given is {} what explicit bonds bear, {:.4g} s",
+                               taken ? "beyond" : "within", largest_bond_step(plain.choice))
+                 : fmt::format("steps of leapfrog-stiff are {:.3g} times as long and cost {:g} times as much",
+                               longer, stiff_step_cost);
   return plan;
 }
 

@@ -20,8 +20,8 @@ struct PackingPlan {
   Integrator integrator = Integrator::leapfrog;
 };
 
-/// What a step with bonds solved for costs in steps without (measured, bench --case stiff; contacts cost the same in
-/// both).
+/// What a step with bonds solved for costs in steps without (measured, bench --case stiff; contacts cost the
+/// same in both).
 inline constexpr double stiff_step_cost = 2.5;
 
 /// @throws InvalidInput for a run of no steps or of too many, and for batches that would never come

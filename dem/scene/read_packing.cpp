@@ -106,10 +106,11 @@ KeyTable<PackingScene> packing_motion_keys() {
               "how far the chosen step may take the coefficient of restitution off; where nothing is lost it "
               "bounds how far the energy wanders, too: 1e-3 to 4 %")
       .only_with("a step that is chosen", [](const PackingScene& scene) { return !scene.step; });
-  table.choice("integrator", &PackingScene::integrator,
-               words_of({Integrator::leapfrog, Integrator::leapfrog_stiff, Integrator::automatic}),
-               "bonds explicit, or solved for within the step so that contacts and bending set it; `auto`: the one "
-               "that costs less by its steps");
+  table.choice(
+      "integrator", &PackingScene::integrator,
+      words_of({Integrator::leapfrog, Integrator::leapfrog_stiff, Integrator::automatic}),
+      "bonds explicit, or solved for within the step so that contacts and bending set it; `auto`: the one "
+      "that costs less by its steps");
   table.choice(
       "form", &PackingScene::form, words_of({BondForm::total, BondForm::incremental}),
       "strains of the bonds from the poses of the spheres, or summed over the steps as the paper does");

@@ -21,11 +21,14 @@ KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
   table
       .number("step_ratio", &ReleaseOptions::step_ratio, kStepRatio,
               "time step over the bond's t_b = sqrt(m / K_n)")
-      .otherwise("0.8 of the largest stable step; `implicit` and `leapfrog-stiff`: the sample interval, or what tension "
-                 "and turning allow")
-      .only_with("integrator: leapfrog, leapfrog-damped, leapfrog-stiff or implicit", [](const ReleaseOptions& motion) {
-        return is_leapfrog(motion) || motion.integrator == Integrator::implicit;
-      });
+      .otherwise(
+          "0.8 of the largest stable step; `implicit` and `leapfrog-stiff`: the sample interval, or what "
+          "tension "
+          "and turning allow")
+      .only_with("integrator: leapfrog, leapfrog-damped, leapfrog-stiff or implicit",
+                 [](const ReleaseOptions& motion) {
+                   return is_leapfrog(motion) || motion.integrator == Integrator::implicit;
+                 });
   table.flag("allow_unstable", &ReleaseOptions::allow_unstable, "march even beyond the stable step")
       .only_with("integrator: leapfrog, leapfrog-damped or leapfrog-stiff",
                  [](const ReleaseOptions& motion) { return is_leapfrog(motion); });

@@ -68,9 +68,8 @@ int steps_per_sample(const Release<Dim>& release, const ReleaseOptions& options)
   const Fiber& fiber = release.chain.fiber;
   const double interval = release.period / options.samples_per_period;
   const bool stiff = options.integrator == Integrator::leapfrog_stiff;
-  const double t_b = bond_time_step(fiber),
-               limit = stiff ? stiff_release_step(release, largest_turn)
-                             : stable_release_step(fiber, options.integrator);
+  const double t_b = bond_time_step(fiber), limit = stiff ? stiff_release_step(release, largest_turn)
+                                                          : stable_release_step(fiber, options.integrator);
   double step = std::min(interval, stiff ? stiff_release_step(release, safe_turn) : 0.8 * limit);
   if (options.step_ratio) {
     step = *options.step_ratio * t_b;

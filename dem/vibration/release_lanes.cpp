@@ -85,7 +85,8 @@ std::string stiff_failure_text(std::size_t fiber, int bond, double step, double 
       fiber, bond, step, dt, step * dt,
       turn > largest_turn
           ? fmt::format("turned by {:.3g} rad in a step, allowed {:g}", turn, largest_turn)
-          : fmt::format("is stretched by {:.3g}, the tension of {:.3g} is what such steps bear", drawn, strain));
+          : fmt::format("is stretched by {:.3g}, the tension of {:.3g} is what such steps bear", drawn,
+                        strain));
 }
 
 /// One block of chains and what is recorded of them.
@@ -135,7 +136,8 @@ struct March {
   void check_stiff(std::size_t lane, double done) {
     ReleaseRecord<Dim>& r = records[members[lane]];
     const Fiber& fiber = this->fiber(lane);
-    const double l = bond_length(fiber), strain = largest_tension(fiber, steps[lane]) / (bond_stiffness(fiber).stretch * l);
+    const double l = bond_length(fiber),
+                 strain = largest_tension(fiber, steps[lane]) / (bond_stiffness(fiber).stretch * l);
     for (int i = 0; i < fiber.aspect_ratio; ++i) {
       const auto a = block.sphere(static_cast<int>(lane), i), b = block.sphere(static_cast<int>(lane), i + 1);
       const double turn = norm(b.velocity - a.velocity) * steps[lane] / l,
@@ -177,9 +179,8 @@ Solved solved_by(Integrator integrator) {
 
 template <int Dim>
 Physics release_physics(const std::vector<Chain<Dim>>& chains, const ReleaseOptions& options) {
-  return physics_of<Dim>(chains, {.form = options.form,
-                                  .solved = solved_by(options.integrator),
-                                  .rolling = options.rolling});
+  return physics_of<Dim>(
+      chains, {.form = options.form, .solved = solved_by(options.integrator), .rolling = options.rolling});
 }
 
 /// Samples between two looks at the whole chain: long enough that looking costs little.

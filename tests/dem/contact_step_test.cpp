@@ -54,8 +54,8 @@ struct Squeezed {
   }
   /// Where the two contacts use up what stability allows.
   double expected() const {
-    const auto rates =
-        dem::contact_rates(dem::sphere_body(fiber(), rules), dem::wall_body(around()), rules, overlap * 1e-3, 2);
+    const auto rates = dem::contact_rates(dem::sphere_body(fiber(), rules), dem::wall_body(around()), rules,
+                                          overlap * 1e-3, 2);
     double low = 0, high = 1e-3;
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;

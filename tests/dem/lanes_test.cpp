@@ -14,7 +14,8 @@ namespace {
 
 std::string text(const dem::Physics& p) {
   return std::to_string(p.dimension) + "D " + std::string(dem::name(p.form)) + (p.damped ? " damped" : "") +
-         (p.settling_damping ? " drag" : "") + (p.curved ? " curved" : "") + (p.solved == dem::Solved::nothing ? "" : " solved " + std::string(name(p.solved))) +
+         (p.settling_damping ? " drag" : "") + (p.curved ? " curved" : "") +
+         (p.solved == dem::Solved::nothing ? "" : " solved " + std::string(name(p.solved))) +
          (p.fluid ? " fluid" : "") +
          (p.rolling == dem::Rolling::none ? "" : " rolling " + std::string(dem::name(p.rolling)));
 }

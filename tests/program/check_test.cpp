@@ -1,5 +1,6 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/process.hpp"
@@ -45,6 +46,41 @@ BOOST_AUTO_TEST_CASE(a_packing_is_told_its_steps_time_and_files) {
   BOOST_TEST((cost > 1e-10 && cost < 1e-4));
   BOOST_TEST(row["expected_time"].get<double>() == cost * steps * 4200, boost::test_tools::tolerance(1e-12));
   BOOST_TEST((row["trajectory_size"].get<double>() > 0 && row["checkpoint_size"].get<double>() > 0));
+}
+
+/// Two kinds of fibers that fall 50 mm, with the speed that this gives, upon a rigid floor; contacts of this
+/// modulus.
+std::string softened(const std::string& modulus) {
+  return "scene: packing\n"
+         "fibers:\n"
+         "  - {diameter: 0.2 mm, aspect_ratio: 6, youngs_modulus: 70 GPa, poisson_ratio: 0.22, density: "
+         "2450, "
+         "count: 4}\n"
+         "  - {diameter: 0.3 mm, aspect_ratio: 6, youngs_modulus: 200 GPa, poisson_ratio: 0.22, density: "
+         "7850, count: 4}\n"
+         "filling: {region: {z: [1 mm, 50 mm]}}\n"
+         "walls: {box: {x: 9 mm, y: 9 mm, lid: open}}\n"
+         "gravity: [0, 0, -9.81]\n"
+         "contacts: {youngs_modulus: " +
+         modulus + "}\nduration: 0.3 s\n";
+}
+
+BOOST_AUTO_TEST_CASE(a_packing_is_told_how_deep_impacts_of_its_contacts_are) {
+  const Scratch scratch;
+  const std::string name = scratch.file("s.yaml", softened("10 MPa")).string();
+  const json row = row_of(name);
+  const double v = row["impact_speed"].get<double>();
+  BOOST_TEST(v == std::sqrt(2 * 9.81 * 0.05), boost::test_tools::tolerance(0.01));
+  // Hertz: two of the heavier spheres are pressed in most, delta^(5/2) = 15/16 m* v^2 / (E* sqrt(R*))
+  const double R = 0.15e-3, m = 4.0 / 3 * std::acos(-1.0) * R * R * R * 7850, E = 10e6 / (1 - 0.22 * 0.22);
+  const double overlap = std::pow(15.0 / 16 * (m / 2) * v * v / (E / 2 * std::sqrt(R / 2)), 0.4) / R;
+  BOOST_TEST(row["impact_overlap"].get<double>() == overlap, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(overlap > 0.1);
+  const Outcome warned = run({"check", name, "--jobs", "1"});
+  BOOST_TEST(warned.error.find(" of the smaller radius; warning: beyond 0.1 ") != std::string::npos,
+             warned.error);
+  const std::string stiff = scratch.file("t.yaml", softened("70 GPa")).string();
+  BOOST_TEST(run({"check", stiff, "--jobs", "1"}).error == "");
 }
 
 // The run says what the check has said.

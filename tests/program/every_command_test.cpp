@@ -82,6 +82,8 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
         {"tables", "damping", "--aspect-ratio", "5", "--peaks", "0..2", "--bond-damping", "3"},
         {"tables", "friction", "--aspect-ratio", "5", "--peaks", "1..2", "--rolling-friction", "1"},
         {"tables", "shear", "--spheres", "5"},
+        {"tables", "contact-modulus", "--fibers", "150", "--seeds", "1", "--modulus", "1,0.1", "--duration",
+         "2e-4", "--samples", "20"},
         {"stability", "--aspect-ratio", "5", "--poisson-ratio", "0.2", "--bond-damping", "0.5"},
         {"fit", "--aspect-ratio", "5..7", "--held-out", "none", "--no-figures"},
         {"calibrate", "--damping-ratio", "0.02", "--aspect-ratio", "7", "--verify"},

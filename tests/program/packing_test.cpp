@@ -2,6 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "dem/record/csv.hpp"
 #include "dem/trajectory/checkpoint.hpp"
 #include "tests/program/packings.hpp"
 
@@ -77,6 +78,33 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   const io::Checkpoint checkpoint = io::read_checkpoint(results / "small.checkpoint");
   BOOST_TEST(checkpoint.step == row["steps"].get<std::int64_t>());
   BOOST_TEST(checkpoint.scene == text);
+}
+
+BOOST_AUTO_TEST_CASE(softened_contacts_are_followed_and_warned_of) {
+  const FewFibers fibers;
+  std::string text = short_fibers(9000, few);
+  fibers.file("s.yaml", text.replace(text.find("contacts: {"), 11, "contacts: {youngs_modulus: 150 kPa, "));
+  const Outcome outcome = fibers.go({"--json"});
+  BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.error);
+  BOOST_TEST(holds(outcome.error, "of the smaller radius; warning: beyond 0.1 contacts are too soft"));
+  const std::string warning = "warning: a contact has overlapped by";
+  const auto first = outcome.error.find(warning), last = outcome.error.rfind(warning);
+  BOOST_TEST((first < last && outcome.error.rfind("t = ", first) != std::string::npos), outcome.error);
+  BOOST_TEST(outcome.error.find(warning, first + 1) == last,
+             outcome.error);  // once on its way, once at the end
+  const auto row = nlohmann::json::parse(outcome.out)["rows"][0];
+  const io::Table log = io::read_csv(fibers.out("s-log.csv")).table;
+  const std::size_t end = log.rows().size() - 1;
+  BOOST_TEST(row["overlap_mean"].get<double>() == log.number(end, "overlap_mean"));
+  BOOST_TEST(row["overlap_peak"].get<double>() == log.number(end, "overlap_peak"));
+  BOOST_TEST(log.number(end, "overlap_mean") > 1e-3);
+  BOOST_TEST(log.number(end, "overlap_peak") > 0.1);
+  for (std::size_t n = 1; n <= end; ++n) {
+    BOOST_TEST(log.number(n, "overlap_peak") >= log.number(n - 1, "overlap_peak"));
+    BOOST_TEST(log.number(n, "overlap_peak") >= log.number(n, "overlap_mean"));
+  }
+  const auto plain = undisturbed().out("s-log.csv");  // the fibers' own modulus
+  BOOST_TEST(io::read_csv(plain).table.number(end, "overlap_peak") < 0.7 * log.number(end, "overlap_peak"));
 }
 
 BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_resumes_and_ends_the_same) {

@@ -63,7 +63,8 @@ void ChainBatch<Dim>::set_step(int lane, double step) {
   if (kernel_.half_kick == nullptr) return;
   start();  // dashpots at the velocities of this moment
   const LaneArray back = half_kicked(true);
-  for (int i = 0; i <= bonds_; ++i) set_sphere(lane, i, with_velocities(sphere(lane, i), sphere_in(back, lane, i)));
+  for (int i = 0; i <= bonds_; ++i)
+    set_sphere(lane, i, with_velocities(sphere(lane, i), sphere_in(back, lane, i)));
 }
 
 template <int Dim>

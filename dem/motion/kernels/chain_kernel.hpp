@@ -38,7 +38,8 @@ struct ChainKernel {
   void (*start)(const ChainBatchView&);  ///< forces before the first step
   void (*march)(const ChainBatchView&, double steps_before, int steps);
   /// Velocities half a step on, or with `back` from those of the poses' moment half a step back, under the
-  /// forces at hand; forces are not kept. Null where each sphere's follow from its own forces (half_step.hpp).
+  /// forces at hand; forces are not kept. Null where each sphere's follow from its own forces
+  /// (half_step.hpp).
   void (*half_kick)(const ChainBatchView&, double steps_before, bool back);
   void (*start_single_chain)(
       const ChainBatchView&);  ///< one chain of at least `width` bonds along the lanes;

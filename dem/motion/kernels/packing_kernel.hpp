@@ -17,7 +17,8 @@ struct BondAccount {
   double* previous;       ///< `bond_account_size` a bond, lane by lane
   double* bond_damping;   ///< sum [J], one a lane
   double* bond_friction;  ///< sum [J], one a lane
-  double* scheme;         ///< sum [J], one a lane: work on the springs' part of the matrix, where they are solved for
+  double*
+      scheme;  ///< sum [J], one a lane: work on the springs' part of the matrix, where they are solved for
 };
 /// Loads of the dashpots (and of explicit rolling friction), their powers, and the relative spin; where bonds
 /// are solved for, their separation and relative motion.
@@ -64,8 +65,8 @@ struct PackingKernel {
   /// Forces at the rows as they are: MovingSphere by MovingSphere to `scratch`, lane by lane. The history
   /// moves on.
   void (*snapshot)(const PackingBlock&);
-  /// After a snapshot: its velocities half a step on, or with `back` from those of this moment half a step back.
-  /// Null where each sphere's follow from its own forces (half_step.hpp).
+  /// After a snapshot: its velocities half a step on, or with `back` from those of this moment half a step
+  /// back. Null where each sphere's follow from its own forces (half_step.hpp).
   void (*half_kick)(const PackingBlock&, bool back);
   /// Before a step: accounts the energy dissipated in the one before. Null where bonds dissipate none.
   void (*account)(const PackingBlock&, const BondAccount&);

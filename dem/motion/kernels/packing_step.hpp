@@ -179,8 +179,8 @@ Real step_packing_together(const PackingBlock& block) {
   return fastest;
 }
 
-/// The same where bonds are solved for: forces, matrices and elimination in one sweep to the last sphere, kick
-/// and drift in one back.
+/// The same where bonds are solved for: forces, matrices and elimination in one sweep to the last sphere,
+/// kick and drift in one back.
 template <Physics P, class Real>
 Real step_packing_solved(const PackingBlock& block) {
   using std::max;

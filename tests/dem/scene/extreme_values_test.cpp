@@ -60,7 +60,8 @@ const char* const kScenes[] = {
     "planes: [{point: [0, 0, 39 mm], normal: [0, 0, -1], velocity: [0, 0, -0.1], from: 0, until: 5 ms}], "
     "cylinders: [{point: [15 mm, 15 mm, 0], axis: [0, 0, 1], radius: 30 mm, velocity: [0, 0, 0.1], from: 0, "
     "until: 1}]}\n"
-    "gravity: [0, 0, -9.81]\ncontacts: {restitution: 0.5, friction: 0.3, rolling_friction: 0.01}\n"
+    "gravity: [0, 0, -9.81]\ncontacts: {restitution: 0.5, friction: 0.3, rolling_friction: 0.01, "
+    "youngs_modulus: 1 MPa, poisson_ratio: 0.3}\n"
     "motion: {restitution_error: 0.02}\nduration: 5 ms\noutput: {samples: 5, frames: 2, checkpoints: 1}\n",
     "scene: packing\nfibers: [{" FIBER
     ", curvature: {angle: 0.05}, count: 4}]\nperiodic: {x: 30 mm, y: 30 mm}\n"

@@ -25,7 +25,7 @@ walls: {youngs_modulus: 1 GPa, poisson_ratio: 0.4, box: {x: 7 cm, z: 16 cm}, pla
 periodic: {y: 5 cm}
 gravity: [0, 0, -9.81 m/s^2]
 fluid: {viscosity: 30 mPa s, flow: shear, rate: 2 1/s}
-contacts: {restitution: 0.6, friction: 0.25, rolling_friction: 0.01}
+contacts: {restitution: 0.6, friction: 0.25, rolling_friction: 0.01, youngs_modulus: 12 MPa, poisson_ratio: 0.43}
 motion: {step: 2 us, form: total, orientations: true}
 duration: 0.3 s
 output: {samples: 17, frames: 6, checkpoints: 4, vtk: true, energy: true}
@@ -170,6 +170,12 @@ const Fault kFaults[] = {
      "test.yaml:10: contacts.restitution: '1.1' is out of range"},
     {with("contacts:", "contacts: {friction: -0.1}"),
      "test.yaml:10: contacts.friction: '-0.1' is out of range"},
+    {with("contacts:", "contacts: {youngs_modulus: 0}"),
+     "test.yaml:10: contacts.youngs_modulus: '0' is out of range"},
+    {with("contacts:", "contacts: {youngs_modulus: 3 mm}"),
+     "test.yaml:10: contacts.youngs_modulus: '3 mm' has a unit of another dimension"},
+    {with("contacts:", "contacts: {poisson_ratio: 0.6}"),
+     "test.yaml:10: contacts.poisson_ratio: '0.6' is out of range"},
     {with("contacts:", "contacts: {stiction: 1}"), "test.yaml:10: unknown key 'contacts.stiction'"},
     {with("motion:", "motion: {step: 0 s}"), "test.yaml:11: motion.step: '0 s' is out of range"},
     {with("motion:", "motion: {orientations: maybe}"),
@@ -230,6 +236,7 @@ BOOST_AUTO_TEST_CASE(everything_is_read) {
   BOOST_TEST((around.fluid->viscosity == 0.03 && around.fluid->flow.gradient[0][1] == 2));
   BOOST_TEST((around.contacts.restitution == 0.6 && around.contacts.friction == 0.25));
   BOOST_TEST(around.contacts.rolling_friction == 0.01);
+  BOOST_TEST((around.contacts.youngs_modulus == 12e6 && around.contacts.poisson_ratio == 0.43));
   BOOST_TEST((scene.form == dem::BondForm::total && scene.orientations && scene.account_energy));
   BOOST_TEST(scene.step.value() == 2e-6);
   BOOST_TEST((scene.duration == 0.3 && scene.steps == 0));
@@ -261,6 +268,7 @@ BOOST_AUTO_TEST_CASE(what_is_left_out_is_as_documented) {
   BOOST_TEST((scene.filling.seed == 1 && scene.filling.gap == 0 && scene.batches.number == 1));
   BOOST_TEST((scene.filling.orientation.alignment == dem::Alignment::isotropic));
   BOOST_TEST((scene.domain.contacts.restitution == 1 && scene.domain.contacts.friction == 0));
+  BOOST_TEST((!scene.domain.contacts.youngs_modulus && !scene.domain.contacts.poisson_ratio));
   BOOST_TEST(
       (scene.scene_box.low[0] == -0.01 && scene.scene_box.low[2] == 0.01 && scene.scene_box.high[2] == 0.09));
   BOOST_TEST(dem::largest_rate(scene.domain.fluid->flow.gradient) == 0);  // at rest
