@@ -172,7 +172,7 @@ const Checks& stability_checks() {
        limits},
       {{"stable-step-runs", "stable-step-runs-damped"}, agreement, 2},
       {{"stable-step-own"}, own_step},
-      {{"paper-critical-step", "large-step-runs"}, beyond_bond_time, 30},
+      {{"paper-critical-step", "large-step-runs"}, beyond_bond_time, 16},
       {{"large-step-damping", "large-step-frequency"}, first_mode_errors}};
   return checks;
 }
