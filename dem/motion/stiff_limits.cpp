@@ -18,10 +18,10 @@ struct BondWeights {
   double shear, bend, string;
 };
 
-/// Whether A - dt^2/4 (K + G) is positive definite, A = M + beta dt^2 K_0: K_0 the stiffness in the bond's frame as
-/// it is solved for, K that of the drawn bond (shear by its angle, bending with the shortened chord), G of its
-/// tension.
-bool bears(const Fiber& fiber, double tension, double dt, double beta) {
+/// Whether A - dt^2/4 (K + G) is positive definite, A = M + beta dt^2 K_0: K_0 the stiffness in the bond's
+/// frame as it is solved for, K that of the drawn bond (shear by its angle, bending with the shortened
+/// chord), G of its tension.
+bool bears(const Fiber& fiber, double tension, double dt, double beta, Clamps clamps) {
   const BondStiffness K = bond_stiffness(fiber);
   const double l0 = bond_length(fiber), l = l0 + tension / K.stretch, squared = dt * dt;
   const double chord = fiber.bond_model == BondModel::corrected ? tension * l0 / 12 : 0;
@@ -31,14 +31,17 @@ bool bears(const Fiber& fiber, double tension, double dt, double beta) {
   const double ww = bond.shear + bond.string, wp = bond.shear / 2, pp = bond.shear / 4 + bond.bend;
   const double next_pp = bond.shear / 4 - bond.bend;
   Block rest{0, 0, 0};  // from the bond before, what lies before it eliminated
-  for (int i = 0; i <= fiber.aspect_ratio; ++i) {
+  const int last = fiber.aspect_ratio - (clamps.last ? 1 : 0);
+  if (clamps.first) rest = {ww, -wp, pp};
+  for (int i = clamps.first ? 1 : 0; i <= last; ++i) {
     const double share = mass_share(fiber, i);
     Block own{rest.ww + share * sphere_mass(fiber) * l * l, rest.wp, rest.pp + share * sphere_inertia(fiber)};
     if (i < fiber.aspect_ratio) own = {own.ww + ww, own.wp + wp, own.pp + pp};
     const double determinant = own.ww * own.pp - own.wp * own.wp;
     if (!(own.ww > 0 && determinant > 0)) return false;
     // rows of this sphere, columns of the next: (-ww, wp; -wp, next_pp)
-    const double a = (own.pp * -ww + own.wp * wp) / determinant, b = (own.pp * wp - own.wp * next_pp) / determinant,
+    const double a = (own.pp * -ww + own.wp * wp) / determinant,
+                 b = (own.pp * wp - own.wp * next_pp) / determinant,
                  c = (own.wp * ww - own.ww * wp) / determinant,
                  d = (-own.wp * wp + own.ww * next_pp) / determinant;
     rest = {ww + ww * a + wp * c, -wp + ww * b + wp * d, pp - wp * b - next_pp * d};
@@ -48,14 +51,14 @@ bool bears(const Fiber& fiber, double tension, double dt, double beta) {
 
 }  // namespace
 
-double largest_tension(const Fiber& fiber, double dt, double beta) {
+double largest_tension(const Fiber& fiber, double dt, double beta, Clamps clamps) {
   check(fiber);
   double low = 0, high = sphere_mass(fiber) * bond_length(fiber) / (dt * dt);
   const double most = bond_stiffness(fiber).stretch * bond_length(fiber);  // twice as long
-  while (high < most && bears(fiber, high, dt, beta)) high *= 2;
+  while (high < most && bears(fiber, high, dt, beta, clamps)) high *= 2;
   for (int i = 0; i < 50; ++i) {
     const double middle = (low + high) / 2;
-    (bears(fiber, middle, dt, beta) ? low : high) = middle;
+    (bears(fiber, middle, dt, beta, clamps) ? low : high) = middle;
   }
   return low;
 }
@@ -68,14 +71,14 @@ double free_bending_period(const Fiber& fiber) {
          std::sqrt(sphere_mass(fiber) / bond_stiffness(fiber).bend);
 }
 
-double step_for_tension(const Fiber& fiber, double tension, double beta) {
+double step_for_tension(const Fiber& fiber, double tension, double beta, Clamps clamps) {
   if (!(tension > 0)) return std::numeric_limits<double>::infinity();
   double low = 0, high = bond_time_step(fiber);
   check(fiber);
-  while (high < 1e12 * bond_time_step(fiber) && bears(fiber, tension, high, beta)) high *= 2;
+  while (high < 1e12 * bond_time_step(fiber) && bears(fiber, tension, high, beta, clamps)) high *= 2;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (bears(fiber, tension, middle, beta) ? low : high) = middle;
+    (bears(fiber, tension, middle, beta, clamps) ? low : high) = middle;
   }
   return low;
 }

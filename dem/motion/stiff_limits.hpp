@@ -7,14 +7,16 @@
 // straight chain at rest knows no limit. dem/README.md derives both.
 namespace fiberchain::dem {
 
-/// Largest tension of the bonds [N] that a step of `dt` [s] bears: the free straight chain drawn by it is stable,
-/// M + dt^2 (beta K_0 - (K + G)/4) positive definite, G its geometric stiffness, which stays explicit. Free ends
-/// bear half of what an endless chain does, as a beam on an elastic bed (Hetenyi 1946). Compression has no such
-/// limit. At most what draws a bond to twice its length. Throws InvalidInput as check() does.
-double largest_tension(const Fiber& fiber, double dt, double beta = stiff_beta);
+/// Largest tension of the bonds [N] that a step of `dt` [s] bears: the straight chain drawn by it is stable,
+/// M + dt^2 (beta K_0 - (K + G)/4) positive definite, G its geometric stiffness, which stays explicit. Free
+/// ends bear half of what an endless chain does, as a beam on an elastic bed (Hetenyi 1946). Compression has
+/// no such limit. At most what draws a bond to twice its length. Throws InvalidInput as check() does.
+double largest_tension(const Fiber& fiber, double dt, double beta = stiff_beta,
+                       Clamps clamps = {false, false});
 
 /// The largest step [s] that bears a tension [N]; infinite without tension.
-double step_for_tension(const Fiber& fiber, double tension, double beta = stiff_beta);
+double step_for_tension(const Fiber& fiber, double tension, double beta = stiff_beta,
+                        Clamps clamps = {false, false});
 
 /// Turn of a bond in a step [rad] up to which chains that spin or swing freely stay stable, and that steps
 /// are chosen for: spheres go along straight lines, which stretches a bond by beta phi^2 as long as it turns.

@@ -143,7 +143,7 @@ double stiff_release_step(const Release<Dim>& release, double turn) {
   // the tip of a beam turns by about 1.4 a/L as it deflects by a
   const double fastest = 1.4 * swing(release) * 2 * std::numbers::pi / release.period;
   return std::min(fastest > 0 ? turn / fastest : std::numeric_limits<double>::infinity(),
-                  step_for_tension(release.chain.fiber, start_tension(release)));
+                  step_for_tension(release.chain.fiber, start_tension(release), stiff_beta, {true, false}));
 }
 
 template <int Dim>

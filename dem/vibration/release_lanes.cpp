@@ -137,7 +137,8 @@ struct March {
     ReleaseRecord<Dim>& r = records[members[lane]];
     const Fiber& fiber = this->fiber(lane);
     const double l = bond_length(fiber),
-                 strain = largest_tension(fiber, steps[lane]) / (bond_stiffness(fiber).stretch * l);
+                 strain = largest_tension(fiber, steps[lane], stiff_beta, {true, false}) /
+                          (bond_stiffness(fiber).stretch * l);
     for (int i = 0; i < fiber.aspect_ratio; ++i) {
       const auto a = block.sphere(static_cast<int>(lane), i), b = block.sphere(static_cast<int>(lane), i + 1);
       const double turn = norm(b.velocity - a.velocity) * steps[lane] / l,

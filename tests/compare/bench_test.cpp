@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(a_bond_step_costs_more_the_more_a_scene_has) {
   BOOST_TEST(plain > 30.0);
   BOOST_TEST(plain < 200.0);
   BOOST_TEST(flops({2, BondForm::incremental, true, false, false}) > plain);
-  BOOST_TEST(flops({2, BondForm::incremental, true, false, false, true}) >
+  BOOST_TEST(flops({2, BondForm::incremental, true, false, false, dem::Solved::dashpots}) >
              flops({2, BondForm::incremental, true, false, false}));
   BOOST_TEST(flops({3, BondForm::incremental, false, false, false}) > 2 * plain);
   BOOST_CHECK_THROW(compare::operations_of_bond_step({3, BondForm::incremental, true, true, true}),

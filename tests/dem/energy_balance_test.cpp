@@ -57,8 +57,7 @@ Closing released(const Release& r, double part) {
 
 BOOST_AUTO_TEST_CASE(bonds_and_fluid_take_what_is_gone) {
   const dem::AssemblyOptions total_form{.form = dem::BondForm::total},
-      sign{.rolling = dem::Rolling::explicit_sign},
-      stiff{.integrator = dem::Integrator::leapfrog_stiff},
+      sign{.rolling = dem::Rolling::explicit_sign}, stiff{.integrator = dem::Integrator::leapfrog_stiff},
       stiff_total{.integrator = dem::Integrator::leapfrog_stiff, .form = dem::BondForm::total};
   for (const Release& r : {Release{"damped", 0.37},
                            {"damped, total form", 0.37, 0, total_form},

@@ -1,5 +1,5 @@
-// The leapfrog with springs and dashpots solved for within the step: order, energy, the limits that the turn of
-// bonds and their tension set.
+// The leapfrog with springs and dashpots solved for within the step: order, energy, the limits that the turn
+// of bonds and their tension set.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -21,13 +21,15 @@ namespace dem = fiberchain::dem;
 namespace {
 
 dem::Fiber odd_fiber(double bond_damping, int aspect_ratio = 13) {
-  return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, aspect_ratio, dem::BondModel::corrected, bond_damping};
+  return {dem::isotropic_material(3.7e5, 0.17, 431.0), 0.0262, aspect_ratio, dem::BondModel::corrected,
+          bond_damping};
 }
 
-/// A cantilever on whose tip a dead load rises over `ramp` of a period; its tip at the end of `periods`, over L.
+/// A cantilever on whose tip a dead load rises over `ramp` of a period; its tip at the end of `periods`, over
+/// L.
 template <int Dim>
-dem::Vec<double, Dim> pulled_tip(const dem::Fiber& fiber, dem::BondForm form, double load, double steps_per_period,
-                                 double periods, double ramp) {
+dem::Vec<double, Dim> pulled_tip(const dem::Fiber& fiber, dem::BondForm form, double load,
+                                 double steps_per_period, double periods, double ramp) {
   const double dt = dem::first_mode(fiber).period / steps_per_period;
   const dem::Chain<Dim> chain = dem::straight_chain<Dim>(fiber);
   dem::ChainBatch<Dim> block({chain}, {true, false}, {dt}, {0},
@@ -121,7 +123,6 @@ bool stays_straight(const dem::Fiber& fiber, double tension, double dt, double b
 
 }  // namespace
 
-/// Long chains come near the endless one.
 BOOST_AUTO_TEST_CASE(tension_grows_small_motions_beyond_the_predicted_one) {
   const dem::Fiber fiber = odd_fiber(0, 60);
   const double t_b = dem::bond_time_step(fiber);
@@ -130,15 +131,11 @@ BOOST_AUTO_TEST_CASE(tension_grows_small_motions_beyond_the_predicted_one) {
       const double predicted = dem::largest_tension(fiber, ratio * t_b, beta);
       BOOST_TEST_CONTEXT("beta " << beta << " dt / t_b " << ratio << " tension " << predicted) {
         BOOST_TEST(stays_straight(fiber, 0.98 * predicted, ratio * t_b, beta));
-        BOOST_TEST(!stays_straight(fiber, 1.1 * predicted, ratio * t_b, beta));
+        BOOST_TEST(!stays_straight(fiber, 1.03 * predicted, ratio * t_b, beta));
         BOOST_TEST(std::abs(dem::step_for_tension(fiber, predicted, beta) / (ratio * t_b) - 1) < 1e-9);
       }
     }
   }
-  // without a surplus of beta the inertia alone: m l / dt^2
-  BOOST_TEST(std::abs(dem::largest_tension(fiber, 3 * t_b, 0.25) * 9 * t_b * t_b /
-                          (dem::sphere_mass(fiber) * dem::bond_length(fiber)) -
-                      1) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_free_straight_fiber_bends_with_the_period_of_the_beam) {

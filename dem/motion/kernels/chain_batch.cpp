@@ -178,7 +178,9 @@ void ChainBatch<Dim>::start_histories(int lane, const Chain<Dim>& chain, const C
 template <int Dim>
 LaneArray ChainBatch<Dim>::half_kicked(bool back) const {
   LaneArray moved = spheres_.copy();
-  ChainBatchView kicked = const_cast<ChainBatch*>(this)->view();  // writes the copy and the workspace alone
+  auto* own = const_cast<ChainBatch*>(this);  // writes what each march writes anew, and the copy
+  if (!steady_) own->fill_gradients(1);
+  ChainBatchView kicked = own->view();
   kicked.spheres = moved.data();
   kernel_.half_kick(kicked, steps_on_ramp_, back);
   return moved;

@@ -126,7 +126,10 @@ inline void compare(const dem::ChainState<3>& a, const dem::ChainState<3>& b, do
 constexpr int kSteps = 150;
 
 inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
-  const double speed = c.stiff ? 0.02 : c.fluid != Case::vacuum ? 0.15 : c.damping > 0 || c.friction > 0 ? 0.07 : 0.02;
+  const double speed = c.stiff                           ? (c.fluid != Case::vacuum ? 0.019 : 0.012)
+                       : c.fluid != Case::vacuum         ? 0.15
+                       : c.damping > 0 || c.friction > 0 ? 0.07
+                                                         : 0.02;
   std::vector<dem::FiberGroup> groups{scattered(chain_of(c, 7, 1), 11, speed, 3),
                                       scattered(chain_of(c, 4, 1.3), 5, speed, 4),
                                       scattered(chain_of(c, 17, 0.9), 1, speed, 5)};
@@ -138,7 +141,7 @@ inline Off off_of(const Case& c, dem::InstructionSet set, int threads) {
   double dt = 1;
   for (const auto& group : groups) {
     const dem::Fiber& own = group.chain.fiber;
-    dt = std::min(dt, c.stiff ? 1.7 * dem::undamped_time_step(own) : 0.4 * dem::stable_time_step(own));
+    dt = std::min(dt, c.stiff ? 1.2 * dem::undamped_time_step(own) : 0.4 * dem::stable_time_step(own));
   }
   dem::Assembly assembly(groups, s,
                          {.step = dt,
