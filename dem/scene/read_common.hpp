@@ -12,7 +12,7 @@ namespace fiberchain::dem {
 inline constexpr ValueRange kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
 inline constexpr ValueRange kPoissonRatio{.low = -1, .high = 0.5, .low_open = true};
 inline constexpr ValueRange kCoefficient{.low = 0, .high = 1e6};  ///< of friction, damping, drag
-inline constexpr ValueRange kStepRatio{.low = 1e-6, .high = 100};
+inline constexpr ValueRange kStepRatio{.low = 1e-6, .high = 1e5};
 inline constexpr const char* kAxes[] = {"x", "y", "z"};
 
 /// A fiber as typed.

@@ -6,6 +6,7 @@
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/measure/ring_down_release.hpp"
+#include "dem/motion/implicit_bond.hpp"
 #include "dem/vibration/release.hpp"
 
 BOOST_AUTO_TEST_SUITE(integrator_damping_test)
@@ -50,6 +51,19 @@ BOOST_AUTO_TEST_CASE(dashpots_solved_within_the_step_are_second_order_in_damping
                  0.1);
     }
     last = e;
+  }
+}
+
+// bonds solved: -(beta/2 + 1/24) q in xi_f, -(beta - 1/12)/2 q in w, whatever the bond's own step
+BOOST_AUTO_TEST_CASE(bonds_solved_within_the_step_are_second_order_in_damping) {
+  const auto mode = reference::first_bending_mode(compare::linear_chain_of(fiber));
+  for (const int samples : {90, 180}) {
+    const Errors e = errors_of(fiber, mode, dem::Integrator::leapfrog_stiff, samples, std::nullopt);
+    const double q = e.step_angle * e.step_angle;
+    BOOST_TEST(std::abs(e.step_angle - 2 * std::acos(-1) / samples) < 0.02 * e.step_angle);
+    BOOST_TEST(std::abs(e.damping / (-(dem::stiff_beta / 2 + 1.0 / 24) * q) - 1) < 0.03);
+    BOOST_TEST(std::abs(e.frequency / (-(dem::stiff_beta - 1.0 / 12) / 2 * q) - 1) < 0.03);
+    if (samples == 90) BOOST_TEST(std::abs(e.damping) < 1e-3);
   }
 }
 

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(scenes_of_one_fiber) {
                                       "load: {reduced: 3, direction: [0.1, 1, 0.3]}\n");
   scratch.file("march.yaml",
                std::string("scene: cantilever\nmethod: march\n") + kFiber + "load: {reduced: 3}\n");
-  for (const std::string way : {"leapfrog", "leapfrog-damped", "implicit", "cvode"})
+  for (const std::string way : {"leapfrog", "leapfrog-damped", "leapfrog-stiff", "implicit", "cvode"})
     scratch.file(way + ".yaml",
                  std::string("scene: release\n") + kFiber +
                      "bond: {damping: 1}\nload: {reduced: 1}\nperiods: 3\ntime: {integrator: " + way + "}\n");
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(scenes_of_one_fiber) {
                                 "interactions}\n"
                                 "start: {direction: [0, 1, 1]}\nstrain: 0.5\nsamples: 10\n");
   for (const std::string name :
-       {"cantilever", "march", "leapfrog", "leapfrog-damped", "implicit", "cvode", "flow"}) {
+       {"cantilever", "march", "leapfrog", "leapfrog-damped", "leapfrog-stiff", "implicit", "cvode", "flow"}) {
     for (const std::string command : {"check", "run"}) {
       const Words words = {command, name + ".yaml"};
       check_fine(run(words, {.directory = scratch.path}), words);

@@ -29,7 +29,7 @@ std::string scene(const std::string& time, const std::string& bond = "damping: 1
 // xi_f and frequency of the linear chain's first mode, whatever follows it in time.
 BOOST_AUTO_TEST_CASE(every_integrator_gives_the_damping_of_the_linear_chain) {
   for (const char* time : {"integrator: auto", "integrator: leapfrog", "integrator: leapfrog-damped",
-                           "integrator: implicit", "integrator: cvode"}) {
+                           "integrator: leapfrog-stiff", "integrator: implicit", "integrator: cvode"}) {
     const Scratch scratch;
     scratch.file("s.yaml", scene(time));
     const Outcome outcome = run({"run", "s.yaml", "--json"}, {.directory = scratch.path});
