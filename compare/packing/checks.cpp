@@ -15,7 +15,7 @@ namespace {
 struct Groups {
   std::vector<SeedGroup> all;
   const SeedGroup *least = nullptr, *most = nullptr, *friction = nullptr, *stiff = nullptr,
-                  *half_step = nullptr;
+                  *half_step = nullptr, *solved = nullptr;
   const PackingRun* accounted = nullptr;
 };
 
@@ -26,7 +26,9 @@ bool finished(const SeedGroup& group) {
 void assign(Groups& groups, const SeedGroup& group) {
   const PackingCase& c = group.asked;
   const double damping = c.bond_damping;
-  if (c.stiffness != 1) {
+  if (c.integrator != dem::Integrator::leapfrog) {
+    groups.solved = &group;
+  } else if (c.stiffness != 1) {
     groups.stiff = &group;
   } else if (c.step_ratio != 1) {
     groups.half_step = &group;
@@ -157,12 +159,22 @@ Answer rods(const Groups& g) {
        spread_over(*g.least, fraction_at_rest).mean, spread_over(*g.stiff, fraction_at_rest).mean}};
 }
 
-Answer half_step(const Groups& g) {
-  if (!g.half_step || !g.least || g.least->runs.size() < 2) return {};
-  const Spread seeds = bending_spread(*g.least).plateau, halved = bending_spread(*g.half_step).plateau;
-  return Measured{.value = (halved.mean - seeds.mean) / seeds.mean,
+/// Relative change of the plateau by another way to march.
+Answer change_of_plateau(const Groups& g, const SeedGroup* other) {
+  if (!other || !g.least || g.least->runs.size() < 2) return {};
+  const Spread seeds = bending_spread(*g.least).plateau, changed = bending_spread(*other).plateau;
+  return Measured{.value = (changed.mean - seeds.mean) / seeds.mean,
                   .evidence = {static_cast<int>(g.least->runs.size())},
                   .spread = seeds.deviation / seeds.mean};
+}
+
+Answer half_step(const Groups& g) { return change_of_plateau(g, g.half_step); }
+
+/// Bonds solved for within the step, at the contacts' step.
+Answer solved_bonds(const Groups& g) {
+  Answer answer = change_of_plateau(g, g.solved);
+  if (answer) answer->evidence.emplace_back(g.solved->runs.front()->step / g.least->runs.front()->step);
+  return answer;
 }
 
 Answer energy(const Groups& g) {
@@ -185,6 +197,7 @@ constexpr Statement kStatements[] = {
     {"paper-fig11-expansion", springs_back},
     {"paper-fig11-rods", rods},
     {"packing-half-step", half_step},
+    {"packing-solved-bonds", solved_bonds},
     {"packing-energy", energy}};
 
 /// All statements by the small packings.
@@ -240,6 +253,8 @@ std::vector<PackingCase> row_cases() {
     add(&PackingCase::rolling_friction, 1);
     add(&PackingCase::stiffness, 20);
     add(&PackingCase::step_ratio, 0.5);
+    cases.push_back(c);
+    cases.back().integrator = dem::Integrator::leapfrog_stiff;
   }
   cases.front().accounted = true;
   return cases;

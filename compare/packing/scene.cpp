@@ -50,7 +50,8 @@ dem::Domain room_of(double side, const PackingCase& asked) {
 /// contacts' only.
 double step_of(const dem::PackingScene& scene) {
   const dem::FiberGroup group{dem::straight_chain<3>(scene.kinds.front().fiber), {}};
-  const dem::StepChoice choice = dem::stable_time_step({group}, scene.domain);
+  const dem::StepChoice choice =
+      dem::stable_time_step({group}, scene.domain, {.integrator = scene.integrator});
   return std::min(0.8 * dem::largest_bond_step(choice), 0.45 * choice.contacts);
 }
 
@@ -69,6 +70,7 @@ dem::PackingScene packing_scene(const PackingCase& asked) {
   scene.scene_box = {{0, 0, 0}, {side, side, highest}};
   scene.duration = asked.duration;
   scene.account_energy = asked.accounted;
+  scene.integrator = asked.integrator;
   scene.step = asked.step_ratio * step_of(scene);
   return scene;
 }

@@ -21,6 +21,7 @@ struct PackingCase {
   double side = 0.1;       ///< of the square floor [m]; with it and the number goes the depth
   std::uint64_t seed = 1;  ///< of the filling
   double step_ratio = 1;   ///< time step over the usual: 0.8 of the bonds' limit, 0.45 of the contacts'
+  dem::Integrator integrator = dem::Integrator::leapfrog;
   double duration = kPackingDuration;  ///< [s]
   bool periodic = false;               ///< sides, in place of walls
   bool accounted = false;              ///< energy by mechanism

@@ -13,7 +13,7 @@ namespace {
 /// What is asked but for the seed.
 auto key(const PackingCase& c) {
   return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.contact_modulus, c.bond_damping,
-                    c.rolling_friction, c.step_ratio);
+                    c.rolling_friction, c.step_ratio, c.integrator);
 }
 
 bool finished(const PackingRun& run) { return run.status == "finished"; }
@@ -109,6 +109,7 @@ std::string label_of(const PackingCase& asked) {
   if (asked.rolling_friction > 0) label += fmt::format(", ξ_r = {:g}", asked.rolling_friction);
   if (asked.stiffness != 1) label += fmt::format(", {:g} E", asked.stiffness);
   if (asked.contact_modulus != 1) label += fmt::format(", contacts of {:g} of it", asked.contact_modulus);
+  if (asked.integrator != dem::Integrator::leapfrog) label += fmt::format(", {}", name(asked.integrator));
   if (asked.step_ratio != 1) label += fmt::format(", {:g} of the step", asked.step_ratio);
   return label;
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compare/measure/linear_chain_of.hpp"
+#include "compare/stability/large_motion.hpp"
 #include "compare/stability/marched_mode.hpp"
 #include "compare/stability/table.hpp"
 #include "compare/static/case.hpp"
@@ -136,6 +137,27 @@ std::vector<Measured> first_mode_errors(const ValidationInput&) {
            .expected = expected.frequency_error()}};
 }
 
+/// Order of the path at large deflection in the plane and in space, and momenta, both forms.
+std::vector<Measured> large_motions(const ValidationInput&) {
+  double planar = 2, spatial = 2, momentum = 0, ratio = 0, error = 0;
+  const auto farther = [](double from, double now) {
+    return std::abs(now - 2) > std::abs(from - 2) ? now : from;
+  };
+  for (const auto form : {dem::BondForm::total, dem::BondForm::incremental}) {
+    for (const double load : {0.01, 3.1}) {
+      const ObservedOrder plane = order_of_large_motion<2>(form, load),
+                          space = order_of_large_motion<3>(form, load);
+      planar = farther(planar, plane.order), spatial = farther(spatial, space.order);
+      ratio = plane.ratio, error = std::max(error, space.error);
+    }
+    for (const double steps : {10.0, 100.0}) {
+      const MomentumChange change = momentum_change(form, steps);
+      momentum = std::max({momentum, change.linear, change.angular});
+    }
+  }
+  return {{planar, {ratio}}, {spatial, {ratio, error}}, {momentum}};
+}
+
 double rayleigh_percent(double nu) {
   const reference::ChainMaterial material{10, 1e-3, 2.6e6, nu, 1000};
   return 100 * reference::bond_time(reference::linear_chain(material)) / reference::rayleigh_step(material);
@@ -173,7 +195,8 @@ const Checks& stability_checks() {
       {{"stable-step-runs", "stable-step-runs-damped"}, agreement, 2},
       {{"stable-step-own"}, own_step},
       {{"paper-critical-step", "large-step-runs"}, beyond_bond_time, 16},
-      {{"large-step-damping", "large-step-frequency"}, first_mode_errors}};
+      {{"large-step-damping", "large-step-frequency"}, first_mode_errors},
+      {{"large-step-order-planar", "large-step-order-spatial", "large-step-momentum"}, large_motions}};
   return checks;
 }
 

@@ -135,6 +135,42 @@ BOOST_AUTO_TEST_CASE(fibers_side_by_side_go_as_each_alone) {
   side_by_side_as_alone<3>();
 }
 
+namespace {
+
+/// How far the stiff leapfrog at `ratio` t_b ends from the explicit one at a twentieth, over L.
+template <int Dim>
+double stiff_error(dem::BondForm form, double ratio) {
+  const dem::Fiber fiber = fiber_of(13, 0.4);
+  const double t_b = dem::bond_time_step(fiber);
+  const auto flow = straight_case<Dim>(
+      fiber, {viscosity_of(fiber, 0.005 / t_b), {dem::simple_shear(4e-4 / t_b)}}, 1.0, Dim == 3 ? 0.4 : 0.0);
+  const std::vector<double> times{2400 * t_b};
+  dem::FlowOptions stiff, fine;
+  stiff.form = fine.form = form;
+  stiff.method = dem::FlowMethod::leapfrog_stiff;
+  stiff.step_ratio = ratio;
+  fine.method = dem::FlowMethod::leapfrog;
+  fine.step_ratio = 0.05;
+  const auto a = path(flow, times, stiff), b = path(flow, times, fine);
+  BOOST_TEST(a.record.failure == "");
+  return flowing::distance(a.states[0], b.states[0], fiber);
+}
+
+}  // namespace
+
+/// With inertia, drag and bonds solved for together: second order, far beyond the bond's own step.
+BOOST_AUTO_TEST_CASE(bonds_that_are_solved_for_in_a_fluid_follow_the_explicit_path) {
+  for (const auto form : {dem::BondForm::total, dem::BondForm::incremental}) {
+    const auto follows = [](double coarse, double fine) {
+      BOOST_TEST_MESSAGE("errors " << coarse << ", " << fine << ", order " << std::log2(coarse / fine));
+      BOOST_TEST(coarse < 1e-2);
+      BOOST_TEST(std::abs(std::log2(coarse / fine) - 2) < 0.15);
+    };
+    follows(stiff_error<2>(form, 12), stiff_error<2>(form, 6));
+    follows(stiff_error<3>(form, 12), stiff_error<3>(form, 6));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(counts_its_work_and_takes_whole_steps_to_each_time) {
   const dem::Fiber fiber = fiber_of(8);
   const double t_b = dem::bond_time_step(fiber);

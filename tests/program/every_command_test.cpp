@@ -41,8 +41,8 @@ BOOST_AUTO_TEST_CASE(scenes_of_one_fiber) {
                                 "fluid: {viscosity: 1 Pa s, flow: shear, rate: 0.01 1/s, hydrodynamics: "
                                 "interactions}\n"
                                 "start: {direction: [0, 1, 1]}\nstrain: 0.5\nsamples: 10\n");
-  for (const std::string name :
-       {"cantilever", "march", "leapfrog", "leapfrog-damped", "leapfrog-stiff", "implicit", "cvode", "flow"}) {
+  for (const std::string name : {"cantilever", "march", "leapfrog", "leapfrog-damped", "leapfrog-stiff",
+                                 "implicit", "cvode", "flow"}) {
     for (const std::string command : {"check", "run"}) {
       const Words words = {command, name + ".yaml"};
       check_fine(run(words, {.directory = scratch.path}), words);

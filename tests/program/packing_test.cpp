@@ -129,6 +129,14 @@ BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
               io::read_checkpoint(others.out("s.checkpoint")).state));
 }
 
+BOOST_AUTO_TEST_CASE(fibers_whose_bonds_are_solved_for_survive_a_kill) {
+  const std::string stiff = "}\nmotion: {integrator: leapfrog-stiff";  // behind the filling
+  const FewFibers fibers(8000, stiff), others(8000, stiff);
+  BOOST_REQUIRE_EQUAL(others.go().status, 0);
+  BOOST_TEST(kill_and_resume(fibers, {0, 7}) >= 1);
+  BOOST_TEST(same_end(fibers, others));
+}
+
 BOOST_AUTO_TEST_CASE(fibers_that_come_in_batches_survive_a_kill) {
   const std::string batches = ", batches: {number: 3, interval: 15 ms}";
   const FewFibers fibers(12000, batches), others(12000, batches);
