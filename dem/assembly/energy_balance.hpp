@@ -51,7 +51,7 @@ inline constexpr std::array energy_mechanisms = {
                     "taken by contacts, rolling", "taken by the rolling friction of contacts"},
     EnergyMechanism{&EnergyBalance::scheme, EnergyRole::dissipated, "taken_scheme", "taken by the scheme",
                     "work of beta dt^2 K, which stands beside the masses where bonds are "
-                    "solved within the step"},
+                    "solved for within the step"},
     EnergyMechanism{&EnergyBalance::fluid, EnergyRole::dissipated, "taken_fluid", "taken by the fluid",
                     "taken by the fluid"},
     EnergyMechanism{&EnergyBalance::wall_work, EnergyRole::supplied, "given_walls", "given by walls",

@@ -166,8 +166,8 @@ BOOST_AUTO_TEST_CASE(bonds_that_are_solved_for_in_a_fluid_follow_the_explicit_pa
       BOOST_TEST(coarse < 1e-2);
       BOOST_TEST(std::abs(std::log2(coarse / fine) - 2) < 0.15);
     };
-    follows(stiff_error<2>(form, 12), stiff_error<2>(form, 6));
-    follows(stiff_error<3>(form, 12), stiff_error<3>(form, 6));
+    follows(stiff_error<2>(form, 4), stiff_error<2>(form, 2));
+    follows(stiff_error<3>(form, 4), stiff_error<3>(form, 2));
   }
 }
 
