@@ -6,6 +6,8 @@
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/sizes.hpp"
+#include "compare/bench/stiff.hpp"
+#include "compare/bench/stiff_packing.hpp"
 #include "compare/bench/tables.hpp"
 #include "compare/bench/threads.hpp"
 #include "compare/study/markdown.hpp"
@@ -18,7 +20,18 @@ namespace {
 using compare::BenchOptions;
 using compare::PrecisionProblem;
 
-enum class Case { statics, damping, history, flow, feature_costs, kernels, packing, threads, sizes };
+enum class Case {
+  statics,
+  damping,
+  history,
+  flow,
+  feature_costs,
+  kernels,
+  packing,
+  threads,
+  sizes,
+  stiff_packing
+};
 using Cases = std::vector<Case>;
 
 const std::vector<std::string> kShownWanted = {"problem", "wanted_error", "among",    "method",
@@ -126,10 +139,33 @@ void add_sizes(Report& report, const BenchOptions& options) {
   report.add("bench-sizes", "A sphere-step of fibers of one size and of many", times, times);
 }
 
+void add_stiff(Report& report, const dem::PackingScene& scene, const BenchOptions& options) {
+  const auto problems = compare::stiff_release_problems(options);
+  const dem::Table releases = compare::release_time_table(problems);
+  report.add("bench-stiff-releases", "A period of a release, by the leapfrogs", releases, releases);
+  for (auto& figure : compare::precision_figures(problems))
+    report.results.figures.push_back(std::move(figure));
+  const dem::Table steps = compare::stiff_step_table(compare::stiff_step_times(scene, options));
+  report.add(
+      "bench-stiff-steps",
+      "A sphere-step of 2000 steel fibers with explicit bonds and with bonds solved for, and the time of "
+      "the scene at that cost, extrapolated from a slice of it",
+      steps, steps);
+}
+
+void add_stiff_packing(Report& report, const BenchOptions& options, int jobs) {
+  compare::StiffPackingPlan plan;
+  if (options.quick) plan.fibers = 12, plan.seeds = 2, plan.duration = 1e-4, plan.step_ratios = {10, 50};
+  const auto runs = compare::resting_packings(plan, jobs);
+  const dem::Table effects = compare::step_effect_table(runs);
+  report.add("bench-stiff-packing", "A small packing of steel fibers at rest, by the step", effects, effects);
+  report.results.more_tables.emplace_back("bench-stiff-packing-runs", compare::resting_table(runs));
+}
+
 int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics, Case::damping, Case::history, Case::flow, Case::feature_costs,
-              Case::kernels, Case::packing, Case::threads, Case::sizes};
+  Cases cases{Case::statics, Case::damping, Case::history, Case::flow,  Case::feature_costs,
+              Case::kernels, Case::packing, Case::threads, Case::sizes, Case::stiff};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -139,11 +175,14 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"flow", Case::flow},
                       {"packing", Case::packing},
                       {"threads", Case::threads},
-                      {"sizes", Case::sizes}});
+                      {"sizes", Case::sizes},
+                      {"stiff", Case::stiff},
+                      {"stiff-packing", Case::stiff_packing}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
-  std::optional<dem::PackingScene> packing;  // read now: a bench does not end for want of it
+  std::optional<dem::PackingScene> packing, steel;  // read now: a bench does not end for want of it
   if (has(cases, Case::packing)) packing = ready_scene("crossed-layers");
+  if (has(cases, Case::stiff)) steel = ready_scene("steel-wool");
   const auto directory = open_output(output, context);
   Report report;
   add_problems(report, problems_of(cases, options, context));
@@ -151,6 +190,8 @@ int run_bench(const Arguments& arguments, Context& context) {
   if (packing) add_packing(report, *packing, options);
   if (has(cases, Case::threads)) add_threads(report, options);
   if (has(cases, Case::sizes)) add_sizes(report, options);
+  if (steel) add_stiff(report, *steel, options);
+  if (has(cases, Case::stiff_packing)) add_stiff_packing(report, options, output.jobs);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
 }
@@ -166,14 +207,17 @@ Command bench_command() {
           std::string("One thread, but for packings; a method that fails keeps its row with its status.\n"
                       "Example:\n  fiberchain bench --quick --case static\n") +
           kListHelp,
-      .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
-                  {"--case", "LIST",
-                   "static, damping, history, skips, kernels, flow, packing, threads, sizes [all]"},
-                  {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
-                  json_option(),
-                  {"--out", "DIR",
-                   "directory for the results; with --json none are written unless given [results]"},
-                  no_figures_option()},
+      .options =
+          {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
+           {"--case", "LIST",
+            "static, damping, history, skips, kernels, flow, packing, threads, sizes, stiff [all of these], "
+            "stiff-packing (18 packings in full, half an hour of one core)"},
+           {"--jobs", "N", "packings side by side in stiff-packing [all cores]", OptionKind::text,
+            "--threads"},
+           {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
+           json_option(),
+           {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"},
+           no_figures_option()},
       .run = &run_bench};
 }
 

@@ -81,14 +81,17 @@ PrecisionProblem damping_problem(int aspect_ratio, const BenchOptions& options) 
           "all modes of the linear chain by a dense eigensolve; own error: the same chain in other units, "
           "and the amplitude",
       .reference_error = exact.error,
-      .rows = {}};
+      .rows = {},
+      .periods = damping_periods};
   problem.rows.push_back(eigenvalue_row(fiber, exact, row_budget(options)));
   const ChainMode mode = reference::first_bending_mode(linear_chain_of(fiber));
   const dem::Release<2> release = mode_release(fiber, mode, amplitude, damping_periods);
-  auto rows = ring_down_rows(ring_down_settings(release, options.quick, false), release, row_budget(options),
-                             [&](const dem::ReleaseRecord<2>& record) {
-                               return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
-                             });
+  const auto settings = options.leapfrogs_alone ? leapfrog_settings(release, options.quick)
+                                                : ring_down_settings(release, options.quick, false);
+  auto rows =
+      ring_down_rows(settings, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
+        return std::abs(fitted_damping(record, fiber) / exact.damping - 1);
+      });
   std::ranges::move(rows, std::back_inserter(problem.rows));
   return problem;
 }

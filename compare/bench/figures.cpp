@@ -49,7 +49,8 @@ int color_of(const std::string& method, int place) {
                                    "leapfrog-damped, 8 in lanes",
                                    "implicit",
                                    "cvode",
-                                   "auto"};
+                                   "auto",
+                                   "leapfrog-stiff"};
   const auto found = std::ranges::find(known, method);
   if (found != std::end(known)) return static_cast<int>(found - std::begin(known));
   if (method == "leapfrog, total form") return 0;

@@ -62,11 +62,14 @@ PrecisionProblem history_problem(int aspect_ratio, double load, const BenchOptio
       .reference =
           "GSL's Prince-Dormand 8(9) at 1e-12 on the chain's equations; own error: its distance from 1e-11",
       .reference_error = largest_distance(exact, looser),
-      .rows = {}};
-  auto rows = ring_down_rows(ring_down_settings(release, options.quick, true), release, row_budget(options),
-                             [&](const dem::ReleaseRecord<2>& record) {
-                               return path_error(record, exact, dem::fiber_length(fiber));
-                             });
+      .rows = {},
+      .periods = history_periods};
+  const auto settings = options.leapfrogs_alone ? leapfrog_settings(release, options.quick)
+                                                : ring_down_settings(release, options.quick, true);
+  auto rows =
+      ring_down_rows(settings, release, row_budget(options), [&](const dem::ReleaseRecord<2>& record) {
+        return path_error(record, exact, dem::fiber_length(fiber));
+      });
   std::ranges::move(rows, std::back_inserter(problem.rows));
   return problem;
 }

@@ -11,6 +11,7 @@ namespace fiberchain::compare {
 struct BenchOptions {
   bool quick = false;               ///< fewer settings and runs, under half a minute in all
   std::vector<int> aspect_ratio{};  ///< of the damping problems; empty: 10, 30, 100 (quick 10, 30)
+  bool leapfrogs_alone = false;     ///< of the integrators that march a release
 };
 
 /// How long a row may be timed.

@@ -45,6 +45,21 @@ void add_explicit(std::vector<RingDownSetting>& all, const dem::Fiber& fiber, In
   }
 }
 
+/// By steps a period, each a whole number of times in a sample.
+void add_stiff(std::vector<RingDownSetting>& all, const dem::Release<2>& release,
+               const std::vector<int>& steps_a_period, int side_by_side) {
+  std::string method(dem::name(Integrator::leapfrog_stiff));
+  if (side_by_side > 1) method += fmt::format(", {} in lanes", side_by_side);
+  const double t_b = dem::bond_time_step(release.chain.fiber);
+  for (const int steps : steps_a_period) {
+    dem::ReleaseOptions options;
+    options.integrator = Integrator::leapfrog_stiff;
+    options.step_ratio = release.period / (steps * t_b) * (1 + 1e-9);  // a sample's length rounds
+    options.samples_per_period = steps % 30 == 0 ? 30 : 50;
+    all.push_back({method, fmt::format("dt = T/{}", steps), false, options, side_by_side});
+  }
+}
+
 PrecisionRow asked_row(const RingDownSetting& setting, const dem::Release<2>& release) {
   return {.method = setting.method,
           .setting = setting.text,
@@ -90,6 +105,9 @@ std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, 
   } else if (!is_long) {
     add_explicit(all, fiber, Integrator::leapfrog_damped, BondForm::incremental, finer, lanes());
   }
+  const auto stiff_steps = quick ? std::vector{30, 90} : std::vector{30, 90, 270, 810};
+  add_stiff(all, release, stiff_steps, 1);
+  if (!is_long) add_stiff(all, release, stiff_steps, lanes());
   for (const int steps_a_period : quick ? std::vector{30, 90} : std::vector{10, 30, 90, 270, 810}) {
     dem::ReleaseOptions options;
     options.form = BondForm::total;
@@ -113,6 +131,15 @@ std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, 
     options.samples_per_period = 50;
     all.push_back({"auto", fmt::format("error {:.0e}", error), false, options});
   }
+  return all;
+}
+
+std::vector<RingDownSetting> leapfrog_settings(const dem::Release<2>& release, bool quick) {
+  const StepParts parts{quick ? std::vector{0.95} : std::vector{0.95, 0.5}, 50};
+  std::vector<RingDownSetting> all;
+  for (const Integrator integrator : {Integrator::leapfrog, Integrator::leapfrog_damped})
+    add_explicit(all, release.chain.fiber, integrator, BondForm::incremental, parts, 1);
+  add_stiff(all, release, quick ? std::vector{30, 90} : std::vector{30, 60, 90, 200, 450}, 1);
   return all;
 }
 

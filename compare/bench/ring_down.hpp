@@ -18,10 +18,14 @@ struct RingDownSetting {
   int side_by_side = 1;  ///< equal chains in lanes; the time is that of one
 };
 
-/// Leapfrogs by parts of their largest stable step, alone and in lanes; implicit by steps a period; CVODE by
-/// tolerance.
-/// `total_too`: the leapfrogs by total strain as well, which differ where the deflection is large.
+/// Leapfrogs by parts of their largest stable step, alone and in lanes; leapfrog-stiff and implicit by steps
+/// a period; CVODE by tolerance. `total_too`: the leapfrogs by total strain as well, which differ where the
+/// deflection is large.
 std::vector<RingDownSetting> ring_down_settings(const dem::Release<2>& release, bool quick, bool total_too);
+
+/// The leapfrogs alone: explicit by parts of their largest stable step, with bonds solved for by parts of the
+/// first period.
+std::vector<RingDownSetting> leapfrog_settings(const dem::Release<2>& release, bool quick);
 
 /// A method is not asked for finer settings than the first that took this long [s]: each costs several times
 /// more.

@@ -36,6 +36,7 @@ struct PrecisionProblem {
   std::string reference;    ///< what the error is measured against; none of the ranked methods
   double reference_error;   ///< its own, estimated as `reference` says
   std::vector<PrecisionRow> rows;
+  double periods = 0;  ///< of the first mode that a run covers; 0 where there are none
 };
 
 inline constexpr const char* measured_status = "measured";

@@ -36,6 +36,14 @@ inline constexpr Column benchmark[] = {
      "run time of the paper's way at the cheapest setting that keeps the error"},
     {"speedup", number, "1", "run_time_paper over run_time"},
 
+    {"period_time", number, "s", "run_time of one period of the first mode"},
+    {"times_faster", number, "1",
+     "time of the explicit leapfrog at the largest step that is listed, over that here"},
+    {"bed", text, "",
+     "how fibers lie: falling (none touch) or stack (parallel between tight walls, each sphere in four "
+     "contacts)"},
+    {"slice", number, "s", "simulated by the steps that were timed; expected_time is extrapolated from it"},
+
     // What is skipped, and the inner loops.
     {"skipped", text, "", "what a scene does without"},
     {"scene", text, "", "what is left"},

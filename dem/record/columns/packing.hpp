@@ -104,6 +104,8 @@ inline constexpr Column packing[] = {
     {"mean", number, "", "over the seeds"},
     {"half_width", number, "", "of the two-sided 95 % interval of the mean, Student's t"},
     {"standard_deviation", number, "", "of one run"},
+    {"off_in_spreads", number, "1",
+     "mean less that of the explicit scheme, over the larger of both standard deviations"},
     {"least", number, "", "of the seeds"},
     {"most", number, "", "of the seeds"},
 };
