@@ -122,7 +122,9 @@ void check_together(const StrictMapping& top, const FlowScene& scene) {
              "cvode have free_draining");
   }
   if (scene.motion.form == BondForm::incremental && !is_leapfrog(method)) {
-    top.fail("bond", "form: incremental is built for method: leapfrog and leapfrog-stiff; inertialess and cvode have form: total");
+    top.fail("bond",
+             "form: incremental is built for method: leapfrog and leapfrog-stiff; inertialess and cvode have "
+             "form: total");
   }
 }
 
