@@ -98,9 +98,9 @@ constexpr void each_physics(std::integer_sequence<BondForm, forms...>, const Emi
     ((BondLawType<forms>::rolls ? with(forms, Solved::nothing, Rolling::set_valued) : void()), ...);
     ((BondLawType<forms>::rolls ? with(forms, Solved::nothing, Rolling::explicit_sign) : void()), ...);
     plain.solved = Solved::bonds;
-    for (const bool fluid : {false, true}) {
+    for (const bool fluid : {false, true}) {  // the stiffness of a law from outside is not known
       plain.fluid = fluid;
-      (rest_shapes<forms>(plain, emit), ...);
+      ((is_in_library(forms) ? rest_shapes<forms>(plain, emit) : void()), ...);
     }
     plain.solved = Solved::nothing;
     for (const bool damped : {false, true}) {
