@@ -30,6 +30,7 @@ enum class Case {
   packing,
   threads,
   sizes,
+  stiff,
   stiff_packing
 };
 using Cases = std::vector<Case>;

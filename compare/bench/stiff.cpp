@@ -51,9 +51,9 @@ dem::PackingStart stacked(dem::PackingStart start, std::int64_t fibers) {
 }
 
 /// Marches in windows and keeps what the fastest took.
-class Windows {
+class SchemeTimer {
  public:
-  Windows(const dem::PackingScene& scene, const std::string& bed) : duration_(scene.duration) {
+  SchemeTimer(const dem::PackingScene& scene, const std::string& bed) : duration_(scene.duration) {
     dem::PackingStart start = dem::packing_start(scene, 1);
     if (bed == "stack") start = stacked(std::move(start), dem::fibers_in(scene));
     start.options.time_parts = true, start.options.account_energy = false;
@@ -151,7 +151,7 @@ std::vector<StiffStepTime> stiff_step_times(const dem::PackingScene& scene, cons
       if (options.quick) plain.kinds.front().count = std::min<std::int64_t>(plain.kinds.front().count, 100);
       dem::PackingScene stiff = plain;
       plain.integrator = Integrator::leapfrog, stiff.integrator = Integrator::leapfrog_stiff;
-      Windows explicitly(plain, bed), solved(stiff, bed);
+      SchemeTimer explicitly(plain, bed), solved(stiff, bed);
       for (int n = 0; n < rounds; ++n) explicitly.march(window), solved.march(window);
       times.push_back(explicitly.time()), times.push_back(solved.time());
     }
