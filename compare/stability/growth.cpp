@@ -73,9 +73,9 @@ GrowthPoint point_of(const GrowthCase& asked) {
   for (const double ratio : asked.step_ratios)
     point.at.push_back({ratio, largest_root(asked.chain, ratio), 0, 0, 0});
   const StabilityRun run = run_of(asked.chain);
-  const auto width = static_cast<std::ptrdiff_t>(lanes_of_block(run));
+  const auto lanes = static_cast<std::ptrdiff_t>(lanes_of_block(run));
   for (auto first = point.at.begin(); first != point.at.end();) {
-    const auto last = first + std::min(width, point.at.end() - first);
+    const auto last = first + std::min(lanes, point.at.end() - first);
     measure(run, first, last);
     first = last;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dem/model/errors.hpp"
+#include "dem/motion/stiff_limits.hpp"
 #include "dem/record/errors.hpp"
 #include "dem/record/run_status.hpp"
 #include "dem/run/companions.hpp"
@@ -269,6 +270,10 @@ void take_end(const Session& session, const PackingJob& job, const PackingWatche
   end.last = measure(session.assembly(), job.scene);
   end.coordination = coordination(session.assembly());
   say_how_deep(end.last, session.assembly().longest_path(), watchers.say);
+  if (session.assembly().integrator() == Integrator::leapfrog_stiff) {
+    watchers.say(fmt::format("largest turn of a bond in a step {:.2g} rad, allowed {:g}",
+                             session.assembly().largest_turn(), largest_turn));
+  }
   const int next = session.batches().next();
   if (next < job.scene.batches.number && end.last.step == end.steps) end.next_batch = next;
 }
