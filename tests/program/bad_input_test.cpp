@@ -137,7 +137,6 @@ const Usage kUsages[] = {
     {{"bench", "--case", "guess"}, "--case: 'guess' is not among static, damping, history, skips, kernels"},
     {{"bench", "--aspect-ratio", "1"}, "--aspect-ratio: '1' is out of range"},
     {{"bench", "--aspect-ratio", "9.5"}, "--aspect-ratio: '9.5' wants whole numbers"},
-    {{"bench", "--jobs", "2"}, "unknown option '--jobs' of 'bench'"},
     {{"validate", "--data", "/nonexistent"}, "no directory 'published'"},
     {{"validate", "--part", "static,pages"}, "pages"},
 };
