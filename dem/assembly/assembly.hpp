@@ -161,8 +161,8 @@ inline constexpr double chosen_part = 0.9;
 inline constexpr double chosen_path = 0.1;
 
 /// Parts of the first period of bending of a free fiber, and of an impact between single spheres, that a step
-/// in which bonds are solved for takes at most: packings at rest are the same within the spread of seeds up to 1/3.7
-/// and 1/16 (bench --case stiff-packing), and the coefficient of restitution is off by 1 %.
+/// in which bonds are solved for takes at most: packings at rest are the same within the spread of seeds up
+/// to 1/3.7 and 1/16 (bench --case stiff-packing), and the coefficient of restitution is off by 1 %.
 inline constexpr double bending_part = 1.0 / 4.5, impact_part = 1.0 / 20;
 
 /// The step [s] an assembly takes when none is asked for, and what sets it.
