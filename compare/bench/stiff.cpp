@@ -125,6 +125,7 @@ dem::Table release_time_table(const std::vector<PrecisionProblem>& problems) {
         std::ranges::find(problem.rows, dem::name(Integrator::leapfrog), &PrecisionRow::method) -
         problem.rows.begin());
     for (const PrecisionRow& row : problem.rows) {
+      if (!row.in_time) continue;
       table.append({{"problem", problem.id},
                     {"aspect_ratio", std::int64_t{row.aspect_ratio}},
                     {"method", row.method},
