@@ -21,6 +21,7 @@ constexpr EnergyBalance balance{.kinetic = 1,
                                 .contact_normal = 64,
                                 .contact_tangential = 128,
                                 .contact_rolling = 256,
+                                .scheme = 4096,
                                 .fluid = -512,
                                 .wall_work = 1024,
                                 .inserted = 2048};
@@ -28,9 +29,9 @@ constexpr EnergyBalance balance{.kinetic = 1,
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_total_is_stored_and_dissipated_less_supplied) {
-  BOOST_TEST(total(balance) == 1 + 2 + 4 - 8 + 16 + 32 + 64 + 128 + 256 - 512 - 1024 - 2048);
+  BOOST_TEST(total(balance) == 1 + 2 + 4 - 8 + 16 + 32 + 64 + 128 + 256 + 4096 - 512 - 1024 - 2048);
   BOOST_TEST(sum_of(balance, EnergyRole::stored) == -1);
-  BOOST_TEST(sum_of(balance, EnergyRole::dissipated) == -16);
+  BOOST_TEST(sum_of(balance, EnergyRole::dissipated) == 4080);
   BOOST_TEST(sum_of(balance, EnergyRole::supplied) == 3072);
 }
 
