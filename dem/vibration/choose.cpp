@@ -17,7 +17,7 @@ namespace {
 struct Cost {
   double lagged, solved, stiff, implicit;
 };
-constexpr Cost planar_cost{1, 18, 16, 90}, spatial_cost{1, 24, 24, 100};
+constexpr Cost planar_cost{1, 14, 16, 90}, spatial_cost{1, 22, 24, 100};
 
 /// Damping ratio of the first mode, xi_f = tau w / 2 with the bending dashpot's retardation time tau.
 double first_mode_damping(const Fiber& fiber, double frequency) {
