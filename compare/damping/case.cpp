@@ -251,9 +251,7 @@ std::vector<DampingPoint> damping_points(const std::vector<DampingCase>& cases,
   march(cases, options, all);
   std::vector<double> costs;  // of the damped Elastica
   for (const auto& p : all) costs.push_back(p ? p->plan.clean.periods() : 0);
-  const std::vector<std::size_t> order = dearest_first(costs);
-  options.jobs.run(order.size(), [&](std::size_t k) {
-    const std::size_t i = order[k];
+  options.jobs.run_dearest_first(costs, [&](std::size_t i) {
     if (!all[i] || !all[i]->marched() || options.stopped()) return;
     points[i] = point_of(cases[i], *all[i], options);
     options.advance();

@@ -38,10 +38,9 @@ double first_mode_damping(const dem::Fiber& fiber, double load) {
 /// The longest first, so that the last thread is not left with it.
 std::vector<double> first_mode_dampings(const FitSweep& asked, const Ratios& aspect_ratios,
                                         const Jobs& jobs) {
-  const std::vector<std::size_t> order = dearest_first({aspect_ratios.begin(), aspect_ratios.end()});
   std::vector<double> found(aspect_ratios.size());
-  jobs.run(order.size(), [&](std::size_t k) {
-    found[order[k]] = first_mode_damping(fiber_of(asked, aspect_ratios[order[k]]), asked.load);
+  jobs.run_dearest_first({aspect_ratios.begin(), aspect_ratios.end()}, [&](std::size_t k) {
+    found[k] = first_mode_damping(fiber_of(asked, aspect_ratios[k]), asked.load);
   });
   return found;
 }

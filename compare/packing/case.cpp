@@ -155,10 +155,8 @@ std::vector<PackingRun> run_packings(const std::vector<PackingCase>& cases, cons
                                      const Jobs& jobs, const std::function<void()>& advance) {
   std::vector<double> work;
   for (const PackingCase& c : cases) work.push_back(c.fibers / packing_scene(c).step.value());
-  const std::vector<std::size_t> order = dearest_first(work);
   std::vector<PackingRun> runs(cases.size());
-  jobs.run(cases.size(),
-           [&](std::size_t i) { runs[order[i]] = run_packing(cases[order[i]], watch, advance); });
+  jobs.run_dearest_first(work, [&](std::size_t i) { runs[i] = run_packing(cases[i], watch, advance); });
   return runs;
 }
 

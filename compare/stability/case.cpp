@@ -115,10 +115,9 @@ std::vector<StabilityPoint> stability_points(const std::vector<StabilityCase>& c
     costs.push_back(cost_of(asked));
     points.push_back(unmeasured(asked));
   }
-  const std::vector<std::size_t> order = dearest_first(costs);
-  options.jobs.run(order.size(), [&](std::size_t i) {
+  options.jobs.run_dearest_first(costs, [&](std::size_t i) {
     if (options.stopped()) return;
-    points[order[i]] = point_of(cases[order[i]]);
+    points[i] = point_of(cases[i]);
     options.advance();
   });
   return points;

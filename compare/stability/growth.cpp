@@ -120,10 +120,9 @@ std::vector<GrowthPoint> growth_points(const std::vector<GrowthCase>& cases,
     costs.push_back(cost_of(asked));
     points.push_back({asked, {}, std::string(not_begun)});
   }
-  const std::vector<std::size_t> order = dearest_first(costs);
-  options.jobs.run(order.size(), [&](std::size_t i) {
+  options.jobs.run_dearest_first(costs, [&](std::size_t i) {
     if (options.stopped()) return;
-    points[order[i]] = point_of(cases[order[i]]);
+    points[i] = point_of(cases[i]);
     options.advance();
   });
   return points;

@@ -10,15 +10,10 @@
 namespace fiberchain::compare {
 namespace {
 
-dem::Solved solved_by(dem::Integrator scheme) {
-  if (scheme == dem::Integrator::leapfrog_stiff) return dem::Solved::bonds;
-  return scheme == dem::Integrator::leapfrog_damped ? dem::Solved::dashpots : dem::Solved::nothing;
-}
-
 template <int Dim>
 dem::Physics physics_of(const StabilityRun& run) {
   return dem::physics_of(dem::straight_chain<Dim>(run.fiber),
-                         {.form = run.form, .solved = solved_by(run.scheme)});
+                         {.form = run.form, .solved = dem::solved_by(run.scheme)});
 }
 
 template <int Dim>

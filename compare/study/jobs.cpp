@@ -79,6 +79,12 @@ void Jobs::run(std::size_t count, const std::function<void(std::size_t)>& piece)
   own.run(count, piece);
 }
 
+void Jobs::run_dearest_first(const std::vector<double>& costs,
+                             const std::function<void(std::size_t)>& piece) const {
+  const std::vector<std::size_t> order = dearest_first(costs);
+  run(order.size(), [&](std::size_t n) { piece(order[n]); });
+}
+
 std::vector<std::size_t> dearest_first(const std::vector<double>& costs) {
   std::vector<std::size_t> order(costs.size());
   std::iota(order.begin(), order.end(), 0);

@@ -59,6 +59,9 @@ class Jobs {
 
   /// As Workers::run().
   void run(std::size_t count, const std::function<void(std::size_t)>& piece) const;
+  /// One piece for each of these costs, begun in the order of dearest_first().
+  void run_dearest_first(const std::vector<double>& costs,
+                         const std::function<void(std::size_t)>& piece) const;
 
  private:
   int threads_ = 1;

@@ -102,11 +102,10 @@ std::vector<Found> measured(const ValidationInput& input, const std::vector<Vali
       costs.push_back(check.cost);
     }
   }
-  const std::vector<std::size_t> order = dearest_first(costs);
   std::vector<Found> found(checks.size());
-  input.jobs.run(order.size(), [&](std::size_t n) {
+  input.jobs.run_dearest_first(costs, [&](std::size_t n) {
     if (watch.stopped()) return;
-    found[order[n]] = measured(input, *checks[order[n]]);
+    found[n] = measured(input, *checks[n]);
     watch.advance();
   });
   return found;

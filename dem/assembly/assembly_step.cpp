@@ -206,7 +206,7 @@ void Assembly::State::check_stiff(std::int64_t from) {
     const Fiber& fiber = kinds[g].chain.fiber;
     const double l = bond_length(fiber), turn = step * extremes[g].relative_speed / l,
                  tension = bond_stiffness(fiber).stretch * (extremes[g].length - l),
-                 bearable = largest_tension(fiber, step);
+                 bearable = kinds[g].bearable_tension;
     largest_turn = std::max(largest_turn, turn);
     if (turn <= dem::largest_turn && tension <= bearable) continue;
     throw Diverged(fmt::format(

@@ -6,6 +6,7 @@
 #include "dem/motion/half_step.hpp"
 #include "dem/motion/physics_of.hpp"
 #include "dem/motion/relaxation.hpp"
+#include "dem/motion/stiff_limits.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -44,11 +45,10 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
                      const Domain& domain, double step) {
   const Fiber& fiber = chain.fiber;
   const PackingLaw& law = packing_law(options);
-  const Physics physics = physics_of(
-      chain, {.form = law.form,
-              .solved = options.integrator == Integrator::leapfrog_stiff ? Solved::bonds : Solved::nothing,
-              .rolling = options.rolling,
-              .fluid = domain.fluid.has_value()});
+  const Physics physics = physics_of(chain, {.form = law.form,
+                                             .solved = solved_by(options.integrator),
+                                             .rolling = options.rolling,
+                                             .fluid = domain.fluid.has_value()});
   GroupKind kind{.chain = chain,
                  .law = &law,
                  .kernel = &law.kernel(physics, options.instruction_set),
@@ -65,6 +65,7 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
   kind.weight = kind.mass * domain.gravity;
   if (domain.fluid) kind.drag = stokes_drag(*domain.fluid, fiber);
   kind.parameters = march_parameters<3>(fiber, kind.drag, step);
+  if (physics.solved == Solved::bonds) kind.bearable_tension = largest_tension(fiber, step);
   kind.half = half_step(fiber, 1, kind.drag, step);
   kind.end_half = half_step(fiber, end_mass_share(fiber), kind.drag, step);
   const std::size_t width = kind.kernel->width;

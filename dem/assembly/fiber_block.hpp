@@ -24,11 +24,12 @@ struct GroupKind {
   MarchParameters<double, 3> parameters;
   LaneArray histories;  ///< of the bonds, block after block
   LaneArray lane_parameters,
-      lane_natural;         ///< parameters and natural ends of the chain, the same in every lane
-  StokesDrag drag;          ///< zero without fluid
-  Vec<double, 3> weight;    ///< of a sphere that is not an end [N]
-  double mass, inertia;     ///< of a sphere that is not an end [kg], [kg m^2]
-  HalfStep half, end_half;  ///< of a sphere that is not an end, of one that is
+      lane_natural;             ///< parameters and natural ends of the chain, the same in every lane
+  StokesDrag drag;              ///< zero without fluid
+  Vec<double, 3> weight;        ///< of a sphere that is not an end [N]
+  double mass, inertia;         ///< of a sphere that is not an end [kg], [kg m^2]
+  double bearable_tension = 0;  ///< of bonds that are solved for, at this step [N]
+  HalfStep half, end_half;      ///< of a sphere that is not an end, of one that is
 
   int spheres() const { return chain.fiber.aspect_ratio + 1; }
   double share(int sphere) const { return mass_share(chain.fiber, sphere); }

@@ -3,9 +3,22 @@
 #include <span>
 
 #include "dem/chain/chain.hpp"
+#include "dem/motion/integrator.hpp"
 #include "dem/motion/physics.hpp"
 
 namespace fiberchain::dem {
+
+/// What a leapfrog solves for within the step.
+constexpr Solved solved_by(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::leapfrog_damped:
+      return Solved::dashpots;
+    case Integrator::leapfrog_stiff:
+      return Solved::bonds;
+    default:
+      return Solved::nothing;
+  }
+}
 
 /// Physics of a march that its fibers do not tell.
 struct MarchOptions {

@@ -167,17 +167,6 @@ struct March {
   }
 };
 
-Solved solved_by(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::leapfrog_damped:
-      return Solved::dashpots;
-    case Integrator::leapfrog_stiff:
-      return Solved::bonds;
-    default:
-      return Solved::nothing;
-  }
-}
-
 template <int Dim>
 Physics release_physics(const std::vector<Chain<Dim>>& chains, const ReleaseOptions& options) {
   return physics_of<Dim>(
