@@ -54,7 +54,7 @@ BlockSums sums_of(const Assembly::State& s, const FiberBlock& block, FiberReader
     const ChainState<3>& state = reader.read(lane);
     add_fiber(kind, state, energy);
     const BondSums own = kind.law->sums(kind.parameters.bond, kind.chain, state, reader.history(lane, 0),
-                                        kind.kernel->width, kind.kernel->history * kind.kernel->width);
+                                        kind.kernel->width, kind.memory.bond * kind.kernel->width);
     sums.bonds.energy += own.energy;
     sums.bonds.bending += own.bending;
     sums.count += kind.chain.fiber.aspect_ratio;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dem/bond/branch_steps.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/half_step.hpp"
 #include "dem/motion/physics_of.hpp"
@@ -39,12 +40,26 @@ void put_rows(SphereStorage& rows, std::int64_t row, const ChainState<3>& state,
   }
 }
 
+/// Branches of the kind's bonds, the same in every lane.
+void put_branches(GroupKind& kind, double step) {
+  kind.memory.bond = kind.kernel->history;
+  const BranchSteps own = branch_steps(kind.chain.fiber, step, 3);
+  if (own.steps.empty()) return;
+  const std::size_t width = kind.kernel->width, size = numbers_of<BranchStep<double>>;
+  kind.lane_branches = LaneArray(own.steps.size() * size * width);
+  for (std::size_t j = 0; j < own.steps.size(); ++j) {
+    for (std::size_t lane = 0; lane < width; ++lane)
+      kind.lane_branches.put(own.steps[j], j * size * width + lane, width);
+  }
+  kind.memory = memory_view<3>(own, kind.lane_branches.data(), kind.law->form, kind.kernel->history);
+}
+
 }  // namespace
 
 GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOptions& options,
                      const Domain& domain, double step) {
   const Fiber& fiber = chain.fiber;
-  const PackingLaw& law = packing_law(options);
+  const PackingLaw& law = packing_law(options, fiber);
   const Physics physics = physics_of(chain, {.form = law.form,
                                              .solved = solved_by(options.integrator),
                                              .rolling = options.rolling,
@@ -54,6 +69,8 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
                  .kernel = &law.kernel(physics, options.instruction_set),
                  .parameters = {},
                  .histories = {},
+                 .lane_branches = {},
+                 .memory = {},
                  .lane_parameters = {},
                  .lane_natural = {},
                  .drag = {},
@@ -69,6 +86,7 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
   kind.half = half_step(fiber, 1, kind.drag, step);
   kind.end_half = half_step(fiber, end_mass_share(fiber), kind.drag, step);
   const std::size_t width = kind.kernel->width;
+  put_branches(kind, step);
   kind.histories = LaneArray((fibers + width - 1) / width * kind.history_size());
   const std::size_t ends = numbers_of<NaturalEnds<double, 3>>;
   kind.lane_parameters = LaneArray(numbers_of<MarchParameters<double, 3>> * width);
@@ -123,7 +141,8 @@ PackingBlock FiberBlock::view(const GroupKind& kind, SphereStorage& rows, LoadRa
           .next_history = nullptr,
           .rows_ahead = 0,
           .previous_step = previous_step_,
-          .extremes = &extremes_};
+          .extremes = &extremes_,
+          .memory = kind.memory};
 }
 
 double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,

@@ -22,7 +22,9 @@ struct GroupKind {
   const PackingLaw* law;  ///< of its bonds
   const PackingKernel* kernel;
   MarchParameters<double, 3> parameters;
-  LaneArray histories;  ///< of the bonds, block after block
+  LaneArray histories;      ///< of the bonds, block after block
+  LaneArray lane_branches;  ///< Maxwell branches of a bond, the same in every lane
+  MemoryView memory;        ///< of a bond
   LaneArray lane_parameters,
       lane_natural;             ///< parameters and natural ends of the chain, the same in every lane
   StokesDrag drag;              ///< zero without fluid
@@ -38,12 +40,12 @@ struct GroupKind {
   }
   /// Numbers of a block's history.
   std::size_t history_size() const {
-    return chain.fiber.aspect_ratio * kernel->history * static_cast<std::size_t>(kernel->width);
+    return chain.fiber.aspect_ratio * memory.bond * static_cast<std::size_t>(kernel->width);
   }
   /// The history of a bond in a block's histories, its numbers `kernel->width` apart.
   template <class Number>
   Number* history_of(Number* block, int lane, int bond) const {
-    return block + bond * kernel->history * static_cast<std::size_t>(kernel->width) + lane;
+    return block + bond * memory.bond * static_cast<std::size_t>(kernel->width) + lane;
   }
 };
 

@@ -112,7 +112,10 @@ constexpr PackingLaw packing_law_with(const PackingKernel& (*kernel)(const Physi
 template <BondForm form>
 inline constexpr PackingLaw outside_law = packing_law_with<form>(law_kernel<form>);
 
-/// The law that an assembly runs with.
+/// The law that an assembly runs with: that of its bonds without Maxwell branches.
 const PackingLaw& packing_law(const AssemblyOptions& options);
+/// The law of a fiber's bonds. Throws InvalidInput for a fiber with branches whose bonds have a law from
+/// outside of the library.
+const PackingLaw& packing_law(const AssemblyOptions& options, const Fiber& fiber);
 
 }  // namespace fiberchain::dem

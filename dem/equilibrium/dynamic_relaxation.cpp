@@ -97,11 +97,12 @@ RelaxResult<Dim> measure(const ChainBatch<Dim>& block, int index, const Lane<Dim
   return {std::move(poses), std::move(net), residual, speed / scale, lane.time_step, steps};
 }
 
-/// The fiber with the dashpots that settle it.
+/// The fiber with the dashpots that settle it; its branches will have relaxed.
 Fiber settling_fiber(Fiber fiber, const RelaxOptions& options) {
   fiber.bond_damping = options.bond_damping;
   fiber.dashpots = DashpotLaw::bond_damping;
   fiber.retardation_time = 0;
+  fiber.branches = {};
   return fiber;
 }
 

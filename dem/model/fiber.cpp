@@ -82,6 +82,11 @@ void check(const Fiber& fiber) {
           "it must be between -2 pi / 3 and 2 pi / 3, where every other sphere touches");
   for (const double own : fiber.law_parameters)
     require(std::isfinite(own), "law_parameters", own, "they must be finite");
+  for (const PronySeries* series :
+       {&fiber.branches.stretch, &fiber.branches.shear, &fiber.branches.twist, &fiber.branches.bend})
+    check(*series);
+  require(fiber.branches.empty() || fiber.rolling_friction == 0, "rolling_friction", fiber.rolling_friction,
+          "of bonds it is not built beside Maxwell branches");
   if (fiber.dashpots == DashpotLaw::retardation_time) {
     require(fiber.bond_damping == 0, "bond_damping", fiber.bond_damping,
             "dashpots set by a retardation time take no xi_b");
@@ -89,6 +94,15 @@ void check(const Fiber& fiber) {
     require(fiber.retardation_time == 0, "retardation_time", fiber.retardation_time,
             "dashpots set by xi_b take no retardation time");
   }
+}
+
+MaxwellBranches maxwell_branches(const MaterialRelaxation& relaxation, BondModel model) {
+  PronySeries bend = relaxation.youngs_modulus;
+  bend.insert(bend.end(), relaxation.bending.begin(), relaxation.bending.end());
+  return {.stretch = relaxation.youngs_modulus,
+          .shear = model == BondModel::corrected ? bend : relaxation.shear_modulus,
+          .twist = relaxation.shear_modulus,
+          .bend = bend};
 }
 
 bool damped(const Fiber& fiber) { return fiber.bond_damping > 0 || fiber.retardation_time > 0; }
@@ -141,6 +155,13 @@ BondStiffness bond_stiffness(const Fiber& fiber) {
   // K_t l_0^2 = 12 K_bend: the shear that bending of the bond gives
   return {stretch * straight, 0.75 * stretch * (straight * straight * straight), twist * straight,
           bend * straight};
+}
+
+BondStiffness unrelaxed_stiffness(const Fiber& fiber) {
+  const BondStiffness K = bond_stiffness(fiber);
+  const MaxwellBranches& own = fiber.branches;
+  return {K.stretch * unrelaxed_modulus(own.stretch), K.shear * unrelaxed_modulus(own.shear),
+          K.twist * unrelaxed_modulus(own.twist), K.bend * unrelaxed_modulus(own.bend)};
 }
 
 BondDashpot bond_dashpot(const Fiber& fiber) {

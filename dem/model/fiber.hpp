@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "dem/model/prony_series.hpp"
+
 namespace fiberchain::dem {
 
 /// What a fiber is across its axis, where it is stiffer along it than across (wood, carbon, aramid).
@@ -59,6 +61,23 @@ enum class MassModel {
 
 std::string_view name(MassModel model);
 
+/// Maxwell branches beside each spring of a bond: stiffness K (1 + sum g_j exp(-t / tau_j)), K that of the
+/// fiber's material, which is the relaxed one.
+struct MaxwellBranches {
+  PronySeries stretch, shear, twist, bend;
+
+  bool empty() const { return stretch.empty() && shear.empty() && twist.empty() && bend.empty(); }
+};
+
+/// How a fiber's material relaxes: its moduli, and what relaxes in bending alone (thermoelasticity).
+struct MaterialRelaxation {
+  PronySeries youngs_modulus, shear_modulus, bending;
+};
+
+/// Branches of stretch and bending by Young's modulus, of shear and twist by the shear modulus. The corrected
+/// bond's shear spring is a part of how a rod bends: it relaxes as bending does.
+MaxwellBranches maxwell_branches(const MaterialRelaxation& relaxation, BondModel model);
+
 /// Most parameters that one bond law alone may have.
 inline constexpr int law_parameter_count = 3;
 
@@ -75,6 +94,7 @@ struct Fiber {
   double rest_angle = 0.0;        ///< of an arc: angle between the ends of a bond at rest [rad]
   MassModel mass = MassModel::spheres;
   std::array<double, law_parameter_count> law_parameters{};  ///< of a bond law that has its own, in its units
+  MaxwellBranches branches = {};  ///< of the material's memory; `material` has the relaxed moduli then
 };
 
 /// Whether any dashpot of the bonds does anything.
@@ -82,7 +102,7 @@ bool damped(const Fiber& fiber);
 
 /// Throws InvalidInput when a value is not finite or makes no physical sense:
 /// E, G, rho, d > 0; across the fiber E > 0 and -1 < nu <= 0.5; |rest_angle| <= 2 pi / 3; r_f >= 1; xi_b,
-/// tau, xi_r >= 0, of xi_b and tau only the one that the dashpot law uses.
+/// tau, xi_r >= 0, of xi_b and tau only the one that the dashpot law uses; branches as check(PronySeries).
 void check(const Fiber& fiber);
 
 /// Stiffness of one bond (Eqs 3-6), of the corrected bond by the length of its arc instead of 2R.
@@ -120,6 +140,8 @@ double axial_stiffness(const Fiber& fiber);         ///< E A = K_n l [N]
 double shear_stiffness(const Fiber& fiber);         ///< K_t l, G A for the paper's bond [N]
 
 BondStiffness bond_stiffness(const Fiber& fiber);
+/// With the springs of the Maxwell branches: against a sudden load.
+BondStiffness unrelaxed_stiffness(const Fiber& fiber);
 BondDashpot bond_dashpot(const Fiber& fiber);
 
 /// t_b = 0.8165 d sqrt(rho / E) = sqrt(m / K_n), the paper's critical bond time step (Eq 11) [s].

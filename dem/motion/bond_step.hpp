@@ -2,6 +2,7 @@
 
 #include "dem/motion/moving_sphere.hpp"
 #include "dem/motion/rolling_slot.hpp"
+#include "dem/simd/as_numbers.hpp"
 
 // One bond in one step, for the three engines of the leapfrog: its law, its dashpots, its rolling friction.
 namespace fiberchain::dem {
@@ -19,6 +20,9 @@ struct ChainBlock {
   MarchParameters<Real, Dim> parameters;     ///< a copy, which no store to a sphere or a history can alias
   Real* workspace = nullptr;                 ///< slots of the solve along the chain
   const EndLoad<Real, Dim>* dead = nullptr;  ///< bonds + 1, fluid only: dead loads, null if there are none
+  BondBranches<Real> branches = {};          ///< of bonds that have any
+  Real* memory = nullptr;  ///< bonds with branches: of each its history, then the strains of its branches
+  std::size_t bond_memory = 0;  ///< numbers of one of them
 
   bool is_end(int sphere) const { return sphere == 0 || sphere == bonds; }
   const SphereStep<Real>& step_of(int sphere) const {
@@ -87,6 +91,19 @@ HistoryOf<P, Real> history_before(const ChainBlock<P, Real>& chain, int bond) {
   }
 }
 
+/// Calls use(history, strains) with those of bond `bond` and of its Maxwell branches.
+template <Physics P, class Real, class Use>
+auto with_memory(const ChainBlock<P, Real>& chain, int bond, const Use& use) {
+  Real* memory = chain.memory + bond * chain.bond_memory;
+  using History = HistoryOf<P, Real>;
+  if constexpr (has_history<BondLaw<P>>) {
+    return use(*as_values<History>(memory), memory + numbers_of<History, Real>);
+  } else {
+    History none;
+    return use(none, memory);
+  }
+}
+
 /// Moves it on over a step of `dt` that led here.
 template <Physics P, class Real>
 void advance_history(const ChainBlock<P, Real>& chain, HistoryOf<P, Real>& history,
@@ -142,10 +159,17 @@ BondLoads<Real, P.dimension> bond_step(const ChainBlock<P, Real>& chain, int bon
                                        const MovingSphere<Real, P.dimension>& a,
                                        const MovingSphere<Real, P.dimension>& b, const Real& dt) {
   const auto use = [&](const BondConfiguration<Real, P.dimension>& now) {
-    HistoryOf<P, Real> history = history_before<P, Real>(chain, bond);
-    advance_history<P, Real>(chain, history, now, dt);
-    if constexpr (has_history<BondLaw<P>>) chain.history[bond] = history;
-    return bond_loads_now<P, Real>(chain, bond, history, now);
+    if constexpr (P.branches) {
+      return with_memory(chain, bond, [&](HistoryOf<P, Real>& history, Real* strains) {
+        return BondLaw<P>::template loads<P.damped>(chain.parameters.bond, chain.branches, history, strains,
+                                                    now, dt);
+      });
+    } else {
+      HistoryOf<P, Real> history = history_before<P, Real>(chain, bond);
+      advance_history<P, Real>(chain, history, now, dt);
+      if constexpr (has_history<BondLaw<P>>) chain.history[bond] = history;
+      return bond_loads_now<P, Real>(chain, bond, history, now);
+    }
   };
   return with_configuration<P, Real>(chain, bond, a, b, use);
 }

@@ -20,11 +20,11 @@ BondParameters<Real> solved_dashpots(const MarchParameters<Real, P.dimension>& p
   const Real half = Real(0.5) * p.step;
   for (Real* c : {&law.dash_stretch, &law.dash_shear, &law.dash_twist, &law.dash_bend}) *c = half * *c;
   if constexpr (P.solved == Solved::bonds) {
-    const Real spring = p.beta * p.step * p.step;
-    law.dash_stretch = law.dash_stretch + spring * law.stretch;
-    law.dash_shear = law.dash_shear + spring * law.shear;
-    law.dash_twist = law.dash_twist + spring * law.twist;
-    law.dash_bend = law.dash_bend + spring * law.bend;
+    const Real squared = p.step * p.step;
+    law.dash_stretch = law.dash_stretch + squared * p.solved_stretch;
+    law.dash_shear = law.dash_shear + squared * p.solved_shear;
+    law.dash_twist = law.dash_twist + squared * p.solved_twist;
+    law.dash_bend = law.dash_bend + squared * p.solved_bend;
   }
   return law;
 }
@@ -33,11 +33,11 @@ BondParameters<Real> solved_dashpots(const MarchParameters<Real, P.dimension>& p
 template <class Real, int Dim>
 BondParameters<Real> solved_springs(const MarchParameters<Real, Dim>& p) {
   BondParameters<Real> law = p.bond;
-  const Real spring = p.beta * p.step * p.step;
-  law.dash_stretch = spring * law.stretch;
-  law.dash_shear = spring * law.shear;
-  law.dash_twist = spring * law.twist;
-  law.dash_bend = spring * law.bend;
+  const Real squared = p.step * p.step;
+  law.dash_stretch = squared * p.solved_stretch;
+  law.dash_shear = squared * p.solved_shear;
+  law.dash_twist = squared * p.solved_twist;
+  law.dash_bend = squared * p.solved_bend;
   return law;
 }
 

@@ -59,9 +59,11 @@ struct MarchParameters {
   SphereStep<Real> inner, end;  ///< of the spheres between the ends, and of those
   Real end_share;               ///< mass of an end sphere over that of the others
   Real step;                    ///< dt [s]
-  Real beta;                    ///< of the springs that are solved for within the step (implicit_bond.hpp)
-  Real drag;                    ///< force per momentum [1/s]
-  Real rolling_arm;             ///< xi_r R / 2 [m]
+  /// beta K of the springs that are solved for within the step (implicit_bond.hpp), those of Maxwell
+  /// branches with them.
+  Real solved_stretch, solved_shear, solved_twist, solved_bend;
+  Real drag;         ///< force per momentum [1/s]
+  Real rolling_arm;  ///< xi_r R / 2 [m]
   LoadRamp<Real, Dim> ramp;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dem/bond/laws/laws.hpp"
+#include "dem/bond/laws/viscoelastic_bond.hpp"
 
 namespace fiberchain::dem {
 
@@ -54,14 +55,29 @@ struct Physics {
   bool curved;  ///< bonds that are not straight at rest (total form; the incremental one needs no rest shape)
   Solved solved = Solved::nothing;
   Rolling rolling = Rolling::none;
-  bool fluid = false;  ///< Stokes' drag of a flow on every sphere, solved within the step
+  bool fluid = false;     ///< Stokes' drag of a flow on every sphere, solved within the step
+  bool branches = false;  ///< Maxwell branches beside the bonds' springs; built with dashpots, for some
 
   constexpr bool operator==(const Physics&) const = default;
 };
 
+namespace physics_detail {
+
+template <BondForm form, bool branches>
+struct BondLawFor {
+  using type = BondLawType<form>;
+};
+
+template <BondForm form>
+struct BondLawFor<form, true> {
+  using type = ViscoelasticBond<BondLawType<form>>;
+};
+
+}  // namespace physics_detail
+
 /// The bond law of a physics.
 template <Physics P>
-using BondLaw = BondLawType<P.form>;
+using BondLaw = typename physics_detail::BondLawFor<P.form, P.branches>::type;
 
 namespace physics_detail {
 
@@ -107,6 +123,11 @@ constexpr void each_physics(std::integer_sequence<BondForm, forms...>, const Emi
       plain.damped = damped, plain.fluid = true;
       (rest_shapes<forms>(plain, emit), ...);
     }
+    plain.fluid = false, plain.branches = true;
+    for (const Solved solved : {Solved::nothing, Solved::bonds}) {
+      plain.solved = solved;
+      ((is_in_library(forms) ? rest_shapes<forms>(plain, emit) : void()), ...);
+    }
   }
 }
 
@@ -140,10 +161,11 @@ template <BondForm form>
 inline constexpr auto built_physics_of =
     physics_detail::list_physics(std::integer_sequence<BondForm, form>{});
 
-/// What is also built for one chain along the lanes: no settling_damping, straight at rest, nothing to solve
-/// along the chain.
+/// What is also built for one chain along the lanes: no settling_damping, straight at rest, no Maxwell
+/// branches, nothing to solve along the chain.
 constexpr bool built_for_single_chain(const Physics& p) {
-  return !p.settling_damping && !p.curved && p.solved == Solved::nothing && p.rolling != Rolling::set_valued;
+  return !p.settling_damping && !p.curved && !p.branches && p.solved == Solved::nothing &&
+         p.rolling != Rolling::set_valued;
 }
 
 }  // namespace fiberchain::dem

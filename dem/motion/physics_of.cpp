@@ -11,15 +11,20 @@ Physics physics_of(std::span<const Chain<Dim>> chains, const MarchOptions& optio
   const bool any_rolls =
       options.rolling != Rolling::none &&
       std::ranges::any_of(chains, [](const Chain<Dim>& c) { return c.fiber.rolling_friction > 0; });
+  // what settles to an equilibrium has relaxed
+  const bool any_branches = !options.settling_damping && std::ranges::any_of(chains, [](const Chain<Dim>& c) {
+    return !c.fiber.branches.empty();
+  });
   return {.dimension = Dim,
           .form = options.form,
-          // rolling friction and solved springs are built with dashpots only
-          .damped = any_damped || any_rolls || options.solved == Solved::bonds,
+          // rolling friction, branches and solved springs are built with dashpots only
+          .damped = any_damped || any_rolls || any_branches || options.solved == Solved::bonds,
           .settling_damping = options.settling_damping,
           .curved = from_poses(options.form) && any_curved,
           .solved = any_damped || options.solved == Solved::bonds ? options.solved : Solved::nothing,
           .rolling = any_rolls ? options.rolling : Rolling::none,
-          .fluid = options.fluid};
+          .fluid = options.fluid,
+          .branches = any_branches};
 }
 
 template Physics physics_of<2>(std::span<const Chain<2>>, const MarchOptions&);

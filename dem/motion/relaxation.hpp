@@ -51,7 +51,9 @@ MarchParameters<double, Dim> march_parameters(const Fiber& fiber, const StokesDr
   p.bond = bond_parameters(fiber);
   p.inverse_length = 1 / bond_length(fiber);
   p.rolling_arm = fiber.rolling_friction * sphere_radius(fiber) / 2;
-  p.beta = stiff_beta;
+  const BondStiffness K = unrelaxed_stiffness(fiber);
+  p.solved_stretch = stiff_beta * K.stretch, p.solved_shear = stiff_beta * K.shear;
+  p.solved_twist = stiff_beta * K.twist, p.solved_bend = stiff_beta * K.bend;
   set_step(p, fiber, drag, dt);
   return p;
 }

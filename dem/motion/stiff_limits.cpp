@@ -22,7 +22,7 @@ struct BondWeights {
 /// frame as it is solved for, K that of the drawn bond (shear by its angle, bending with the shortened
 /// chord), G of its tension.
 bool bears(const Fiber& fiber, double tension, double dt, double beta, Clamps clamps) {
-  const BondStiffness K = bond_stiffness(fiber);
+  const BondStiffness K = unrelaxed_stiffness(fiber);
   const double l0 = bond_length(fiber), l = l0 + tension / K.stretch, squared = dt * dt;
   const double chord = fiber.bond_model == BondModel::corrected ? tension * l0 / 12 : 0;
   const BondWeights bond{squared * K.shear * (beta * l * l - l0 * l0 / 4),

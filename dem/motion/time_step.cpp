@@ -72,7 +72,7 @@ double along_limit(double stiffness, double dashpot, const Body& body) {
 /// Over all waves of the endless chain, `settling` the drag [1/s] that adds to the dashpots.
 double endless_chain_limit(const Fiber& fiber, const StokesDrag& stokes, double settling) {
   check(fiber);
-  const BondStiffness K = bond_stiffness(fiber);
+  const BondStiffness K = unrelaxed_stiffness(fiber);
   const BondDashpot C = bond_dashpot(fiber);
   const double m = sphere_mass(fiber), J = sphere_inertia(fiber), l = bond_length(fiber);
   const Body move{m, stokes.translation}, turn{J, stokes.rotation};

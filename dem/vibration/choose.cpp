@@ -19,7 +19,7 @@ struct Cost {
 };
 constexpr Cost planar_cost{1, 14, 16, 90}, spatial_cost{1, 22, 24, 100};
 
-/// Damping ratio of the first mode, xi_f = tau w / 2 with the bending dashpot's retardation time tau.
+/// Damping ratio of the first mode by the dashpots, xi_f = tau w / 2 with bending's retardation time tau.
 double first_mode_damping(const Fiber& fiber, double frequency) {
   return 0.5 * frequency * bond_dashpot(fiber).bend / bond_stiffness(fiber).bend;
 }
@@ -55,20 +55,25 @@ IntegratorChoice choose_integrator(const Release<Dim>& release, const ReleaseOpt
         std::min(largest_angle(a, b, options.error) / w, 0.8 * stable_release_step(fiber, integrator));
     return Candidate{integrator, step, per_step * release.period / step};
   };
+  const auto implicit = [&] {
+    Candidate own = candidate(Integrator::implicit, 0, 1.0 / 6, cost.implicit);
+    // the tip of a beam turns by about 1.4 a/L as it deflects by a
+    const double longest = largest_newton_turn / (1.4 * std::max(swing(release), 1e-9) * w);
+    own.cost *= std::max(1.0, own.step / longest);
+    own.step = std::min(own.step, longest);
+    return own;
+  };
   std::vector<Candidate> all{candidate(Integrator::leapfrog, xi_f / 2, 1.0 / 24, cost.lagged)};
   if (fiber.rolling_friction == 0) {
-    if (damped(fiber)) all.push_back(candidate(Integrator::leapfrog_damped, 0, 1.0 / 24, cost.solved));
+    const bool branches = !fiber.branches.empty();
+    if (damped(fiber) && !branches)
+      all.push_back(candidate(Integrator::leapfrog_damped, 0, 1.0 / 24, cost.solved));
     Candidate stiff = candidate(Integrator::leapfrog_stiff, 0, stiff_beta / 2 + 1.0 / 24, cost.stiff);
     const double bearable = stiff_release_step(release, safe_turn);
     stiff.cost *= std::max(1.0, stiff.step / bearable);
     stiff.step = std::min(stiff.step, bearable);
     all.push_back(stiff);
-    Candidate implicit = candidate(Integrator::implicit, 0, 1.0 / 6, cost.implicit);
-    // the tip of a beam turns by about 1.4 a/L as it deflects by a
-    const double longest = largest_newton_turn / (1.4 * std::max(swing(release), 1e-9) * w);
-    implicit.cost *= std::max(1.0, implicit.step / longest);
-    implicit.step = std::min(implicit.step, longest);
-    all.push_back(implicit);
+    if (!branches) all.push_back(implicit());
   }
   const Candidate best = *std::min_element(
       all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });

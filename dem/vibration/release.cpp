@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <tuple>
 
+#include "dem/bond/branch_steps.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
 #include "dem/motion/kernels/chain_kernel.hpp"
@@ -41,6 +43,13 @@ void check(const Release<Dim>& release, const ReleaseOptions& options) {
           "it must be 4 or more");
   require(!options.step_ratio || positive(*options.step_ratio), "step_ratio", options.step_ratio.value_or(1),
           "it must be greater than 0");
+  if (!release.chain.fiber.branches.empty() && options.integrator != Integrator::leapfrog &&
+      options.integrator != Integrator::leapfrog_stiff) {
+    throw InvalidInput(
+        fmt::format("integrator = {} is not allowed: Maxwell branches are built for leapfrog and "
+                    "leapfrog-stiff",
+                    name(options.integrator)));
+  }
   if (release.chain.fiber.rolling_friction > 0 &&
       (options.integrator != Integrator::leapfrog || options.form != BondForm::incremental)) {
     throw InvalidInput(
@@ -96,15 +105,18 @@ int samples_of(const Release<Dim>& release, const ReleaseOptions& options) {
 }
 
 /// What can share a block: equal length, damped or not, straight or not, rolling or not, and the same numbers
-/// of steps.
+/// of steps and of Maxwell branches.
 template <int Dim>
 void march_in_blocks(const std::vector<Release<Dim>>& releases, const std::vector<std::size_t>& chosen,
                      const ReleaseOptions& options, std::vector<ReleaseRecord<Dim>>& records) {
-  std::map<std::tuple<int, bool, bool, bool, int, int>, std::vector<std::size_t>> groups;
+  using Counts = std::array<int, 4>;
+  std::map<std::tuple<int, bool, bool, bool, int, int, Counts>, std::vector<std::size_t>> groups;
   for (const std::size_t i : chosen) {
     const Release<Dim>& r = releases[i];
+    const BranchSteps own = branch_steps(r.chain.fiber, 0, Dim);
     groups[{r.chain.fiber.aspect_ratio, damped(r.chain.fiber), r.chain.natural.empty(),
-            r.chain.fiber.rolling_friction > 0, steps_per_sample(r, options), samples_of(r, options)}]
+            r.chain.fiber.rolling_friction > 0, steps_per_sample(r, options), samples_of(r, options),
+            Counts{own.stretch, own.shear, own.twist, own.bend}}]
         .push_back(i);
   }
   const std::size_t width = chain_kernel(built_physics[0], options.instruction_set).width;

@@ -47,7 +47,7 @@ double energy(const ChainBatch<Dim>& block, int lane, const Release<Dim>& releas
                            unit(block.sphere(lane, i + 1).pose.position - s.pose.position));
     }
   }
-  return sum;
+  return sum + branch_energy(block, lane, release.chain, form);
 }
 
 template <int Dim>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "dem/bond/branch_steps.hpp"
 #include "dem/chain/chain_bond.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/relaxation.hpp"
@@ -46,6 +47,7 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
     : kernel_(chain_kernel(physics, set)),
       form_(physics.form),
       lanes_(static_cast<int>(chains.size())),
+      viscoelastic_(physics.branches),
       clamps_(clamps),
       fluid_(physics.fluid) {
   check_chains(chains, kernel_.width);
@@ -55,7 +57,8 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
   along_ = lanes_ == 1 && even && kernel_.march_single_chain != nullptr && bonds_ >= kernel_.width;
   const std::size_t width = kernel_.width, column = along_ ? bonds_ + 2 : width * (bonds_ + 1);
   spheres_ = LaneArray(column * numbers_of<MovingSphere<double, Dim>>);
-  history_ = LaneArray(column * kernel_.history);
+  start_memory(chains[0].fiber);
+  history_ = LaneArray(column * memory_.bond);
   workspace_ = LaneArray(kernel_.workspace(bonds_) * width);
   dead_ = LaneArray(fluid_ ? column * numbers_of<EndLoad<double, Dim>> : 0);
   gradients_ = LaneArray(fluid_ ? steps_a_chunk * Dim * Dim * width : 0);
@@ -73,6 +76,7 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
     p.ramp.rate = 1;
     parameters_of_.push_back(p);
     parameters_.put(p, lane, kernel_.width);
+    put_branches(lane, p.step);
     for (int i = 0; i <= bonds_; ++i) {
       MovingSphere<double, Dim> sphere{};
       sphere.pose = chain.poses[i];
@@ -87,6 +91,27 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
     for (int lane = 1; lane < kernel_.width; ++lane) parameters_.put(parameters_of_[0], lane, kernel_.width);
   }
   start();
+}
+
+template <int Dim>
+void ChainBatch<Dim>::start_memory(const Fiber& fiber) {
+  memory_.bond = kernel_.history;
+  if (!viscoelastic_) return;
+  const BranchSteps own = branch_steps(fiber, 0, Dim);
+  branches_ = LaneArray(own.steps.size() * numbers_of<BranchStep<double>> * kernel_.width);
+  memory_ = memory_view<Dim>(own, branches_.data(), form_, kernel_.history);
+}
+
+template <int Dim>
+void ChainBatch<Dim>::put_branches(int lane, double step) {
+  if (!viscoelastic_) return;
+  const BranchSteps own = branch_steps(fibers_[used(lane)], step, Dim);
+  if (memory_view<Dim>(own, branches_.data(), form_, kernel_.history) != memory_) {
+    throw InvalidInput("chains side by side must have the same numbers of Maxwell branches");
+  }
+  const std::size_t width = kernel_.width, size = numbers_of<BranchStep<double>>;
+  for (std::size_t j = 0; j < own.steps.size(); ++j)
+    branches_.put(own.steps[j], j * size * width + lane, width);
 }
 
 template <int Dim>
@@ -108,7 +133,8 @@ ChainBatchView ChainBatch<Dim>::view() {
           .loads = loads_.data(),
           .dead = loaded_ ? dead_.data() : nullptr,
           .gradients = gradients_.data(),
-          .gradient_stride = steady_ ? 0 : Dim * Dim * kernel_.width};
+          .gradient_stride = steady_ ? 0 : Dim * Dim * kernel_.width,
+          .memory = memory_};
 }
 
 template <int Dim>
@@ -156,23 +182,54 @@ void ChainBatch<Dim>::set_sphere(int lane, int index, const MovingSphere<double,
 template <int Dim>
 BondHistory<double, Dim> ChainBatch<Dim>::history(int lane, int bond) const {
   BondHistory<double, Dim> history{};
-  if (form_ == BondForm::incremental) history_.get(history, place(lane, bond, kernel_.history), stride());
-  return history;
+  if (form_ != BondForm::incremental) return history;
+  if (!viscoelastic_) {
+    history_.get(history, place(lane, bond, memory_.bond), stride());
+    return history;
+  }
+  BondFrameHistory<double, Dim> own{};
+  history_.get(own, place(lane, bond, memory_.bond), stride());
+  return out_of_frame(own, unit(sphere(lane, bond + 1).pose.position - sphere(lane, bond).pose.position));
 }
 
 template <int Dim>
 void ChainBatch<Dim>::set_history(int lane, int bond, const BondHistory<double, Dim>& history) {
-  if (form_ == BondForm::incremental) history_.put(history, place(lane, bond, kernel_.history), stride());
+  if (form_ != BondForm::incremental) return;
+  if (!viscoelastic_) {
+    history_.put(history, place(lane, bond, memory_.bond), stride());
+  } else {
+    const auto e = unit(sphere(lane, bond + 1).pose.position - sphere(lane, bond).pose.position);
+    history_.put(in_frame(history, e), place(lane, bond, memory_.bond), stride());
+  }
 }
 
 template <int Dim>
 void ChainBatch<Dim>::start_histories(int lane, const Chain<Dim>& chain, const ChainState<Dim>& state) {
   with_bond_form(form_, [&]<BondForm form>() {
     for (int i = 0; i < bonds_; ++i) {
-      history_.put(start_history<BondLawType<form>>(chain, state, i), place(lane, i, kernel_.history),
-                   stride());
+      set_bond_numbers(lane, i, std::vector<double>(memory_.bond, 0.0));
+      const std::size_t first = place(lane, i, memory_.bond);
+      if (viscoelastic_) {
+        history_.put(start_history<ViscoelasticBond<BondLawType<form>>>(chain, state, i), first, stride());
+      } else {
+        history_.put(start_history<BondLawType<form>>(chain, state, i), first, stride());
+      }
     }
   });
+}
+
+template <int Dim>
+std::vector<double> ChainBatch<Dim>::bond_numbers(int lane, int bond) const {
+  std::vector<double> numbers(memory_.bond);
+  const double* first = history_.data() + place(lane, bond, memory_.bond);
+  for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] = first[n * stride()];
+  return numbers;
+}
+
+template <int Dim>
+void ChainBatch<Dim>::set_bond_numbers(int lane, int bond, const std::vector<double>& numbers) {
+  double* first = history_.data() + place(lane, bond, memory_.bond);
+  for (std::size_t n = 0; n < numbers.size(); ++n) first[n * stride()] = numbers[n];
 }
 
 template <int Dim>

@@ -49,8 +49,12 @@ class ChainBatch {
   /// Summed strain of a bond, its history in the incremental form; zero in another.
   BondHistory<double, Dim> history(int lane, int bond) const;
   void set_history(int lane, int bond, const BondHistory<double, Dim>& history);
-  /// Histories of bonds that start in this state, whatever their law.
+  /// Histories of bonds that start in this state, whatever their law; Maxwell branches have relaxed.
   void start_histories(int lane, const Chain<Dim>& chain, const ChainState<Dim>& state);
+  /// Numbers of a bond in the form's own layout: its history, then the strains of its Maxwell branches
+  /// (dem/bond/laws/viscoelastic_bond.hpp).
+  std::vector<double> bond_numbers(int lane, int bond) const;
+  void set_bond_numbers(int lane, int bond, const std::vector<double>& numbers);
 
   /// Forces at the states now; then, with the loads of this moment and the velocities taken as those of this
   /// moment, moves the velocities half a step back, where the leapfrog wants them.
@@ -76,6 +80,10 @@ class ChainBatch {
   MovingSphere<double, Dim> sphere_in(const LaneArray& spheres, int lane, int index) const;
   int used(int lane) const { return lane < lanes_ ? lane : lanes_ - 1; }
   void put_parameters(int lane);
+  /// Room for what bonds with branches keep.
+  void start_memory(const Fiber& fiber);
+  /// Branches of a lane in steps of dt. Throws InvalidInput where lanes do not have as many.
+  void put_branches(int lane, double step);
   /// Gradients of the steps to come; one stands for all of a steady flow.
   void fill_gradients(int steps);
   Gradient gradient_now(int lane, int steps_ahead) const;
@@ -95,6 +103,8 @@ class ChainBatch {
   BondForm form_;
   int lanes_;
   int bonds_;
+  bool viscoelastic_;
+  MemoryView memory_;
   Clamps clamps_;
   bool along_;
   bool fluid_, loaded_ = false, steady_ = true;
@@ -102,7 +112,8 @@ class ChainBatch {
   std::vector<Fiber> fibers_;
   std::vector<LaneFluid> fluids_;
   std::vector<MarchParameters<double, Dim>> parameters_of_;
-  LaneArray spheres_, history_, natural_, parameters_, mobile_, loads_, workspace_, dead_, gradients_;
+  LaneArray spheres_, history_, natural_, parameters_, mobile_, loads_, workspace_, dead_, gradients_,
+      branches_;
 };
 
 }  // namespace fiberchain::dem

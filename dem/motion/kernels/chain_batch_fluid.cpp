@@ -56,6 +56,9 @@ void ChainBatch<Dim>::set_step(int lane, double step) {
   fluid.step = steps_in_fluid_;
   dem::set_step(p, fibers_[lane], fluid.drag, step);
   put_parameters(lane);
+  for (int copy = lane; copy < kernel_.width; ++copy) {
+    if (used(copy) == lane) put_branches(copy, step);
+  }
   for (int i = 0; i <= bonds_; ++i) {
     if (kernel_.half_kick == nullptr) move_half_step(lane, i, now[i], true);
     set_sphere(lane, i, now[i]);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "dem/bond/branch_steps.hpp"
+
 namespace fiberchain::dem {
 
 bool blown_up(double length, double rest_length) {
@@ -48,6 +50,23 @@ ChainState<Dim> state_now(const ChainBatch<Dim>& block, int lane, int spheres) {
 }
 
 template <int Dim>
+double branch_energy(const ChainBatch<Dim>& block, int lane, const Chain<Dim>& chain, BondForm form) {
+  if (chain.fiber.branches.empty()) return 0;
+  const BranchSteps steps = branch_steps(chain.fiber, 0, Dim);
+  const BondParameters<double> bond = bond_parameters(chain.fiber);
+  double sum = 0;
+  with_bond_form(form, [&]<BondForm own>() {
+    using Law = ViscoelasticBond<BondLawType<own>>;
+    for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
+      const std::vector<double> numbers = block.bond_numbers(lane, i);
+      sum += branch_energy<Law::keeps_strain, Dim>(
+          bond, steps.view(), numbers.data() + numbers_of<BondLawHistory<Law, double, Dim>>);
+    }
+  });
+  return sum;
+}
+
+template <int Dim>
 int broken_sphere(const ChainBatch<Dim>& block, int lane, const Fiber& fiber) {
   const double l = bond_length(fiber);
   Vec<double, Dim> before = block.sphere(lane, 0).pose.position;
@@ -65,6 +84,7 @@ int broken_sphere(const ChainBatch<Dim>& block, int lane, const Fiber& fiber) {
   template void put_state<Dim>(ChainBatch<Dim>&, int, const Chain<Dim>&, const ChainState<Dim>&); \
   template ChainState<Dim> lagged_state<Dim>(const ChainBatch<Dim>&, int, int);                   \
   template ChainState<Dim> state_now<Dim>(const ChainBatch<Dim>&, int, int);                      \
+  template double branch_energy<Dim>(const ChainBatch<Dim>&, int, const Chain<Dim>&, BondForm);   \
   template int broken_sphere<Dim>(const ChainBatch<Dim>&, int, const Fiber&);
 FIBERCHAIN_INSTANTIATE(2)
 FIBERCHAIN_INSTANTIATE(3)

@@ -18,6 +18,10 @@ ChainState<Dim> lagged_state(const ChainBatch<Dim>& block, int lane, int spheres
 template <int Dim>
 ChainState<Dim> state_now(const ChainBatch<Dim>& block, int lane, int spheres);
 
+/// Elastic energy of the Maxwell branches of a lane's bonds [J].
+template <int Dim>
+double branch_energy(const ChainBatch<Dim>& block, int lane, const Chain<Dim>& chain, BondForm form);
+
 /// Whether a bond of that length and that rest length has blown up: not finite, or ten times too long or
 /// short.
 bool blown_up(double length, double rest_length);

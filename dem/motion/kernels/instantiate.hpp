@@ -19,14 +19,16 @@ namespace fiberchain::dem {
 template <Physics P, class Real>
 ChainBlock<P, Real> typed(const ChainBatchView& block) {
   constexpr int Dim = P.dimension;
-  return {.bonds = block.bonds,
-          .clamps = block.clamps,
-          .spheres = as_values<MovingSphere<Real, Dim>>(block.spheres),
-          .history = as_values<HistoryOf<P, Real>>(block.history),
-          .natural = as_values<NaturalEnds<Real, Dim>>(block.natural),
-          .parameters = *as_values<MarchParameters<Real, Dim>>(block.parameters),
-          .workspace = as_values<Real>(block.workspace),
-          .dead = as_values<EndLoad<Real, Dim>>(block.dead)};
+  ChainBlock<P, Real> chain{.bonds = block.bonds,
+                            .clamps = block.clamps,
+                            .spheres = as_values<MovingSphere<Real, Dim>>(block.spheres),
+                            .history = as_values<HistoryOf<P, Real>>(block.history),
+                            .natural = as_values<NaturalEnds<Real, Dim>>(block.natural),
+                            .parameters = *as_values<MarchParameters<Real, Dim>>(block.parameters),
+                            .workspace = as_values<Real>(block.workspace),
+                            .dead = as_values<EndLoad<Real, Dim>>(block.dead)};
+  set_memory(chain, block.history, block.memory);
+  return chain;
 }
 
 template <Physics P, class Real>

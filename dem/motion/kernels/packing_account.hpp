@@ -103,7 +103,16 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
     } else if constexpr (P.damped) {
       account_dashpots<Real>(block, chain.parameters, a, b, now, previous, damping);
     }
-    if constexpr (BondLaw<P>::dissipates) {
+    if constexpr (P.branches) {
+      damping = damping + with_memory(chain, bond, [&](const HistoryOf<P, Real>& history, Real* strains) {
+                  using Law = BondLaw<P>;
+                  const MarchParameters<Real, 3>& p = chain.parameters;
+                  const Real dt(block.previous_step);
+                  return branch_dissipation<Law::keeps_strain, 3>(
+                      p.bond, chain.branches, static_cast<const Real*>(strains),
+                      Law::strains(p.bond, history, now, dt), dt > Real(0.0));
+                });
+    } else if constexpr (BondLaw<P>::dissipates) {
       const Real dt = Real(block.previous_step);
       damping = damping + BondLaw<P>::dissipated(chain.parameters.bond, chain.history[bond], now, dt);
     }

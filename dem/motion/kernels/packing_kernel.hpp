@@ -52,11 +52,12 @@ struct PackingBlock {
                                ///< velocity_spin are fetched meanwhile
   double previous_step;        ///< the step that led here: dt, or 0 before the first [s]
   BondExtremes* extremes;      ///< grow, where bonds are solved for
+  MemoryView memory;           ///< of bonds with branches
 };
 
 struct PackingKernel {
   int width;
-  std::size_t history;  ///< doubles of a bond's history in a lane
+  std::size_t history;  ///< doubles of a bond's history in a lane, without branches
   std::size_t (*workspace)(
       int bonds);  ///< doubles a lane that solving along the chain needs, kept from step to step
   std::size_t (*scratch)(int bonds);  ///< doubles in all

@@ -17,13 +17,16 @@ double* slots_of(const PackingBlock& block) {
 
 template <Physics P, class Real>
 ChainBlock<P, Real> chain_of(const PackingBlock& block) {
-  return {.bonds = block.bonds,
-          .clamps = {false, false},
-          .spheres = as_values<MovingSphere<Real, 3>>(block.scratch),
-          .history = as_values<HistoryOf<P, Real>>(block.history),
-          .natural = as_values<NaturalEnds<Real, 3>>(block.natural),
-          .parameters = *as_values<MarchParameters<Real, 3>>(block.parameters),
-          .workspace = as_values<Real>(P.solved == Solved::bonds ? slots_of<Real>(block) : block.workspace)};
+  ChainBlock<P, Real> chain{
+      .bonds = block.bonds,
+      .clamps = {false, false},
+      .spheres = as_values<MovingSphere<Real, 3>>(block.scratch),
+      .history = as_values<HistoryOf<P, Real>>(block.history),
+      .natural = as_values<NaturalEnds<Real, 3>>(block.natural),
+      .parameters = *as_values<MarchParameters<Real, 3>>(block.parameters),
+      .workspace = as_values<Real>(P.solved == Solved::bonds ? slots_of<Real>(block) : block.workspace)};
+  set_memory(chain, block.history, block.memory);
+  return chain;
 }
 
 template <int N, class Real>
@@ -118,7 +121,8 @@ inline __attribute__((always_inline)) void fetch_ahead(const PackingBlock& block
   const std::ptrdiff_t row = block.first[0] + block.rows_ahead + i * lanes;
   fetch_lines(block.position_radius + row * position_radius_size, lanes * position_radius_size);
   fetch_lines(block.velocity_spin + row * velocity_spin_size, lanes * velocity_spin_size);
-  constexpr std::ptrdiff_t history = numbers_of<HistoryOf<P, Real>>;
+  const std::ptrdiff_t history = P.branches ? static_cast<std::ptrdiff_t>(block.memory.bond) * lanes
+                                            : static_cast<std::ptrdiff_t>(numbers_of<HistoryOf<P, Real>>);
   if (block.next_history != nullptr) fetch_lines(block.next_history + i * history, history);
 }
 
