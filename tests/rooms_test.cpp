@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// From the lowest room to the highest.
-const std::vector<std::string> kDem{"math",      "files",       "model",      "simd",   "parallel",
-                                    "record",    "bond",        "chain",      "motion", "contact",
-                                    "insertion", "equilibrium", "vibration",  "flow",   "assembly",
-                                    "analysis",  "scene",       "trajectory", "run"};
+const std::vector<std::string> kDem{"math",     "files",     "model",       "material",   "simd",
+                                    "parallel", "record",    "bond",        "chain",      "motion",
+                                    "contact",  "insertion", "equilibrium", "vibration",  "flow",
+                                    "assembly", "analysis",  "scene",       "trajectory", "run"};
 const std::vector<std::string> kCompare{"study",   "figures",  "measure", "static",  "calibration",
                                         "fit",     "render",   "flow",    "packing", "stability",
                                         "damping", "friction", "bench",   "scenes",  "app"};

@@ -9,32 +9,60 @@
 namespace fiberchain::dem {
 
 std::complex<double> complex_modulus(const PronySeries& series, std::complex<double> s) {
-  std::complex<double> sum = 1;
-  for (const auto& [g, tau] : series) sum += g * s * tau / (1.0 + s * tau);
-  return sum;
+  std::complex<double> modulus = 1;
+  for (const MaxwellBranch& branch : series) {
+    const std::complex<double> x = s * branch.time;
+    modulus += branch.strength * (std::norm(x) > 1 ? 1.0 / (1.0 + 1.0 / x) : x / (1.0 + x));
+  }
+  return modulus;
 }
 
-double storage_modulus(const PronySeries& series, double omega) {
-  return complex_modulus(series, {0, omega}).real();
+namespace {
+
+/// K' and K'' over K_inf in real numbers, of which complex ones are several times dearer.
+struct Forced {
+  double storage = 1, loss = 0;
+};
+
+Forced forced(const PronySeries& series, double omega) {
+  Forced modulus;
+  for (const MaxwellBranch& branch : series) {
+    const double x = omega * branch.time;
+    if (x == 0) continue;
+    const double part = branch.strength / (x + 1 / x);
+    modulus.storage += x * part;
+    modulus.loss += part;
+  }
+  return modulus;
 }
+
+}  // namespace
+
+double storage_modulus(const PronySeries& series, double omega) { return forced(series, omega).storage; }
 
 double loss_factor(const PronySeries& series, double omega) {
-  const std::complex<double> K = complex_modulus(series, {0, omega});
-  return K.imag() / K.real();
+  const Forced modulus = forced(series, omega);
+  return modulus.loss / modulus.storage;
 }
 
 double unrelaxed_modulus(const PronySeries& series) {
-  double sum = 1;
-  for (const MaxwellBranch& branch : series) sum += branch.strength;
-  return sum;
+  double modulus = 1;
+  for (const MaxwellBranch& branch : series) modulus += branch.strength;
+  return modulus;
 }
 
 void check(const PronySeries& series) {
-  for (const auto& [g, tau] : series) {
-    if (!(g >= 0 && std::isfinite(g)))
-      throw InvalidInput(fmt::format("strength = {} is not allowed: it must be finite and 0 or more", g));
-    if (!(tau > 0 && std::isfinite(tau)))
-      throw InvalidInput(fmt::format("time = {} is not allowed: it must be finite and greater than 0", tau));
+  for (const MaxwellBranch& branch : series) {
+    if (!(branch.strength >= 0) || !std::isfinite(branch.strength)) {
+      throw InvalidInput(
+          fmt::format("strength = {} of a Maxwell branch is not allowed: it must be finite and 0 or greater",
+                      branch.strength));
+    }
+    if (!(branch.time > 0) || !std::isfinite(branch.time)) {
+      throw InvalidInput(
+          fmt::format("time = {} s of a Maxwell branch is not allowed: it must be finite and greater than 0",
+                      branch.time));
+    }
   }
 }
 
