@@ -43,18 +43,6 @@ complex<double> refined(const detail::ChainStrains& strains, const VectorXcd& u,
                                 weighted(strains.spring, strain), guess);
 }
 
-void set_shape(ChainMode& mode, VectorXcd u, ChainMotion motion, Index held) {
-  const bool bending = motion == ChainMotion::bending;
-  u /= u(u.size() - (bending ? 2 : 1));
-  VectorXcd all = VectorXcd::Zero(u.size() + held);
-  all.tail(u.size()) = u;
-  const Index stride = bending ? 2 : 1;
-  for (Index i = 0; i < all.size(); i += stride) {
-    (motion == ChainMotion::twist ? mode.rotation : mode.displacement).push_back(all(i));
-    if (bending) mode.rotation.push_back(all(i + 1));
-  }
-}
-
 }  // namespace
 
 std::vector<ChainMode> chain_modes(const LinearChain& chain, ChainMotion motion, ChainEnds ends) {
@@ -71,7 +59,6 @@ std::vector<ChainMode> chain_modes(const LinearChain& chain, ChainMotion motion,
                    [&](Index a, Index b) { return std::abs(values(a)) < std::abs(values(b)); });
   order.erase(order.begin(), order.begin() + strains.rigid_motions);
 
-  const Index held = ends == ChainEnds::clamped_free ? (motion == ChainMotion::bending ? 2 : 1) : 0;
   const VectorXd scale = strains.inertia.cwiseSqrt().cwiseInverse();
   std::vector<ChainMode> modes;
   for (const Index i : order) {
@@ -79,7 +66,9 @@ std::vector<ChainMode> chain_modes(const LinearChain& chain, ChainMotion motion,
     const VectorXcd u = scale.asDiagonal() * solver.eigenvectors().col(i).tail(scale.size());
     ChainMode mode{};
     detail::set_eigenvalue(mode, refined(strains, u, values(i)));
-    set_shape(mode, u, motion, held);
+    detail::SphereShape shape = detail::sphere_shape(u, motion, ends);
+    mode.displacement = std::move(shape.displacement);
+    mode.rotation = std::move(shape.rotation);
     modes.push_back(std::move(mode));
   }
   return modes;

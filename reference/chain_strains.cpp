@@ -57,6 +57,20 @@ ChainStrains chain_strains(const LinearChain& chain, ChainMotion motion, ChainEn
   return strains;
 }
 
+SphereShape sphere_shape(Eigen::VectorXcd u, ChainMotion motion, ChainEnds ends) {
+  const bool bending = motion == ChainMotion::bending;
+  const Eigen::Index stride = bending ? 2 : 1;
+  u /= u(u.size() - stride);
+  Eigen::VectorXcd all = Eigen::VectorXcd::Zero(u.size() + (ends == ChainEnds::clamped_free ? stride : 0));
+  all.tail(u.size()) = u;
+  SphereShape shape;
+  for (Eigen::Index i = 0; i < all.size(); i += stride) {
+    (motion == ChainMotion::twist ? shape.rotation : shape.displacement).push_back(all(i));
+    if (bending) shape.rotation.push_back(all(i + 1));
+  }
+  return shape;
+}
+
 std::complex<double> quadratic_root(std::complex<double> m, std::complex<double> c, std::complex<double> k,
                                     std::complex<double> guess) {
   const std::complex<double> root = std::sqrt(c * c - 4.0 * m * k);

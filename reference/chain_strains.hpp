@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <complex>
+#include <vector>
 
 #include "reference/chain_modes.hpp"
 
@@ -20,6 +21,16 @@ struct ChainStrains {
 };
 
 ChainStrains chain_strains(const LinearChain& chain, ChainMotion motion, ChainEnds ends);
+
+/// A mode's shape per sphere, those held included, scaled so that the last sphere's displacement (twist:
+/// rotation) is 1. The one a motion does not have is empty.
+struct SphereShape {
+  std::vector<std::complex<double>> displacement;
+  std::vector<std::complex<double>> rotation;
+};
+
+/// From the unknowns of chain_strains().
+SphereShape sphere_shape(Eigen::VectorXcd u, ChainMotion motion, ChainEnds ends);
 
 /// Root of m x^2 + c x + k = 0 nearest to `guess`.
 std::complex<double> quadratic_root(std::complex<double> m, std::complex<double> c, std::complex<double> k,
