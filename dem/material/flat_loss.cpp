@@ -26,7 +26,7 @@ void check(double value, FrequencyBand band) {
   }
 }
 
-/// |x r(-x^2)| of the flat function at x = root_i exp(u): infinite at the root, where x meets -x^2's pole.
+/// |x r(-x^2)| of the flat function x r(x^2) at x = root_i exp(u): infinite at the root, a pole of r.
 double beyond(const FlatFunction& function, std::size_t i, double u) {
   const double root = function.roots[i], x = root * std::exp(u);
   double value = function.factor * x / (root * root * std::abs(std::expm1(2 * u)));

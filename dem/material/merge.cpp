@@ -1,6 +1,7 @@
 #include "dem/material/merge.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace fiberchain::dem {
 

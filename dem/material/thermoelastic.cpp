@@ -144,7 +144,7 @@ PronySeries thermoelastic_branches(double strength, double diffusivity, double r
   const LossTarget target{grouped(modes), 0};
   const double rate = 2 * std::numbers::pi * peak, high = over_peak * rate;
   for (int n = 1; n <= most_branches; ++n) {
-    const RippledSeries start{first_branches(modes, high, n), first_extremes(rate, high, n), tolerance};
+    const RippledSeries start{first_branches(modes, high, n), first_extremes(rate, high, n), 0.01};
     const RippledSeries fit = equal_ripple(start, target);
     if (fit.ripple <= tolerance) return fit.series;
   }

@@ -28,8 +28,7 @@ Forced forced(const PronySeries& series, double omega) {
   Forced modulus;
   for (const MaxwellBranch& branch : series) {
     const double x = omega * branch.time;
-    if (x == 0) continue;
-    const double part = branch.strength / (x + 1 / x);
+    const double part = branch.strength / (x + 1 / x);  // x / (1 + x^2) without overflow; 0 at x = 0
     modulus.storage += x * part;
     modulus.loss += part;
   }

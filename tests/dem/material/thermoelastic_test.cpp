@@ -95,6 +95,16 @@ BOOST_AUTO_TEST_CASE(all_thermal_modes_are_the_closed_form) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(surface_is_insulated_in_every_mode) {
+  const dem::PronySeries modes = dem::thermal_modes(strength, diffusivity, radius, 700);
+  for (std::size_t k = 1; k <= modes.size(); ++k) {
+    const double q = radius / std::sqrt(diffusivity * modes[k - 1].time);
+    BOOST_TEST(std::abs(q - (static_cast<double>(k) - 0.25) * std::numbers::pi) < 0.52);  // none is left out
+    const double slope = std::cyl_bessel_j(0, q) - std::cyl_bessel_j(1, q) / q;
+    BOOST_TEST(std::abs(slope) * std::sqrt(q) < 1e-12 * q, k << ": " << slope);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(first_mode) {
   BOOST_TEST(peak * radius * radius / diffusivity == 0.539529, boost::test_tools::tolerance(1e-6));
   const dem::PronySeries one = dem::thermal_modes(strength, diffusivity, radius, 1);
@@ -132,14 +142,14 @@ BOOST_AUTO_TEST_CASE(literal_modes_need_many_more) {
 }
 
 BOOST_AUTO_TEST_CASE(tolerances_are_kept) {
-  for (const double tolerance : {0.1, 0.03, 0.01, 0.003, 0.001}) {
-    for (const double over_peak : {1e-3, 0.4, 3.0, 27.0, 5e2, 3e4}) {
+  for (const double tolerance : {1.0, 0.1, 0.03, 0.01, 0.003, 0.001}) {
+    for (const double over_peak : {1e-3, 0.4, 3.0, 27.0, 5e2, 3e4, 1e6}) {
       const dem::PronySeries series = fitted(over_peak, tolerance);
       BOOST_TEST(largest(extremes(series, over_peak)) < 1.02 * tolerance, over_peak << ", " << tolerance);
       BOOST_TEST(series.size() <= 5);
     }
   }
-  BOOST_TEST(largest(extremes(fitted(1e9), 1e7)) < 0.01);
+  BOOST_TEST(largest(extremes(fitted(1e9), 1e8)) < 0.0051);
 }
 
 BOOST_AUTO_TEST_CASE(from_a_data_sheet) {
