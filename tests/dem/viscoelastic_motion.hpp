@@ -9,8 +9,8 @@
 #include "dem/motion/physics_of.hpp"
 #include "reference/complex_modes.hpp"
 
-// Chains of fibers with Maxwell branches, started in one mode of their linearization: poses, velocities and the
-// strains of the branches.
+// Chains of fibers with Maxwell branches, started in one mode of their linearization: poses, velocities and
+// the strains of the branches.
 namespace viscoelastic {
 
 namespace dem = fiberchain::dem;
@@ -115,7 +115,8 @@ class ModeStart {
     return real(mode_.rotation[i], factor) * (motion_ == reference::ChainMotion::twist ? about : axis());
   }
 
-  /// Components of the strain of a branch of time tau, factor s tau / (1 + s tau); the bond's own with factor 1.
+  /// Components of the strain of a branch of time tau, factor s tau / (1 + s tau); the bond's own with
+  /// factor 1.
   std::vector<double> components(Complex strain, Complex factor, const Vector& vector,
                                  const std::vector<Vector>& directors) const {
     std::vector<double> all;
@@ -137,11 +138,12 @@ class ModeStart {
   void put_branches(dem::ChainBatch<Dim>& block, int lane, int i) const {
     std::vector<double> numbers = block.bond_numbers(lane, i), memory;
     const bool bends = motion_ == reference::ChainMotion::bending;
-    const Complex zero = 0, du = bends || motion_ == reference::ChainMotion::axial
-                                     ? mode_.displacement[i + 1] - mode_.displacement[i]
-                                     : zero,
+    const Complex zero = 0,
+                  du = bends || motion_ == reference::ChainMotion::axial
+                           ? mode_.displacement[i + 1] - mode_.displacement[i]
+                           : zero,
                   dr = motion_ == reference::ChainMotion::axial ? zero
-                                                                  : mode_.rotation[i + 1] - mode_.rotation[i];
+                                                                : mode_.rotation[i + 1] - mode_.rotation[i];
     const Complex sliding =
         bends ? du - dem::bond_length(fiber_) / 2 * (mode_.rotation[i + 1] + mode_.rotation[i]) : zero;
     // directors across the bond, and the axis of bending as a vector
@@ -155,7 +157,11 @@ class ModeStart {
       if (form_ == dem::BondForm::incremental)
         directors = {{numbers[6], numbers[7], numbers[8]}, {-numbers[6], -numbers[8], numbers[7]}};
     }
-    const Vector unit_x = [] { Vector u{}; u[0] = 1; return u; }();
+    const Vector unit_x = [] {
+      Vector u{};
+      u[0] = 1;
+      return u;
+    }();
     const dem::MaxwellBranches& own = fiber_.branches;
     add(memory, own.stretch, bends ? zero : du, unit_x, {unit_x});
     add(memory, own.shear, sliding, across(), directors);

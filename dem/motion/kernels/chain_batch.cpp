@@ -82,6 +82,7 @@ ChainBatch<Dim>::ChainBatch(const std::vector<Chain<Dim>>& chains, Clamps clamps
       sphere.pose = chain.poses[i];
       set_sphere(lane, i, sphere);
     }
+    if (viscoelastic_) start_histories(lane, chain, at_rest<Dim>(chain.poses));
     for (std::size_t i = 0; i < chain.natural.size(); ++i) {
       natural_.put(chain.natural[i], place(lane, static_cast<int>(i), numbers_of<NaturalEnds<double, Dim>>),
                    stride());
