@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using State = Eigen::Map<const VectorXd>;
+using ModalState = Eigen::Map<const VectorXd>;
 
 constexpr double kLargestNumber = std::numeric_limits<double>::max();
 
@@ -19,7 +19,7 @@ MatrixXd mass_factor(const detail::LegendreBeam& beam) {
   return beam.weights.cwiseSqrt().asDiagonal() * beam.integral * beam.phi;
 }
 
-/// Slope w_s = sum q_k phi_k: M q'' + (retardation K + viscous M) q' + K q = 0. State: q, q', energy
+/// Slope w_s = sum q_k phi_k: M q'' + (retardation K + viscous M) q' + K q = 0. ModalState: q, q', energy
 /// dissipated.
 struct Discretization {
   Discretization(const BeamDamping& damping_value, int modes) : damping(damping_value) {
@@ -43,7 +43,7 @@ struct Discretization {
     return state;
   }
 
-  void rhs(const State& state, Eigen::Map<VectorXd> derivative) const {
+  void rhs(const ModalState& state, Eigen::Map<VectorXd> derivative) const {
     const auto q = state.head(n());
     const auto v = state.segment(n(), n());
     derivative.head(n()) = v;
@@ -53,7 +53,7 @@ struct Discretization {
         damping.retardation * v.dot(beam.stiffness.cwiseProduct(v)) + damping.viscous * v.dot(mass * v);
   }
 
-  void jacobian(const State& state, Eigen::Map<MatrixXd> j) const {
+  void jacobian(const ModalState& state, Eigen::Map<MatrixXd> j) const {
     const auto v = state.segment(n(), n());
     j.block(0, n(), n(), n()).setIdentity();
     j.block(n(), 0, n(), n()) = -restoring;
@@ -63,7 +63,7 @@ struct Discretization {
         2 * (damping.retardation * beam.stiffness.cwiseProduct(v) + damping.viscous * (mass * v)).transpose();
   }
 
-  BeamSample sample(double time, const State& state) const {
+  BeamSample sample(double time, const ModalState& state) const {
     const auto q = state.head(n());
     const auto v = state.segment(n(), n());
     BeamSample at{};
@@ -96,7 +96,7 @@ BeamHistory damped_beam_cvode(const BeamDamping& damping, const Release& release
   const Discretization beam(damping, resolution.modes);
   const VectorXd start = beam.start(release);
   const auto size = start.size();
-  const auto view = [size](std::span<const double> state) { return State(state.data(), size); };
+  const auto view = [size](std::span<const double> state) { return ModalState(state.data(), size); };
   detail::Cvode cvode(
       resolution.method,
       [&](double, std::span<const double> state, std::span<double> derivative) {

@@ -61,7 +61,7 @@ ScaledRod loaded(ScaledRod rod, double factor) {
 }
 
 /// r, the section's quaternion (w last, as Eigen stores it), m.
-using State = std::array<double, 10>;
+using SectionState = std::array<double, 10>;
 
 void slopes(const ScaledRod& rod, const RodSegment& part, double beyond, const double* state,
             double* derivative) {
@@ -78,8 +78,8 @@ void slopes(const ScaledRod& rod, const RodSegment& part, double beyond, const d
 }
 
 /// The free end's state with this moment at the clamp.
-State end_of(const ScaledRod& rod, const Vector3d& clamp_moment) {
-  State state{0, 0, 0, 0, 0, 0, 1, clamp_moment[0], clamp_moment[1], clamp_moment[2]};
+SectionState end_of(const ScaledRod& rod, const Vector3d& clamp_moment) {
+  SectionState state{0, 0, 0, 0, 0, 0, 1, clamp_moment[0], clamp_moment[1], clamp_moment[2]};
   double begin = 0;
   for (const RodSegment& part : rod.segments) {
     Map<Eigen::Quaterniond> turn(state.data() + 3);
@@ -101,7 +101,7 @@ Vector3d from_gsl(const gsl_vector* v) {
 
 int miss(const gsl_vector* clamp_moment, void* of, gsl_vector* out) {
   const auto& rod = *static_cast<const ScaledRod*>(of);
-  const State end = end_of(rod, from_gsl(clamp_moment));
+  const SectionState end = end_of(rod, from_gsl(clamp_moment));
   for (std::size_t i = 0; i < 3; ++i) gsl_vector_set(out, i, end[7 + i] - rod.moment[static_cast<int>(i)]);
   return std::isfinite(gsl_vector_get(out, 0)) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
@@ -132,7 +132,7 @@ SpaceVector spatial_rod_end(const SpatialRod& rod, const RodLoads& loads, int lo
     before = clamp_moment;
     clamp_moment = shoot(loaded(all, static_cast<double>(step) / load_steps), ahead);
   }
-  const State end = end_of(all, clamp_moment);
+  const SectionState end = end_of(all, clamp_moment);
   return {end[0] * length, end[1] * length, end[2] * length};
 }
 

@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(branches_that_are_very_fast_or_very_slow) {
   };
   BOOST_TEST(fast(1e-5) < 1e-5);
   BOOST_TEST(fast(1e-4) / fast(1e-5) == 10, boost::test_tools::tolerance(0.05));
-  // slow: the beam hangs on a spring more, y - y_0 = g/(1 + g) (...): about the mean g/(1 + g) of the start
+  // slow: a spring more, which holds the beam where it was: g/(1 + g) of the start is the new equilibrium
   const double g = 0.4;
   const auto slow = ref::viscoelastic_beam({{{g, 1e7}}, {}}, shape, times, tight(6));
   for (std::size_t i = 0; i < times.size(); ++i) {
