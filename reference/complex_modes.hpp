@@ -62,7 +62,8 @@ BondModuli bond_moduli(const BondSpectra& spectra);
 struct ComplexChainMode {
   FreeDecay decay;
   bool oscillates;  ///< false: a real eigenvalue, a creeping motion; half_loss_factor and difference are 0
-  /// Per sphere, scaled so that the last sphere's displacement (twist: rotation) is 1, as in ChainMode.
+  /// Per sphere, scaled so that the last sphere's displacement (twist: rotation) is 1, as in ChainMode;
+  /// meaningless where it stays at rest, as in bending of a single free bond.
   std::vector<std::complex<double>> displacement;
   std::vector<std::complex<double>> rotation;
 };

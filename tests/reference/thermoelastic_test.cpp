@@ -184,23 +184,23 @@ BOOST_AUTO_TEST_CASE(terms_for_one_percent) {
 }
 
 BOOST_AUTO_TEST_CASE(modes_of_a_wire) {
-  // the exact modulus and 300 thermal modes give the same roots, first to fifth mode, below to above the peak
+  // the exact modulus and 20 thermal modes give nearly the same roots, first to fifth mode, below to above
+  // the peak
   for (const double aspect : {13.0, 130.0, 1300.0}) {
     const ref::UniformBeam beam = ref::wire_beam(odd_wire, aspect * 2 * 37e-6);
     BOOST_TEST(beam.bending == 131e9 * std::numbers::pi * std::pow(37e-6, 4) / 4,
                boost::test_tools::tolerance(1e-13));
     const auto exact =
         ref::complex_beam_modes(beam, ref::thermoelastic_modulus(odd_wire), ref::ChainEnds::clamped_free, 5);
-    const auto series =
-        ref::complex_beam_modes(beam, ref::complex_modulus(ref::thermoelastic_series(odd_wire, 300)),
-                                ref::ChainEnds::clamped_free, 5);
+    const auto series = ref::complex_beam_modes(
+        beam, ref::complex_modulus(ref::thermoelastic_series(odd_wire, 20)), ref::ChainEnds::clamped_free, 5);
     for (std::size_t k = 0; k < 5; ++k) {
       const ref::FreeDecay& decay = exact[k].decay;
       BOOST_TEST_MESSAGE("f/f0 " << decay.frequency / (2 * std::numbers::pi) /
                                         ref::thermoelastic_peak(odd_wire)
                                  << ": zeta " << decay.damping << ", less tan delta/2 " << decay.difference);
-      BOOST_TEST(series[k].decay.damping == decay.damping, boost::test_tools::tolerance(2e-4));
-      BOOST_TEST(series[k].decay.damping != decay.damping, boost::test_tools::tolerance(1e-14));
+      BOOST_TEST(series[k].decay.damping == decay.damping, boost::test_tools::tolerance(3e-3));
+      BOOST_TEST(series[k].decay.damping != decay.damping, boost::test_tools::tolerance(1e-11));
       BOOST_TEST(std::abs(decay.difference) < 0.01 * decay.damping);
     }
   }
