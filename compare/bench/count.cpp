@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "compare/bench/swinging_chain.hpp"
+#include "dem/chain/chain_bond.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/motion/kernels/chain_kernel.hpp"
 #include "dem/motion/leapfrog.hpp"
 #include "dem/motion/relaxation.hpp"
 
@@ -39,6 +41,43 @@ dem::MarchParameters<double, Dim> parameters_of(const SwingingChain<Dim>& swing,
   return p;
 }
 
+/// What bonds with branches keep, and the branches in this step.
+template <dem::Physics P>
+class CountedMemory {
+ public:
+  static constexpr int Dim = P.dimension;
+
+  CountedMemory(const SwingingChain<Dim>& swing, OperationCount* count) {
+    if constexpr (P.branches) {
+      steps_ = dem::branch_steps(swing.chain.fiber, swing.step, Dim);
+      for (const auto& step : steps_.steps)
+        counted_.push_back(counted<dem::BranchStep<Counted>>(step, nullptr));
+      constexpr std::size_t history = dem::numbers_of<dem::HistoryOf<P, double>>;
+      size_ = dem::memory_view<Dim>(steps_, nullptr, P.form, history).bond;
+      const auto rest = dem::at_rest<Dim>(swing.chain.poses);
+      for (int i = 0; i < kernel_bonds; ++i) {
+        std::vector<double> numbers(size_, 0.0);
+        dem::put_strided(dem::start_history<dem::BondLaw<P>>(swing.chain, rest, i), numbers.data(), 1);
+        for (const double number : numbers) memory_.emplace_back(number, count);
+      }
+    }
+  }
+
+  void put(dem::ChainBlock<P, Counted>& block) {
+    if constexpr (P.branches) {
+      block.branches = {counted_.data(), steps_.stretch, steps_.shear, steps_.twist, steps_.bend};
+      block.memory = memory_.data();
+      block.bond_memory = size_;
+    }
+  }
+
+ private:
+  dem::BranchSteps steps_;
+  std::vector<dem::BranchStep<Counted>> counted_;
+  std::vector<Counted> memory_;
+  std::size_t size_ = 0;
+};
+
 template <dem::Physics P>
 OperationCount counted_bond_step() {
   constexpr int Dim = P.dimension;
@@ -56,12 +95,14 @@ OperationCount counted_bond_step() {
   for (const auto& ends : swing.chain.natural)
     natural.push_back(counted<dem::NaturalEnds<Counted, Dim>>(ends, &count));
   std::vector<Counted> workspace(dem::workspace_reals<P, Counted>(kernel_bonds));
+  CountedMemory<P> memory(swing, &count);
   // parameters without a count: what is made of them alone is made before the loop
-  const dem::ChainBlock<P, Counted> block{
+  dem::ChainBlock<P, Counted> block{
       kernel_bonds,    {true, false},
       spheres.data(),  history.data(),
       natural.data(),  counted<dem::MarchParameters<Counted, Dim>>(parameters_of(swing, P.fluid), nullptr),
       workspace.data()};
+  memory.put(block);
   std::vector<Counted> gradient;  // steady: without a count too
   for (int c = 0; c < Dim * Dim; ++c)
     gradient.emplace_back(swing.fluid.flow.gradient[c / Dim][c % Dim], nullptr);

@@ -30,6 +30,7 @@ constexpr Feature features[] = {
     {"bonds lagged instead of solved in the step", [](Physics& p) { p.solved = dem::Solved::nothing; }},
     {"no rolling friction", [](Physics& p) { p.rolling = dem::Rolling::none; }},
     {"no fluid", [](Physics& p) { p.fluid = false; }},
+    {"no Maxwell branches (5 in bending)", [](Physics& p) { p.branches = false; }},
     {"no drag", [](Physics& p) { p.settling_damping = false; }},
     {"straight at rest instead of curved", [](Physics& p) { p.curved = false; }},
     {"increments instead of total strain", [](Physics& p) { p.form = BondForm::incremental; }},

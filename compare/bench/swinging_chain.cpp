@@ -41,6 +41,10 @@ template <int Dim>
 SwingingChain<Dim> swinging_chain_of(const Physics& physics) {
   dem::Fiber fiber = kernel_fiber();
   fiber.bond_damping = physics.damped ? 0.5 : 0.0;
+  if (physics.branches) {
+    for (int j = 0; j < kernel_branches; ++j)
+      fiber.branches.bend.push_back({0.02, std::pow(4.0, j) * 10 * dem::bond_time_step(fiber)});
+  }
   fiber.rolling_friction = physics.rolling == dem::Rolling::none ? 0.0 : 0.5;
   const double drag = physics.settling_damping ? 1e-3 / dem::bond_time_step(fiber) : 0.0;
   // drag and shear that slow and bend the swing a little
@@ -71,6 +75,7 @@ std::string text(const Physics& p) {
   if (p.settling_damping) all += " drag";
   if (p.fluid) all += " in fluid";
   if (p.curved) all += " curved";
+  if (p.branches) all += fmt::format(" {} branches in bending", kernel_branches);
   if (p.rolling != dem::Rolling::none) all += fmt::format(" rolling {}", dem::name(p.rolling));
   return all;
 }

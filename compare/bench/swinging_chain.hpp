@@ -13,6 +13,8 @@
 namespace fiberchain::compare {
 
 inline constexpr int kernel_bonds = 10;
+/// Maxwell branches of a bond in bending, where a physics has them.
+inline constexpr int kernel_branches = 5;
 
 /// The nominal fiber with that many bonds, undamped.
 dem::Fiber kernel_fiber();

@@ -8,7 +8,8 @@ namespace fiberchain::dem {
 /// Energy stored now, and dissipated or supplied since the start by each mechanism that is accounted [J].
 struct EnergyBalance {
   double kinetic, bonds, contacts, gravity;  ///< stored
-  double bond_damping, bond_friction;        ///< dissipated by the dashpots and the rolling friction of bonds
+  double bond_damping,
+      bond_friction;  ///< dissipated by the dashpots and branches, by the rolling friction of bonds
   double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
   double scheme;  ///< work on the springs' part of the mass matrix, where bonds are solved for; falls as dt^2
   double fluid;   ///< dissipated by the fluid, negative where it drives
@@ -40,7 +41,8 @@ inline constexpr std::array energy_mechanisms = {
                     "elastic, in the contacts"},
     EnergyMechanism{&EnergyBalance::gravity, EnergyRole::stored, "energy_gravity", "of height", "of height"},
     EnergyMechanism{&EnergyBalance::bond_damping, EnergyRole::dissipated, "taken_bond_damping",
-                    "taken by bond damping", "taken by the dashpots of the bonds since the start"},
+                    "taken by bond damping",
+                    "taken by the dashpots and Maxwell branches of the bonds since the start"},
     EnergyMechanism{&EnergyBalance::bond_friction, EnergyRole::dissipated, "taken_bond_friction",
                     "taken by bond friction", "taken by the rolling friction of the bonds"},
     EnergyMechanism{&EnergyBalance::contact_normal, EnergyRole::dissipated, "taken_contact_normal",

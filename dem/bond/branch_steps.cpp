@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "dem/bond/laws/viscoelastic_bond.hpp"
+#include "dem/simd/as_numbers.hpp"
+
 namespace fiberchain::dem {
 namespace {
 
@@ -37,5 +40,20 @@ BranchSteps branch_steps(const Fiber& fiber, double dt, int dimension) {
   all.bend = add_steps(fiber.branches.bend, dt, all.steps);
   return all;
 }
+
+template <int Dim>
+std::size_t bond_memory(const Fiber& fiber, BondForm form) {
+  return with_bond_form(form, [&]<BondForm own>() -> std::size_t {
+    using Plain = BondLawType<own>;
+    if (fiber.branches.empty()) return numbers_of<BondLawHistory<Plain, double, Dim>>;
+    using Law = ViscoelasticBond<Plain>;
+    const BranchSteps steps = branch_steps(fiber, 0, Dim);
+    return numbers_of<BondLawHistory<Law, double, Dim>> +
+           branch_memory<Law::keeps_strain, Dim>(steps.stretch, steps.shear, steps.twist, steps.bend);
+  });
+}
+
+template std::size_t bond_memory<2>(const Fiber&, BondForm);
+template std::size_t bond_memory<3>(const Fiber&, BondForm);
 
 }  // namespace fiberchain::dem

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dem/bond/branches.hpp"
+#include "dem/bond/laws/laws.hpp"
 
 namespace fiberchain::dem {
 
@@ -16,5 +17,9 @@ struct BranchSteps {
 
 /// Branches without strength are left out, and in the plane those of twist. A step of 0 changes nothing.
 BranchSteps branch_steps(const Fiber& fiber, double dt, int dimension);
+
+/// Numbers that a bond keeps in Dim dimensions: history of its law, strains of its branches.
+template <int Dim>
+std::size_t bond_memory(const Fiber& fiber, BondForm form);
 
 }  // namespace fiberchain::dem

@@ -20,6 +20,7 @@ void check(const FlowCase<Dim>& flow) {
     throw InvalidInput(fmt::format("start = {} poses is not allowed: the chain has {} spheres",
                                    flow.start.size(), flow.chain.poses.size()));
   }
+  refuse_branches(flow.chain.fiber, "fibers in a fluid");
   if (flow.chain.fiber.rolling_friction > 0) {
     throw InvalidInput(
         fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",

@@ -105,6 +105,11 @@ MaxwellBranches maxwell_branches(const MaterialRelaxation& relaxation, BondModel
           .bend = bend};
 }
 
+void refuse_branches(const Fiber& fiber, std::string_view what) {
+  if (!fiber.branches.empty())
+    throw InvalidInput(fmt::format("Maxwell branches are not allowed: they are not built for {}", what));
+}
+
 bool damped(const Fiber& fiber) { return fiber.bond_damping > 0 || fiber.retardation_time > 0; }
 
 double sphere_radius(const Fiber& fiber) { return fiber.diameter / 2; }

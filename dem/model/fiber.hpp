@@ -97,6 +97,9 @@ struct Fiber {
   MaxwellBranches branches = {};  ///< of the material's memory; `material` has the relaxed moduli then
 };
 
+/// Throws InvalidInput where the fiber has Maxwell branches, which are not built for `what`.
+void refuse_branches(const Fiber& fiber, std::string_view what);
+
 /// Whether any dashpot of the bonds does anything.
 bool damped(const Fiber& fiber);
 

@@ -129,6 +129,7 @@ CvodeMotion<Dim>::CvodeMotion(const Chain<Dim>& chain, const Boundary<Dim>& boun
                               const ChainState<Dim>& start, const CvodeTolerance& tolerance,
                               std::optional<Medium<Dim>> medium)
     : solver_(std::make_unique<Solver>()) {
+  refuse_branches(chain.fiber, "CVODE");
   Solver& s = *solver_;
   s.chain = chain;
   s.boundary = boundary;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dem/model/errors.hpp"
+
 namespace fiberchain::dem {
 
 template <int Dim>
@@ -15,6 +17,8 @@ Physics physics_of(std::span<const Chain<Dim>> chains, const MarchOptions& optio
   const bool any_branches = !options.settling_damping && std::ranges::any_of(chains, [](const Chain<Dim>& c) {
     return !c.fiber.branches.empty();
   });
+  if (any_branches && options.fluid)
+    throw InvalidInput("Maxwell branches are not allowed: they are not built for fibers in a fluid");
   return {.dimension = Dim,
           .form = options.form,
           // rolling friction, branches and solved springs are built with dashpots only

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dem/bond/incremental.hpp"
+#include "dem/bond/branch_steps.hpp"
 #include "dem/insertion/placement.hpp"
 #include "dem/run/samples.hpp"
 #include "dem/simd/storage_layout.hpp"
@@ -24,7 +24,14 @@ double storage_of(const PackingScene& scene) {
 /// Bytes of a bond: its strains, and force, moment and power of the last step where energy is accounted.
 double bond_of(const PackingScene& scene) {
   constexpr double accounted = 8 * kDouble;
-  return sizeof(BondHistory<double, 3>) + (scene.account_energy ? accounted : 0);
+  double bonds = 0, numbers = 0;
+  for (const PackingFiberKind& kind : scene.kinds) {
+    const Fiber& fiber = kind.fiber;
+    const auto own = static_cast<double>(kind.count + std::ssize(kind.starts)) * fiber.aspect_ratio;
+    bonds += own;
+    numbers += own * static_cast<double>(bond_memory<3>(fiber, scene.form));
+  }
+  return kDouble * numbers / std::max(bonds, 1.0) + (scene.account_energy ? accounted : 0);
 }
 
 /// Bytes of a sphere in a checkpoint: storage, load, reference position, and what its bond and contacts keep.
