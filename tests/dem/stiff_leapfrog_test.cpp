@@ -82,7 +82,8 @@ bool stays_straight(const dem::Fiber& fiber, double tension, double dt, double b
   const dem::BondStiffness K = dem::bond_stiffness(fiber);
   std::vector<dem::MovingSphere<double, 2>> spheres;
   dem::MarchParameters<double, 2> p = dem::march_parameters<2>(fiber, {}, dt);
-  p.beta = beta;
+  p.solved_stretch = beta * K.stretch, p.solved_shear = beta * K.shear;
+  p.solved_twist = beta * K.twist, p.solved_bend = beta * K.bend;
   p.ramp.rate = 1;
   p.ramp.first_from.force = p.ramp.first_to.force = {-tension, 0};
   p.ramp.last_from.force = p.ramp.last_to.force = {tension, 0};
