@@ -40,12 +40,15 @@ fiberchain_install(dem TARGETS fiberchain_dem HEADERS
   dem/equilibrium/newton.hpp
   dem/flow/integrate_in_flow.hpp
   dem/insertion/random_insertion.hpp
+  dem/material/flat_loss.hpp
+  dem/material/merge.hpp
   dem/motion/time_step.hpp
   dem/record/csv.hpp
   dem/run/run_scene.hpp
   dem/run/session.hpp
   dem/scene/build_fiber.hpp
   dem/scene/build_packing.hpp
+  dem/scene/read_material.hpp
   dem/trajectory/checkpoint.hpp
   dem/trajectory/h5md.hpp
   dem/vibration/choose.hpp

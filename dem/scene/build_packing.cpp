@@ -215,6 +215,7 @@ std::string scene_fingerprint(const SceneText& text, const PackingScene& scene) 
   std::string all = sha256(text.text);
   for (const PackingFiberKind& kind : scene.kinds) {
     if (kind.file) all += sha256(kind.file->text);
+    if (kind.material_file) all += sha256(kind.material_file->text);
   }
   return sha256(all);
 }

@@ -186,6 +186,18 @@ class KeyTable {
     return added;
   }
 
+  /// The same, or a word that stands for the mapping `meant`.
+  template <class U, class Store>
+  SceneKey<T>& mapping_or_word(const std::string& key, const std::string& word, const U& meant,
+                               const KeyTable<U>& table, Store store, const std::string& meaning) {
+    SceneKey<T>& added = mapping(key, table, store, meaning);
+    added.declared.allowed = fmt::format("mapping, or `{}`", word);
+    added.read = [=, read_mapping = added.read](const StrictMapping& from, T& to) {
+      from.is_word(key, word) ? store(from, meant, to) : read_mapping(from, to);
+    };
+    return added;
+  }
+
   /// A mapping whose keys belong to a member of T, or with std::identity to T itself.
   template <class U, class Member>
   SceneKey<T>& mapping_into(const std::string& key, Member member, const KeyTable<U>& table,

@@ -7,6 +7,7 @@
 #include "dem/assembly/assembly.hpp"
 #include "dem/insertion/placement.hpp"
 #include "dem/insertion/random_insertion.hpp"
+#include "dem/material/material_damping.hpp"
 #include "dem/scene/scene_text.hpp"
 
 namespace fiberchain::dem {
@@ -17,6 +18,8 @@ struct PackingFiberKind {
   std::int64_t count = 0;               ///< at random, in all batches together
   std::vector<FiberStart> starts = {};  ///< of the file
   std::optional<SceneText> file = {};   ///< which holds the starts
+  DampingSummary damping = {};          ///< of its material
+  std::optional<SceneText> material_file = {};
 };
 
 /// What is done where a later batch finds no room.

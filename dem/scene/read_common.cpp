@@ -20,10 +20,61 @@ void check_fiber(const StrictMapping& mapping, const std::string& key, const Fib
   }
 }
 
+/// The keys with what they leave to the material.
+FiberKeys completed(FiberKeys keys, const std::optional<MaterialData>& material) {
+  if (!material) return keys;
+  const auto take = [](std::optional<double>& key, const std::optional<MaterialValue>& known) {
+    if (!key && known) key = known->value;
+  };
+  take(keys.youngs_modulus, material->youngs_modulus);
+  take(keys.density, material->density);
+  if (!keys.poisson_ratio && !keys.shear_modulus) {
+    take(keys.poisson_ratio, material->poisson_ratio);
+    take(keys.shear_modulus, material->shear_modulus);
+  }
+  if (keys.shear_modulus) take(keys.transverse_modulus, material->transverse_modulus);
+  return keys;
+}
+
+void check_complete(const StrictMapping& mapping, const FiberKeys& keys) {
+  const std::string not_there =
+      keys.material.empty() ? "" : fmt::format(": material '{}' has none", keys.material);
+  const auto require = [&](const char* key, const std::optional<double>& value) {
+    if (!value) mapping.fail("", fmt::format("key '{}' is missing{}", key, not_there));
+  };
+  require("youngs_modulus", keys.youngs_modulus);
+  if (!keys.poisson_ratio && !keys.shear_modulus)
+    mapping.fail("", "needs poisson_ratio or shear_modulus" + not_there);
+  if (keys.transverse_modulus && !keys.shear_modulus)
+    mapping.fail("transverse_modulus", "is of use only with shear_modulus");
+  require("density", keys.density);
+}
+
+/// The material named, found beside the scene.
+std::optional<MaterialData> material_named(const StrictMapping& mapping, const FiberKeys& keys) {
+  if (keys.material.empty()) return std::nullopt;
+  try {
+    return find_material(keys.material, mapping.file(), mapping.units());
+  } catch (const SceneError& error) {
+    mapping.fail("material", error.what());
+  }
+}
+
+DampedFiber with_material_damping(const StrictMapping& mapping, const FiberKeys& keys, const Fiber& fiber,
+                                  const std::optional<MaterialData>& material) {
+  if (!keys.material_damping) return {fiber, {}};
+  const MaterialDamping damping = damping_of(mapping, *keys.material_damping, material);
+  try {
+    return with_damping(fiber, damping);
+  } catch (const InvalidInput& error) {
+    mapping.fail("material_damping", error.what());
+  }
+}
+
 Material material_of(const FiberKeys& keys) {
-  const double E = keys.youngs_modulus;
-  if (!keys.shear_modulus) return isotropic_material(E, keys.poisson_ratio.value(), keys.density);
-  Material material{E, *keys.shear_modulus, keys.density};
+  const double E = keys.youngs_modulus.value(), density = keys.density.value();
+  if (!keys.shear_modulus) return isotropic_material(E, keys.poisson_ratio.value(), density);
+  Material material{E, *keys.shear_modulus, density};
   if (keys.poisson_ratio || keys.transverse_modulus) {
     const double nu = keys.poisson_ratio.value_or(contact_elasticity(material).poisson_ratio);
     material.across = {keys.transverse_modulus.value_or(E), nu};
@@ -44,14 +95,19 @@ void check_stretch(const StrictMapping& load, const LoadKeys& keys, const Fiber&
 
 }  // namespace
 
-Fiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {
+ReadFiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {
   Fiber fiber{};
   fiber.diameter = keys.diameter;
   fiber.aspect_ratio = keys.aspect_ratio;
   fiber.mass = keys.mass;
-  fiber.material = material_of(keys);
+  const std::optional<MaterialData> material = material_named(mapping, keys);
+  const FiberKeys all = completed(keys, material);
+  check_complete(mapping, all);
+  fiber.material = material_of(all);
   check_fiber(mapping, key, fiber);
-  return fiber;
+  DampedFiber damped = with_material_damping(mapping, keys, fiber, material);
+  return {std::move(damped.fiber), std::move(damped.summary),
+          material ? std::optional(material->file) : std::nullopt};
 }
 
 KeyTable<BondKeys> bond_keys(const BondParts& parts) {
@@ -66,7 +122,8 @@ KeyTable<BondKeys> bond_keys(const BondParts& parts) {
     table.choice("form", &BondKeys::form, words_of({BondForm::total, BondForm::incremental}),
                  "strains from the poses of the spheres, or summed over the steps as the paper does");
   }
-  table.number("damping", &BondKeys::damping, kCoefficient, "damping ratio ξ_b of the bonds' dashpots");
+  table.number("damping", &BondKeys::damping, kCoefficient,
+               "damping ratio ξ_b of the bonds' dashpots, which add to `material_damping`");
   if (parts.rolling_friction) {
     table.number("rolling_friction", &BondKeys::rolling_friction, kCoefficient,
                  "coefficient ξ_r of rolling friction between bonded spheres (Eq 21)");
@@ -84,6 +141,7 @@ KeyTable<BondKeys> bond_keys(const BondParts& parts) {
 
 void apply(const BondKeys& keys, Fiber& fiber) {
   fiber.bond_model = keys.model;
+  if (keys.model == BondModel::corrected) fiber.branches.shear = fiber.branches.bend;  // maxwell_branches()
   fiber.bond_damping = keys.damping;
   fiber.rolling_friction = keys.rolling_friction;
 }
@@ -104,6 +162,11 @@ EndPull pull_of(const StrictMapping& load, const LoadKeys& keys, const Fiber& fi
   check_planar(load, "direction", keys.direction, dimension);
   pull.direction = keys.direction;
   return pull;
+}
+
+void check_branches(const StrictMapping& top, const Fiber& fiber) {
+  if (!fiber.branches.empty() && fiber.rolling_friction > 0)
+    top.fail_within("rolling_friction", "is not built together with material_damping");
 }
 
 void check_planar(const StrictMapping& mapping, const char* key, const std::array<double, 3>& direction,

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "dem/scene/key_table.hpp"
+#include "dem/scene/material_ranges.hpp"
+#include "dem/scene/read_material_damping.hpp"
 #include "dem/scene/scene.hpp"
 
 // Keys that scenes of several kinds have in common. All readers throw SceneError.
 namespace fiberchain::dem {
 
 inline constexpr ValueRange kFraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
-inline constexpr ValueRange kPoissonRatio{.low = -1, .high = 0.5, .low_open = true};
 inline constexpr ValueRange kCoefficient{.low = 0, .high = 1e6};  ///< of friction, damping, drag
 inline constexpr ValueRange kStepRatio{.low = 1e-6, .high = 1e5};
 inline constexpr const char* kAxes[] = {"x", "y", "z"};
@@ -19,11 +20,13 @@ inline constexpr const char* kAxes[] = {"x", "y", "z"};
 struct FiberKeys {
   double diameter = 0;  ///< [m]
   int aspect_ratio = 0;
-  double youngs_modulus = 0;                 ///< [Pa]
+  std::string material;                      ///< whose values count where these are left out
+  std::optional<double> youngs_modulus;      ///< [Pa]
   std::optional<double> poisson_ratio;       ///< this, or
   std::optional<double> shear_modulus;       ///< this [Pa], or both
   std::optional<double> transverse_modulus;  ///< [Pa]
-  double density = 0;                        ///< [kg/m^3]
+  std::optional<double> density;             ///< [kg/m^3]
+  std::optional<MaterialDampingKeys> material_damping = {};
   MassModel mass = Fiber{}.mass;
 };
 
@@ -36,26 +39,54 @@ void declare_fiber(KeyTable<T>& table) {
       .integer("aspect_ratio", &T::aspect_ratio, {.low = 1, .high = 1e6},
                "number of bonds: length between the centers of the end spheres over the diameter")
       .required();
-  table.quantity("youngs_modulus", "Pa", &T::youngs_modulus, kPositive, "Young's modulus E").required();
-  table.number("poisson_ratio", &T::poisson_ratio, kPoissonRatio,
-               "Poisson's ratio ν, for G = E / (2 (1 + ν)); beside `shear_modulus` that of contacts only");
-  table.quantity("shear_modulus", "Pa", &T::shear_modulus, kPositive,
-                 "shear modulus G, any: a fiber may be stiffer along than across");
+  table
+      .word("material", &T::material, "name in data/materials, or path of a .yaml file beside the scene",
+            "whose moduli and density count where they are not given; it damps nothing by itself, see "
+            "`material_damping`")
+      .otherwise("none");
+  table.quantity("youngs_modulus", "Pa", &T::youngs_modulus, kPositive, "Young's modulus E")
+      .otherwise("that of `material`");
+  table
+      .number("poisson_ratio", &T::poisson_ratio, kPoissonRatio,
+              "Poisson's ratio ν, for G = E / (2 (1 + ν)); beside `shear_modulus` that of contacts only")
+      .otherwise("with `shear_modulus`, or that of `material`");
+  table
+      .quantity("shear_modulus", "Pa", &T::shear_modulus, kPositive,
+                "shear modulus G, any: a fiber may be stiffer along than across")
+      .otherwise("with `poisson_ratio`, or that of `material`");
   table
       .quantity("transverse_modulus", "Pa", &T::transverse_modulus, kPositive,
                 "Young's modulus across the fiber, of contacts")
-      .otherwise("`youngs_modulus`")
-      .only_with("shear_modulus", [](const T& keys) { return keys.shear_modulus.has_value(); });
-  table.quantity("density", "kg/m^3", &T::density, kPositive, "density of the material").required();
+      .otherwise("that of `material`, else `youngs_modulus`")
+      .only_with("shear_modulus or a material that has one",
+                 [](const T& keys) { return keys.shear_modulus || !keys.material.empty(); });
+  table.quantity("density", "kg/m^3", &T::density, kPositive, "density of the material")
+      .otherwise("that of `material`");
+  table
+      .mapping_or_word(
+          "material_damping", "from-material", MaterialDampingKeys{.from_material = true},
+          material_damping_keys(),
+          [](const StrictMapping&, const MaterialDampingKeys& typed, T& keys) {
+            keys.material_damping = typed;
+          },
+          "damping of the material as Maxwell branches beside the bonds' springs; the dashpots of "
+          "`bond.damping` add to it")
+      .otherwise("none");
   table.choice("mass", &T::mass, words_of({MassModel::spheres, MassModel::cylinder}),
                "what the chain weighs: spheres of the material's density, two thirds of the fiber, as in the "
                "paper; or the fiber's cylinder, end spheres half as heavy");
-  table.one_or_more_of({"poisson_ratio", "shear_modulus"});
 }
 
-/// The fiber of these keys, with the default bonds.
+/// A fiber as read.
+struct ReadFiber {
+  Fiber fiber;
+  DampingSummary damping = {};
+  std::optional<SceneText> material_file = {};
+};
+
+/// The fiber of these keys, with the default bonds and, of material damping, their branches.
 /// @throws SceneError at `key` of the mapping for numbers that make no sense together
-Fiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys);
+ReadFiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys);
 
 /// Mapping "bond" as typed.
 struct BondKeys {
@@ -76,6 +107,9 @@ KeyTable<BondKeys> bond_keys(const BondParts& parts);
 
 /// Gives the fiber its bonds.
 void apply(const BondKeys& keys, Fiber& fiber);
+
+/// Refuses what is not built together with material_damping: rolling friction of the bonds.
+void check_branches(const StrictMapping& top, const Fiber& fiber);
 
 /// Mapping "load" as typed.
 struct LoadKeys {
@@ -101,7 +135,9 @@ void declare_single_fiber(KeyTable<T>& table, const BondParts& parts, Store stor
   KeyTable<FiberKeys> fiber;
   declare_fiber(fiber);
   const auto store_fiber = [](const StrictMapping& mapping, const FiberKeys& keys, T& scene) {
-    scene.fiber = fiber_of(mapping, "", keys);
+    const ReadFiber read = fiber_of(mapping, "", keys);
+    scene.fiber = read.fiber;
+    scene.damping = read.damping;
   };
   table.mapping("fiber", fiber, store_fiber, "the fiber").required();
   const auto store_bond = [store](const StrictMapping&, const BondKeys& keys, T& scene) {

@@ -116,6 +116,8 @@ KeyTable<FlowKeys> flow_keys() {
 /// What the method asked for cannot do.
 void check_together(const StrictMapping& top, const FlowScene& scene) {
   const FlowMethod method = scene.motion.method;
+  if (!scene.fiber.branches.empty())
+    top.fail_within("material_damping", "is not built for a fiber in a fluid");
   if (scene.fluid.hydrodynamics != Hydrodynamics::free_draining && method != FlowMethod::inertialess) {
     top.fail("fluid",
              "hydrodynamics: interactions and stresslets are built for method: inertialess; leapfrog and "

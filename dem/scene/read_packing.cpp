@@ -82,7 +82,11 @@ void read_starts(const StrictMapping& mapping, const std::string& file, PackingF
 }
 
 void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, PackingScene& scene) {
-  PackingFiberKind kind{.fiber = fiber_of(mapping, "", keys), .count = keys.count};
+  ReadFiber read = fiber_of(mapping, "", keys);
+  PackingFiberKind kind{.fiber = std::move(read.fiber),
+                        .count = keys.count,
+                        .damping = std::move(read.damping),
+                        .material_file = std::move(read.material_file)};
   kind.fiber.rest_angle = keys.rest_angle;
   apply(keys.bond, kind.fiber);
   try {
@@ -193,6 +197,9 @@ void check_plates(const StrictMapping& top, const PackingScene& scene) {
 /// What is not built together.
 void check_together(const StrictMapping& top, const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
+    check_branches(top, kind.fiber);
+    if (scene.domain.fluid && !kind.fiber.branches.empty())
+      top.fail("fluid", "is not built together with material_damping");
     if (kind.fiber.rolling_friction == 0) continue;
     if (scene.form != BondForm::incremental) {
       top.fail("motion", "rolling friction of the bonds is built for form: incremental");

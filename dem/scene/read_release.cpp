@@ -44,6 +44,10 @@ KeyTable<ReleaseOptions> time_keys(const ReleaseOptions& defaults) {
 /// What the integrator asked for cannot do.
 void check_together(const StrictMapping& top, const ReleaseScene& scene) {
   const Integrator integrator = scene.motion.integrator;
+  check_branches(top, scene.fiber);
+  if (!scene.fiber.branches.empty() && integrator != Integrator::automatic &&
+      integrator != Integrator::leapfrog && integrator != Integrator::leapfrog_stiff)
+    top.fail("time", "material_damping is built for integrator: leapfrog and leapfrog-stiff (or auto)");
   const bool incremental = scene.motion.form == BondForm::incremental;
   if (scene.fiber.rolling_friction > 0) {
     if (integrator != Integrator::leapfrog && integrator != Integrator::automatic) {

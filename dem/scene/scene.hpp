@@ -36,6 +36,7 @@ struct CantileverScene {
   Method method = Method::solve;
   bool allow_unstable = false;  ///< an unstable equilibrium is an answer too
   RelaxOptions march = {};      ///< with the form of the bond law; solving has the total form only
+  DampingSummary damping = {};  ///< of the material; an equilibrium is the relaxed one
 };
 
 /// What pulls at the free end.
@@ -49,8 +50,9 @@ struct ReleaseScene {
   Dimension dimension = Dimension::planar;
   Fiber fiber;
   EndPull pull;
-  double periods = 10;         ///< of the first mode, how long it is watched
-  ReleaseOptions motion = {};  ///< integrator, form, steps, samples
+  double periods = 10;          ///< of the first mode, how long it is watched
+  ReleaseOptions motion = {};   ///< integrator, form, steps, samples
+  DampingSummary damping = {};  ///< of the material
 };
 
 /// Where a free fiber starts: its center of mass at the origin, where the flow is at rest. It is straight at
@@ -75,6 +77,7 @@ struct FlowScene {
   int samples = 500;  ///< intervals of the history
   int shapes = 8;     ///< intervals of the recorded shapes
   FlowOptions motion = {};
+  DampingSummary damping = {};  ///< none: fibers in fluids have no branches
 };
 
 using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, PackingScene>;

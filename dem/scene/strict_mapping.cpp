@@ -31,9 +31,13 @@ std::optional<std::array<double, 3>> three_numbers(const YAML::Node& node) {
 
 }  // namespace
 
-StrictMapping::StrictMapping(const std::string& text, std::string name)
-    : node_(read_document(text, name)), mark_(node_.Mark()), name_(std::move(name)) {
+StrictMapping::StrictMapping(const std::string& text, std::string name, std::shared_ptr<const Units> units)
+    : node_(read_document(text, name)),
+      mark_(node_.Mark()),
+      name_(std::move(name)),
+      units_(std::move(units)) {
   if (!node_.IsMap()) fail("", "must be a mapping of keys and values");
+  if (units_) return;
   try {
     units_ = std::make_shared<const Units>();
   } catch (const UnitError& error) {
@@ -181,6 +185,11 @@ std::string StrictMapping::one_of(const std::vector<std::string>& keys) const {
   std::ranges::copy_if(keys, std::back_inserter(given), [&](const std::string& key) { return has(key); });
   if (given.size() != 1) fail("", fmt::format("must have exactly one of {}", fmt::join(keys, ", ")));
   return given.front();
+}
+
+bool StrictMapping::is_word(const std::string& key, const std::string& word) const {
+  const YAML::Node node = node_[key];
+  return node && node.IsScalar() && node.Scalar() == word;
 }
 
 void StrictMapping::fail(const std::string& key, const std::string& message) const {

@@ -18,7 +18,8 @@ namespace fiberchain::dem {
 class StrictMapping {
  public:
   /// The top of the YAML text; `name` is what messages call the file. No key is checked yet.
-  StrictMapping(const std::string& text, std::string name);
+  /// `units`: those of another reader, which take some 10 ms to load; loaded where null.
+  StrictMapping(const std::string& text, std::string name, std::shared_ptr<const Units> units = nullptr);
 
   /// Refuses a key that is not among these, or that comes twice; names the nearest known one.
   void allow(const std::vector<std::string>& keys) const;
@@ -66,6 +67,12 @@ class StrictMapping {
 
   /// Exactly one of these keys must be there; its name.
   std::string one_of(const std::vector<std::string>& keys) const;
+
+  /// Whether the key holds this word.
+  bool is_word(const std::string& key, const std::string& word) const;
+
+  /// For another reader.
+  const std::shared_ptr<const Units>& units() const { return units_; }
 
   /// What messages call the file.
   const std::string& file() const { return name_; }

@@ -4,12 +4,22 @@
 #include <udunits2.h>
 
 #include <cmath>
+#include <mutex>
 #include <string>
 
 #include "dem/files/numbers.hpp"
 
 namespace fiberchain::dem {
 namespace {
+
+/// UDUNITS keeps the state of its parsers in variables of its own: two threads that are in it at once end in
+/// its abort().
+std::mutex udunits;
+
+void free_system(ut_system* system) {
+  const std::scoped_lock lock(udunits);
+  ::ut_free_system(system);
+}
 
 using Unit = std::unique_ptr<ut_unit, void (*)(ut_unit*)>;
 using Converter = std::unique_ptr<cv_converter, void (*)(cv_converter*)>;
@@ -35,7 +45,8 @@ std::string_view without_blanks(std::string_view text) {
 
 }  // namespace
 
-Units::Units() : system_(nullptr, &::ut_free_system) {
+Units::Units() : system_(nullptr, &free_system) {
+  const std::scoped_lock lock(udunits);
   ::ut_set_error_message_handler(&::ut_ignore);  // its messages would go to standard error
   system_.reset(::ut_read_xml(nullptr));
   if (!system_) throw UnitError("the database of UDUNITS-2 is missing (Debian package libudunits2-data)");
@@ -56,6 +67,7 @@ double Units::to_si(std::string_view text, std::string_view si) const {
 }
 
 double Units::factor(std::string_view unit, std::string_view si) const {
+  const std::scoped_lock lock(udunits);
   const Unit from = parse_unit(system_.get(), unit);
   if (!from) throw UnitError(fmt::format("has an unknown unit; allowed: {} and its like", si));
   const Unit to = parse_unit(system_.get(), si);

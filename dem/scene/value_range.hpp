@@ -36,10 +36,11 @@ constexpr SizeRange sizes_in(std::string_view unit) {
   constexpr struct {
     std::string_view unit;
     SizeRange sizes;
-  } all[] = {{"m", {1e-12, 1e9}},   {"Pa", {1e-6, 1e18}},     {"kg/m^3", {1e-9, 1e12}},
-             {"s", {1e-15, 1e15}},  {"Pa s", {1e-12, 1e15}},  {"1/s", {1e-12, 1e15}},
-             {"m/s", {1e-15, 1e9}}, {"m/s^2", {1e-15, 1e12}}, {"N", {1e-30, 1e18}},
-             {"rad", {0, 1e6}}};
+  } all[] = {{"m", {1e-12, 1e9}},   {"Pa", {1e-6, 1e18}},       {"kg/m^3", {1e-9, 1e12}},
+             {"s", {1e-15, 1e15}},  {"Pa s", {1e-12, 1e15}},    {"1/s", {1e-12, 1e15}},
+             {"m/s", {1e-15, 1e9}}, {"m/s^2", {1e-15, 1e12}},   {"N", {1e-30, 1e18}},
+             {"rad", {0, 1e6}},     {"Hz", {1e-12, 1e15}},      {"K", {1e-9, 1e9}},
+             {"1/K", {0, 1}},       {"J/(kg K)", {1e-9, 1e12}}, {"W/(m K)", {1e-12, 1e12}}};
   for (const auto& one : all) {
     if (one.unit == unit) return one.sizes;
   }

@@ -23,8 +23,21 @@ namespace {
   "diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, shear_modulus: 1 MPa, transverse_modulus: 2 " \
   "MPa, density: 900"
 
+#define DAMPED                                                                                            \
+  FIBER                                                                                                   \
+  ", material_damping: {loss_factor: 0.02, shear_loss_factor: 0.03, band: [10, 10000], branches: 4, "     \
+  "modulus_frequency: 100, thermoelastic: {expansion: 2e-5, temperature: 300, heat_capacity: 500, "       \
+  "conductivity: 50, highest_frequency: 1e5}, spectrum: {youngs_modulus: [{strength: 0.1, time: 1e-3}], " \
+  "shear_modulus: [{strength: 0.1, time: 1e-3}], bending: [{strength: 0.1, time: 1e-3}]}}"
+
 /// All together have every number that a scene can have.
 const char* const kScenes[] = {
+    "scene: cantilever\nfiber: {" DAMPED "}\nload: {reduced: 1}\n",
+    "scene: release\nfiber: {" DAMPED "}\nload: {reduced: 1}\n",
+    "scene: packing\nfibers: [{" DAMPED
+    ", count: 4}]\nperiodic: {x: 30 mm, y: 30 mm}\n"
+    "filling: {region: {z: [1 mm, 30 mm]}}\nwalls: {planes: [{point: [0, 0, 0], normal: [0, 0, 1]}]}\n"
+    "steps: 200\n",
     "scene: cantilever\nfiber: {" FIBER
     "}\nbond: {damping: 0.1}\n"
     "load: {reduced: 1, direction: [0, 1, 0]}\ngravity: [0, -1, 0]\n",
@@ -163,7 +176,10 @@ BOOST_AUTO_TEST_CASE(the_scenes_have_every_number) {
       if (node["scene"].Scalar() == kind.name)
         each_number(node, "", [&](const YAML::Node&, const std::string& path) { there.insert(path); });
     }
-    for (const std::string& key : declared) BOOST_TEST(there.count(key) == 1u, kind.name << ": " << key);
+    for (const std::string& key : declared) {
+      const bool refused = kind.name == std::string("flow") && key.starts_with("fiber.material_damping");
+      BOOST_TEST((refused || there.count(key) == 1u), kind.name << ": " << key);
+    }
   }
 }
 
