@@ -2,13 +2,12 @@
 
 #include <array>
 
+#include "compare/app/calibrate_case.hpp"
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/calibration/material_table.hpp"
 #include "compare/calibration/table.hpp"
-#include "compare/static/case.hpp"
 #include "compare/study/errors.hpp"
-#include "dem/files/numbers.hpp"
-#include "dem/scene/units.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -19,6 +18,8 @@ using compare::CalibrationCase;
 using compare::DampingMeasure;
 using compare::InputError;
 using dem::DashpotLaw;
+
+constexpr std::array kOfMaterial = {"--band", "--shear-loss-factor", "--branches", "--modulus-frequency"};
 
 /// The columns worth a look on a terminal; the files and the JSON have them all.
 const std::vector<std::string> calibrate_shown = {"aspect_ratio",
@@ -38,147 +39,57 @@ constexpr std::array kTargets = {
     std::pair{"--quality-factor", DampingMeasure::quality_factor},
     std::pair{"--loss-factor", DampingMeasure::loss_factor},
 };
-constexpr std::array kSettings = {"--bond-damping", "--retardation-time"};
-
-/// A quantity with its unit, or a bare number in SI units. The database of units is read only where one is
-/// typed.
-double quantity(const Arguments& arguments, const std::string& option, const std::string& si, double usual) {
-  if (!arguments.has(option)) return usual;
-  const std::string text = arguments.text(option);
-  if (const auto number = dem::parse_number(text)) return *number;
-  const dem::Units units;
-  try {
-    return units.to_si(text, si);
-  } catch (const dem::UnitError& error) {
-    throw InputError(fmt::format("{}: '{}' {}", option, text, error.what()));
-  }
-}
-
-double number(const Arguments& arguments, const std::string& option, double usual) {
-  if (!arguments.has(option)) return usual;
-  if (const auto value = dem::parse_number(arguments.text(option))) return *value;
-  throw InputError(fmt::format("{}: '{}' is no number", option, arguments.text(option)));
-}
-
-void refuse_both(const Arguments& arguments, const std::string& one, const std::string& other) {
-  if (arguments.has(one) && arguments.has(other))
-    throw InputError(fmt::format("{} and {}: give only one", one, other));
-}
-
-dem::Material material_of(const Arguments& arguments, const dem::Material& usual) {
-  refuse_both(arguments, "--poisson-ratio", "--shear-modulus");
-  const double youngs_modulus = quantity(arguments, "--youngs-modulus", "Pa", usual.youngs_modulus);
-  const double density = quantity(arguments, "--density", "kg/m^3", usual.density);
-  if (arguments.has("--shear-modulus")) {
-    return {youngs_modulus, quantity(arguments, "--shear-modulus", "Pa", 0), density};
-  }
-  return dem::isotropic_material(youngs_modulus,
-                                 number(arguments, "--poisson-ratio", dem::poisson_ratio(usual)), density);
-}
-
-/// Whether size and material of a real fiber were given, all three of them; some of them are a mistake.
-bool is_dimensional(const Arguments& arguments) {
-  const std::vector<std::string> needed = {"--youngs-modulus", "--density", "--diameter"};
-  std::vector<std::string> missing;
-  for (const std::string& option : needed) {
-    if (!arguments.has(option)) missing.push_back(option);
-  }
-  const bool in_seconds =
-      arguments.has("--retardation-time") || arguments.text("--dashpots") == "retardation_time";
-  const bool wanted = missing.size() < needed.size() || arguments.has("--shear-modulus") || in_seconds;
-  if (wanted && !missing.empty()) {
-    throw InputError(
-        fmt::format("{} missing: an answer in seconds needs {}; without any of them, without "
-                    "--shear-modulus and retardation times, the answers are ratios",
-                    fmt::join(missing, ", "), fmt::join(needed, ", ")));
-  }
-  return missing.empty();
-}
-
-template <class Value>
-Value choice(const Arguments& arguments, const std::string& option, Value usual,
-             const std::vector<std::pair<std::string, Value>>& choices) {
-  std::vector<Value> chosen{usual};
-  read_choices<Value>(arguments, option, chosen, choices);
-  if (chosen.size() != 1) throw InputError(fmt::format("{}: give only one", option));
-  return chosen.front();
-}
-
-/// The fiber without its dashpots' setting.
-dem::Fiber fiber_of(const Arguments& arguments) {
-  using dem::BondModel;
-  int aspect_ratio = 0;
-  read_number(arguments, "--aspect-ratio", {.low = 1, .high = 1000}, aspect_ratio);
-  dem::Fiber fiber = compare::nominal_fiber(aspect_ratio, 0.3, BondModel::paper);
-  fiber.material = material_of(arguments, fiber.material);
-  fiber.diameter = quantity(arguments, "--diameter", "m", fiber.diameter);
-  fiber.bond_model = choice<BondModel>(arguments, "--bond", BondModel::paper,
-                                       {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
-  using dem::MassModel;
-  fiber.mass = choice<MassModel>(arguments, "--mass", fiber.mass,
-                                 {{"spheres", MassModel::spheres}, {"cylinder", MassModel::cylinder}});
-  fiber.dashpots = choice<DashpotLaw>(arguments, "--dashpots", DashpotLaw::bond_damping,
-                                      {{"bond_damping", DashpotLaw::bond_damping},
-                                       {"retardation_time", DashpotLaw::retardation_time},
-                                       {"bending_only", DashpotLaw::bending_only}});
-  return fiber;
-}
-
-CalibrationCase case_of(const Arguments& arguments) {
-  refuse_both(arguments, "--load", "--tip-deflection");
-  CalibrationCase asked{fiber_of(arguments)};
-  asked.dimensional = is_dimensional(arguments);
-  const bool by_load = arguments.has("--load");
+CalibrationCase case_of(const Quantities& typed, const CalibratedFiber& from) {
+  if (typed.has("--load") && typed.has("--tip-deflection"))
+    throw InputError("--load and --tip-deflection: give only one");
+  CalibrationCase asked{from.fiber};
+  asked.dimensional = from.dimensional;
+  const bool by_load = typed.has("--load");
   asked.amplitude = compare::to_amplitude(by_load ? AmplitudeMeasure::load : AmplitudeMeasure::tip_deflection,
-                                          number(arguments, by_load ? "--load" : "--tip-deflection", 0));
-  if (arguments.has("--step-ratio")) asked.step_ratio = number(arguments, "--step-ratio", 0);
+                                          typed.number(by_load ? "--load" : "--tip-deflection", 0));
+  if (typed.has("--step-ratio")) asked.step_ratio = typed.number("--step-ratio", 0);
   return asked;
 }
 
-/// The one of these options that says what is known.
-std::string known(const Arguments& arguments) {
-  std::vector<std::string> all, typed;
-  for (const auto& [option, measure] : kTargets) all.push_back(option);
-  all.insert(all.end(), kSettings.begin(), kSettings.end());
-  for (const std::string& option : all) {
-    if (arguments.has(option)) typed.push_back(option);
-  }
-  if (typed.size() == 1) return typed.front();
-  throw InputError(fmt::format("give exactly one of {}{}", fmt::join(all, ", "),
-                               typed.empty() ? "" : fmt::format(", not {}", fmt::join(typed, " and "))));
-}
-
 /// The other way round: the dashpots' setting is given.
-CalibrationAnswer from_setting(CalibrationCase asked, const Arguments& arguments, const std::string& option) {
+CalibrationAnswer from_setting(CalibrationCase asked, const Quantities& typed, const std::string& option) {
   if (option == "--retardation-time") {
-    if (arguments.has("--dashpots") && asked.fiber.dashpots != DashpotLaw::retardation_time) {
+    if (typed.has("--dashpots") && asked.fiber.dashpots != DashpotLaw::retardation_time) {
       throw InputError("--retardation-time goes with --dashpots retardation_time only");
     }
     asked.fiber.dashpots = DashpotLaw::retardation_time;
-    asked.fiber.retardation_time = quantity(arguments, option, "s", 0);
+    asked.fiber.retardation_time = typed.quantity(option, "s", 0);
   } else {
     if (asked.fiber.dashpots == DashpotLaw::retardation_time) {
       throw InputError(
           "--bond-damping does not go with --dashpots retardation_time: give --retardation-time");
     }
-    asked.fiber.bond_damping = number(arguments, option, 0);
+    asked.fiber.bond_damping = typed.number(option, 0);
   }
   return {asked, std::nullopt, calibration_of(asked)};
 }
 
 CalibrationAnswer answer_of(const Arguments& arguments) {
-  const std::string option = known(arguments);
-  const CalibrationCase asked = case_of(arguments);
+  const std::string option = known_target(arguments);
+  const Quantities typed(arguments);
+  const CalibrationCase asked = case_of(typed, calibrated_fiber(arguments, typed));
   for (const auto& [name, measure] : kTargets) {
     if (option != name) continue;
-    const double target = compare::to_damping_ratio(measure, number(arguments, option, 0));
+    const double target = compare::to_damping_ratio(measure, typed.number(option, 0));
     const double change = arguments.has("--at-amplitude") ? compare::amplitude_effect(asked.amplitude) : 0;
     return {asked, target, calibrate(asked, target / (1 + change))};
   }
-  return from_setting(asked, arguments, option);
+  return from_setting(asked, typed, option);
 }
 
 int run_calibrate(const Arguments& arguments, Context& context) {
+  const bool own = arguments.has("--material") || arguments.has("--band");
+  if (own && calibration_targets(arguments).empty()) return run_calibrate_material(arguments, context);
+  for (const char* option : kOfMaterial) {
+    if (arguments.has(option))
+      throw InputError(std::string(option) +
+                       ": is of use only with a material's own damping, without a target");
+  }
   OutputOptions output;
   output.json = arguments.has("--json");
   std::optional<dem::OutputDirectory> directory;
@@ -189,6 +100,11 @@ int run_calibrate(const Arguments& arguments, Context& context) {
                   .heading = "Damping of the bonds for a damping of the fiber",
                   .table = compare::calibration_table({answer}),
                   .notes = compare::calibration_notes(answer)};
+  if (answer.asked.dimensional) {
+    const dem::Table codes = compare::codes_table(answer.found.fiber, answer.found.step);
+    results.notes += "\n" + compare::codes_notes(codes);
+    results.more_tables = {{"calibrate-codes", codes}};
+  }
   deliver(results, results.table.select(calibrate_shown), output, directory, context);
   return kSuccess;
 }
@@ -200,28 +116,39 @@ Command calibrate_command() {
       .name = "calibrate",
       .description = "the damping of the bonds that gives a fiber its material's damping, and the reverse",
       .footer =
-          "Give one target (--damping-ratio, --log-decrement, --quality-factor, --loss-factor) or, for the "
+          "Give a material for its own damping (branches to set, zeta of five modes, lines for other codes), "
+          "or\n"
+          "one target (--damping-ratio, --log-decrement, --quality-factor, --loss-factor) or, for the "
           "reverse, one\n"
           "setting (--bond-damping, --retardation-time). Quantities take units; bare numbers are SI.\n"
-          "Without size and material the answers are ratios; --youngs-modulus, --density and --diameter "
-          "together give them in seconds.\n"
+          "Without size and material the answers are ratios; --diameter with --material, or with "
+          "--youngs-modulus and\n"
+          "--density, gives them in seconds. A material's values give way to those typed. Of a loss factor "
+          "whose source\n"
+          "names no band, a band about the fiber's five modes is taken and said.\n"
           "Examples:\n"
+          "  fiberchain calibrate --material carbon-steel --diameter '20 um' --aspect-ratio 20\n"
           "  fiberchain calibrate --damping-ratio 0.02 --aspect-ratio 20 --verify\n"
           "  fiberchain calibrate --bond-damping 1 --aspect-ratio 10 --poisson-ratio 0.17 --json",
       .options =
-          {{"--damping-ratio", "NUMBER", "target: xi_f"},
+          {{"--material", "NAME", "of `fiberchain materials`, or a .yaml file"},
+           {"--damping-ratio", "NUMBER", "target: xi_f"},
            {"--log-decrement", "NUMBER", "target: 2 pi xi_f/sqrt(1 - xi_f^2)"},
            {"--quality-factor", "NUMBER", "target: 1/(2 xi_f)"},
-           {"--loss-factor", "NUMBER", "target: 2 xi_f"},
+           {"--loss-factor", "NUMBER", "target: 2 xi_f; with --band the material's"},
+           {"--band", "BAND", "'10 Hz,10 kHz': where the material's loss factor is flat"},
+           {"--shear-loss-factor", "NUMBER", "of the shear modulus [that of Young's modulus]"},
+           {"--branches", "NUMBER", "Maxwell branches of a flat loss factor [within 1.5 %]"},
+           {"--modulus-frequency", "FREQUENCY", "at which E and G were measured [middle of the band]"},
            {"--bond-damping", "NUMBER", "reverse: xi_b"},
            {"--retardation-time", "TIME", "reverse: retardation time of all bonds"},
            {"--dashpots", "WORD", "bond_damping, retardation_time, bending_only [bond_damping]"},
            {"--bond", "WORD", "bond law: paper, corrected [paper]"},
            {"--aspect-ratio", "NUMBER", "r_f = L/d, number of bonds, 1 to 1000", OptionKind::required},
-           {"--youngs-modulus", "PRESSURE", "E; with --density and --diameter, for answers in seconds"},
+           {"--youngs-modulus", "PRESSURE", "E"},
            {"--poisson-ratio", "NUMBER", "Poisson's ratio [0.3]"},
            {"--shear-modulus", "PRESSURE", "G, in place of Poisson's ratio"},
-           {"--density", "DENSITY", "of the material"},
+           {"--density", "DENSITY", "of the solid"},
            {"--mass", "WORD", "what the chain weighs: spheres (two thirds of the fiber), cylinder [spheres]"},
            {"--diameter", "LENGTH", "d"},
            {"--load", "NUMBER", "expected amplitude: load before the release, P L^2/(E I), up to 2.4 [0]"},

@@ -12,6 +12,7 @@ Command calibrate_command();  ///< damping of the bonds for a damping of the fib
 Command check_command();      ///< what a scene will take, without running it
 Command columns_command();    ///< the dictionary of the columns
 Command fit_command();        ///< laws fitted to the damping against aspect ratio, Eq 20
+Command materials_command();  ///< the materials of data/materials
 Command render_command();     ///< pictures of a trajectory, Fig 11
 Command run_command();        ///< one scene
 Command stability_command();  ///< largest stable step, theory and runs
@@ -44,6 +45,7 @@ inline std::vector<Command> all_commands() {
           tables_contact_modulus_command(),
           fit_command(),
           calibrate_command(),
+          materials_command(),
           stability_command(),
           bench_command(),
           validate_command()};

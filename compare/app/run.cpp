@@ -8,6 +8,7 @@
 #include "compare/app/run_packing.hpp"
 #include "compare/measure/strain.hpp"
 #include "compare/scenes/cantilever.hpp"
+#include "compare/scenes/damping_report.hpp"
 #include "compare/scenes/flow_report.hpp"
 #include "compare/scenes/release_report.hpp"
 #include "compare/study/errors.hpp"
@@ -121,6 +122,7 @@ int run_scene_file(const Arguments& arguments, Context& context) {
   const dem::Scene scene = dem::parse_scene(text);
   context.provenance = dem::with_scene(context.provenance, path, text.text);
   warn_of_values(text, context);
+  for (const std::string& line : compare::damping_lines(scene)) context.log->info(line);
   try {
     return dem::located(text, [&] { return run_scene(text, scene, arguments, context); });
   } catch (const std::bad_alloc&) {

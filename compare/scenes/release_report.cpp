@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "compare/measure/bond_spectra_of.hpp"
 #include "compare/measure/first_mode_damping.hpp"
 #include "compare/measure/first_mode_filter.hpp"
 #include "compare/measure/linear_chain_of.hpp"
@@ -23,9 +24,15 @@ namespace {
 using dem::ReleaseScene;
 
 reference::ChainMode first_mode(const ReleaseScene& scene) {
-  const reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(scene.fiber));
+  reference::ChainMode mode = reference::first_bending_mode(linear_chain_of(scene.fiber));
   if (!mode.oscillates)
     throw InputError("bond.damping: the first mode is overdamped, there is no vibration to watch");
+  if (!scene.fiber.branches.empty()) {
+    const reference::FreeDecay decay = bending_modes_of(scene.fiber, 1).front().decay;
+    mode.eigenvalue = decay.eigenvalue;
+    mode.frequency = decay.frequency;
+    mode.damping = decay.damping;
+  }
   return mode;
 }
 

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "compare/flow/setup.hpp"
+#include "compare/scenes/damping_report.hpp"
 #include "compare/scenes/release_report.hpp"
+#include "compare/study/tabulate.hpp"
 #include "dem/flow/flow_batch.hpp"
 #include "dem/run/memory.hpp"
 #include "dem/run/packing_estimate.hpp"
@@ -20,10 +22,10 @@ namespace {
 using dem::NamedRow;
 
 const std::vector<std::string> kColumns = {
-    "scene_kind", "fibers",          "spheres",         "bonds",    "time_step",
-    "step_from",  "impact_speed",    "impact_overlap",  "steps",    "steps_most",
-    "step_cost",  "step_cost_from",  "expected_time",   "memory",   "memory_free",
-    "frames",     "trajectory_size", "checkpoint_size", "log_size", "vtk_size"};
+    "scene_kind",    "fibers",         "spheres",     "bonds",       "time_step",       "step_from",
+    "impact_speed",  "impact_overlap", "steps",       "steps_most",  "step_cost",       "step_cost_from",
+    "expected_time", "memory",         "memory_free", "frames",      "trajectory_size", "checkpoint_size",
+    "log_size",      "vtk_size",       "branches",    "loss_ripple", "relaxed_modulus", "branch_memory"};
 
 /// A step of a bond in a chain alone, leapfrog, AVX-512: the figure of the README in the plane and in space
 /// [s].
@@ -53,7 +55,8 @@ double fiber_memory(const dem::Fiber& fiber, dem::Dimension dimension, int coupl
 }
 
 template <class Scene>
-dem::Table fiber_table(const char* kind, const Scene& scene, const FiberSteps& steps, int coupled = 0) {
+dem::Table fiber_table(const char* kind, const Scene& scene, const FiberSteps& steps, int coupled = 0,
+                       const NamedRow& more = {}) {
   const dem::Fiber& fiber = scene.fiber;
   const std::int64_t bonds = fiber.aspect_ratio;
   NamedRow row = {{"scene_kind", std::string(kind)},
@@ -73,7 +76,7 @@ dem::Table fiber_table(const char* kind, const Scene& scene, const FiberSteps& s
     row.emplace_back("expected_time", bond_step * static_cast<double>(bonds) * *steps.steps);
   }
   dem::Table table(kColumns);
-  table.append(row);
+  table.append(joined(row, more));
   return table;
 }
 
@@ -96,7 +99,8 @@ dem::Table check(const dem::ReleaseScene& scene, int) {
   const std::string reason = plan.reason.empty() ? "stable step and sample interval" : plan.reason;
   const std::string from = fmt::format("{}: {}", integrator, scene.motion.step_ratio ? "scene" : reason);
   const bool leapfrog = plan.integrator != dem::Integrator::implicit;
-  return fiber_table("release", scene, {plan.time_step, from, plan.steps, {}, leapfrog});
+  return fiber_table("release", scene, {plan.time_step, from, plan.steps, {}, leapfrog}, 0,
+                     damping_cells(scene.fiber, scene.damping, scene.motion.form, scene.dimension));
 }
 
 template <int Dim>
@@ -140,27 +144,35 @@ dem::Table check(const dem::PackingScene& scene, int threads) {
   const dem::StepCost cost = dem::measure_step_cost(scene, plan.step, threads);
   const dem::PackingFileSizes files = dem::file_sizes_of(scene, plan.steps);
   const std::int64_t fibers = dem::fibers_in(scene), spheres = dem::spheres_in(scene);
+  NamedRow branches;
+  for (const dem::PackingFiberKind& kind : scene.kinds) {  // the kind that has the most
+    const NamedRow own = damping_cells(kind.fiber, kind.damping, scene.form, dem::Dimension::spatial);
+    if (!own.empty() &&
+        (branches.empty() || std::get<double>(own.back().second) > std::get<double>(branches.back().second)))
+      branches = own;
+  }
   dem::Table table(kColumns);
-  table.append({{"scene_kind", std::string("packing")},
-                {"fibers", fibers},
-                {"spheres", spheres},
-                {"bonds", spheres - fibers},
-                {"time_step", plan.step},
-                {"step_from", scene.step ? std::string("scene") : step_origin(plan.choice)},
-                {"impact_speed", plan.choice.speed},
-                {"impact_overlap", dem::expected_impact_overlap(scene, plan.choice.speed)},
-                {"steps", plan.steps},
-                {"step_cost", cost.per_sphere},
-                {"step_cost_from", fmt::format("measured on {} spheres in a dense stack, threads: {}",
-                                               cost.spheres, cost.threads)},
-                {"expected_time", cost.per_sphere * dem::sphere_steps_of(scene, plan)},
-                {"memory", dem::peak(dem::memory_of(scene))},
-                {"memory_free", free_memory()},
-                {"frames", std::min<std::int64_t>(scene.output.frames, plan.steps) + 1},
-                {"trajectory_size", files.trajectory},
-                {"checkpoint_size", files.checkpoints},
-                {"log_size", files.log},
-                {"vtk_size", files.vtk}});
+  const NamedRow row = {{"scene_kind", std::string("packing")},
+                        {"fibers", fibers},
+                        {"spheres", spheres},
+                        {"bonds", spheres - fibers},
+                        {"time_step", plan.step},
+                        {"step_from", scene.step ? std::string("scene") : step_origin(plan.choice)},
+                        {"impact_speed", plan.choice.speed},
+                        {"impact_overlap", dem::expected_impact_overlap(scene, plan.choice.speed)},
+                        {"steps", plan.steps},
+                        {"step_cost", cost.per_sphere},
+                        {"step_cost_from", fmt::format("measured on {} spheres in a dense stack, threads: {}",
+                                                       cost.spheres, cost.threads)},
+                        {"expected_time", cost.per_sphere * dem::sphere_steps_of(scene, plan)},
+                        {"memory", dem::peak(dem::memory_of(scene))},
+                        {"memory_free", free_memory()},
+                        {"frames", std::min<std::int64_t>(scene.output.frames, plan.steps) + 1},
+                        {"trajectory_size", files.trajectory},
+                        {"checkpoint_size", files.checkpoints},
+                        {"log_size", files.log},
+                        {"vtk_size", files.vtk}};
+  table.append(joined(row, branches));
   return table;
 }
 

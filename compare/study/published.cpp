@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "compare/study/errors.hpp"
-#include "dem/record/build_info.hpp"
 #include "dem/record/csv.hpp"
+#include "dem/record/data_directory.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -134,24 +133,9 @@ void read_into(std::vector<Claim>& claims, const fs::path& file) {
 }  // namespace
 
 fs::path find_data_directory(const std::optional<fs::path>& asked) {
-  const char* environment = std::getenv("FIBERCHAIN_DATA");
-  std::error_code error;
-  std::vector<fs::path> places;
-  if (asked) {
-    places = {*asked};
-  } else if (environment && *environment) {
-    places = {environment};
-  } else {
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    places = {program.parent_path() / dem::kInstalledData, dem::kSourceData};
-  }
-  for (const fs::path& place : places) {
-    if (fs::is_directory(place / "published", error)) return place;
-  }
-  std::string tried;
-  for (const fs::path& place : places)
-    tried += (tried.empty() ? "" : " or ") + place.lexically_normal().string();
-  throw InputError("no directory 'published' with the published values in " + tried);
+  const dem::DataSearch search = dem::find_data("published", asked);
+  if (search.found) return *search.found;
+  throw InputError("no directory 'published' with the published values in " + search.tried);
 }
 
 std::vector<Claim> read_all_published(const fs::path& data_directory) {

@@ -23,8 +23,8 @@ json row_of(const std::string& scene) {
 }
 
 const char* const kAll[] = {"cantilever",      "cantilever-march", "cantilever-spatial", "release",
-                            "release-rolling", "flow-shear",       "flow-flexible",      "packing",
-                            "packing-small",   "crossed-layers",   "compression"};
+                            "release-rolling", "release-steel",    "flow-shear",         "flow-flexible",
+                            "packing",         "packing-small",    "crossed-layers",     "compression"};
 
 }  // namespace
 

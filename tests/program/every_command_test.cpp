@@ -86,6 +86,8 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
          "2e-4", "--samples", "20"},
         {"stability", "--aspect-ratio", "5", "--poisson-ratio", "0.2", "--bond-damping", "0.5"},
         {"fit", "--aspect-ratio", "5..7", "--held-out", "none", "--no-figures"},
+        {"materials"},
+        {"calibrate", "--material", "carbon-steel", "--diameter", "20 um", "--aspect-ratio", "7"},
         {"calibrate", "--damping-ratio", "0.02", "--aspect-ratio", "7", "--verify"},
         {"validate", "--part", "beams"}}) {
     check_fine(run(words, {.directory = scratch.path}), words);
