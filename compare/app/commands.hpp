@@ -19,6 +19,7 @@ Command stability_command();  ///< largest stable step, theory and runs
 Command tables_contact_modulus_command();  ///< packings by the modulus of their contacts
 Command tables_damping_command();          ///< damping of the fiber by that of the bonds, Figs 6 to 9
 Command tables_friction_command();         ///< rolling friction of the bonds, Fig 10
+Command tables_materials_command();        ///< the damping that materials have
 Command tables_packing_command();          ///< many fibers fall and pack, Figs 11 and 12
 Command tables_shear_command();            ///< fibers in flows: orbits, flexible fibers, buckling, Fig 5
 Command tables_static_command();  ///< departure of the chain from the Elastica, its causes, Figs 3 and 4
@@ -40,6 +41,7 @@ inline std::vector<Command> all_commands() {
           tables_static_command(),
           tables_damping_command(),
           tables_friction_command(),
+          tables_materials_command(),
           tables_shear_command(),
           tables_packing_command(),
           tables_contact_modulus_command(),

@@ -97,21 +97,25 @@ ThreeFibers three_fibers(const MetalValues& metal, int aspect_ratio) {
   const double diameter = diameter_at_peak(metal, aspect_ratio);
   const dem::Fiber elastic = metal_wire(metal, diameter, aspect_ratio);
   const double f = first_frequency(elastic);
-  const dem::FrequencyBand band{f / 3, f / 3 * 1e3};
   const dem::Fiber wire = with_thermoelasticity(elastic, metal, 100 * f);
   const double damping = bending_modes_of(wire, 1).front().decay.damping;
+  ThreeFibers fibers{metal, diameter, elastic, {f / 3, f / 3 * 1e3}, elastic, elastic, wire};
   double loss = 2 * damping;
   for (int i = 0; i < 4; ++i) {
-    const dem::Fiber flat = with_flat_loss(elastic, loss, band, f);
-    loss *= damping / bending_modes_of(flat, 1).front().decay.damping;
+    fibers.flat = with_flat_loss(elastic, loss, fibers.band, f);
+    loss *= damping / bending_modes_of(fibers.flat, 1).front().decay.damping;
   }
-  return {metal,
-          diameter,
-          elastic,
-          band,
-          with_viscous_damping(elastic, damping),
-          with_flat_loss(elastic, loss, band, f),
-          wire};
+  fibers.viscous = with_viscous_damping(elastic, damping);
+  return fibers;
+}
+
+ThreeFibers with_loss_factor(const ThreeFibers& fibers, double loss_factor) {
+  ThreeFibers lossy = fibers;
+  lossy.thermoelastic = fibers.elastic;
+  lossy.flat = with_flat_loss(fibers.elastic, loss_factor, fibers.band, first_frequency(fibers.elastic));
+  lossy.viscous =
+      with_viscous_damping(fibers.elastic, bending_modes_of(lossy.flat, 1).front().decay.damping);
+  return lossy;
 }
 
 }  // namespace fiberchain::compare

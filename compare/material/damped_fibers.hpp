@@ -60,6 +60,10 @@ struct ThreeFibers {
 };
 ThreeFibers three_fibers(const MetalValues& metal, int aspect_ratio);
 
+/// The same with a loss factor of one's choice at the first frequency, viscous and flat; elastic in place of
+/// thermoelastic.
+ThreeFibers with_loss_factor(const ThreeFibers& fibers, double loss_factor);
+
 inline constexpr Damper kDampers[] = {Damper::viscous, Damper::flat, Damper::thermoelastic};
 
 }  // namespace fiberchain::compare

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "compare/study/errors.hpp"
+#include "dem/material/flat_loss.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -18,10 +20,20 @@ constexpr double kSpeed = 1;                           // downward [m/s]
 
 double youngs_modulus(const PackingCase& asked) { return asked.stiffness * 2.6e6; }  // [Pa]
 
+/// E and G are the storage moduli in the middle of the band.
+void set_loss_factor(double loss_factor, dem::Fiber& fiber) {
+  const dem::PronySeries series = dem::flat_loss(loss_factor, kPackingBand).series;
+  const double relaxed = dem::relaxed_part(series, std::sqrt(kPackingBand.low * kPackingBand.high));
+  fiber.material.across = dem::contact_elasticity(fiber.material);
+  fiber.material.youngs_modulus *= relaxed, fiber.material.shear_modulus *= relaxed;
+  fiber.branches = dem::maxwell_branches({series, series, {}}, fiber.bond_model);
+}
+
 dem::Fiber fiber_of(const PackingCase& asked) {
   dem::Fiber fiber{dem::isotropic_material(youngs_modulus(asked), 0.3, 1000), 0.002, 20};
   fiber.bond_damping = asked.bond_damping;
   fiber.rolling_friction = asked.rolling_friction;
+  if (asked.loss_factor > 0) set_loss_factor(asked.loss_factor, fiber);
   return fiber;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "dem/material/frequency_band.hpp"
 #include "dem/scene/packing_scene.hpp"
 
 // The packings of Figs 11 and 12. The paper names the number of fibers, their aspect ratio, restitution and
@@ -10,6 +11,9 @@
 namespace fiberchain::compare {
 
 inline constexpr double kPackingDuration = 0.6;  ///< of the fall and the coming to rest [s]
+
+/// In which a loss factor is flat: the first bending frequency of these fibers, free, is 69 Hz.
+inline constexpr dem::FrequencyBand kPackingBand{10, 1e4};
 
 /// A packing to run.
 struct PackingCase {
@@ -26,6 +30,7 @@ struct PackingCase {
   bool periodic = false;               ///< sides, in place of walls
   bool accounted = false;              ///< energy by mechanism
   bool pictured = false;               ///< places are kept for pictures
+  double loss_factor = 0;              ///< tan delta of the fibers' material, flat over kPackingBand
 };
 
 /// The scene. Throws InputError for fewer than one fiber.

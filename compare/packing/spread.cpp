@@ -13,7 +13,7 @@ namespace {
 /// What is asked but for the seed.
 auto key(const PackingCase& c) {
   return std::tuple(c.fibers, c.side, c.periodic, c.stiffness, c.contact_modulus, c.bond_damping,
-                    c.rolling_friction, c.step_ratio, c.integrator);
+                    c.rolling_friction, c.step_ratio, c.integrator, c.loss_factor);
 }
 
 bool finished(const PackingRun& run) { return run.status == "finished"; }

@@ -57,6 +57,9 @@ const Checks& damping_checks();
 /// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch.
 const Checks& friction_checks();
 
+/// Materials: the paper's statement on damping in a complex domain, chains in time against complex moduli.
+const Checks& material_checks();
+
 /// The largest stable step: theory against runs, the paper's rules for the time step.
 const Checks& stability_checks();
 

@@ -1,0 +1,89 @@
+#include <optional>
+
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/material/study.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+using compare::MaterialPart;
+using compare::MaterialPlan;
+
+/// A question and what is shown of it.
+struct Part {
+  const char* name;
+  MaterialPart (*make)(const MaterialPlan&, const compare::Jobs&);
+};
+
+constexpr Part kParts[] = {{"modes", &compare::mode_part},
+                           {"two-modes", &compare::two_mode_part},
+                           {"cycle", &compare::cycle_part},
+                           {"wires", &compare::wire_part},
+                           {"packing", &compare::packing_part}};
+
+MaterialPlan material_plan(const Arguments& arguments) {
+  MaterialPlan plan;
+  read_number(arguments, "--aspect-ratio", {.low = 6, .high = 60}, plan.aspect_ratio);
+  read_number(arguments, "--modes", {.low = 1, .high = 5}, plan.modes);
+  read_number(arguments, "--diameters", {.low = 2, .high = 1000}, plan.diameters);
+  read_number(arguments, "--fibers", {.low = 10, .high = 100000}, plan.packing.fibers);
+  read_number(arguments, "--seeds", {.low = 1, .high = 100}, plan.packing.seeds);
+  read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.packing.duration);
+  return plan;
+}
+
+std::vector<Part> parts_of(const Arguments& arguments) {
+  std::vector<std::pair<std::string, Part>> choices;
+  for (const Part& part : kParts) choices.emplace_back(part.name, part);
+  std::vector<Part> chosen{std::begin(kParts), std::end(kParts)};
+  read_choices(arguments, "--part", chosen, choices);
+  return chosen;
+}
+
+int run_tables_materials(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const MaterialPlan plan = material_plan(arguments);
+  const std::vector<Part> parts = parts_of(arguments);
+  const auto directory = open_output(output, context);
+  const auto progress = context.progress(parts.size());
+  Results results{.name = "materials", .heading = "The damping that materials have"};
+  int failed = 0;
+  for (const Part& part : parts) {
+    MaterialPart made = part.make(plan, output.jobs);
+    if (&part == &parts.front()) {
+      results.table = std::move(made.table);
+    } else {
+      results.more_tables.emplace_back(std::string("materials-") + part.name, std::move(made.table));
+    }
+    for (auto& more : made.more_tables) results.more_tables.push_back(std::move(more));
+    for (auto& figure : made.figures) results.figures.push_back(std::move(figure));
+    failed += made.failed;
+    progress->advance();
+  }
+  deliver(results, results.table, output, directory, context);
+  if (failed == 0) return kSuccess;
+  context.log->error("error: {} packings did not finish, see column status of materials-packing", failed);
+  return kRunFailed;
+}
+
+}  // namespace
+
+Command tables_materials_command() {
+  return {.name = "tables materials",
+          .description = "the damping that materials have: flat loss factors and thermoelastic metals beside "
+                         "dashpots, by mode, frequency and diameter",
+          .footer = "Without a choice all parts are made.\n"
+                    "Example:\n  fiberchain tables materials --part modes,wires --aspect-ratio 13 --json\n",
+          .options = with_output(
+              {{"--part", "LIST", "modes, two-modes, cycle, wires, packing [all]"},
+               {"--aspect-ratio", "N", "r_f = L/d of the fibers let go, number of bonds [20]"},
+               {"--modes", "N", "bending modes of each [5]"},
+               {"--diameters", "N", "of the wires, from 1 um to 10 mm [49]"},
+               {"--fibers", "N", "of the packing [300]"},
+               {"--seeds", "N", "of the packing [1]"},
+               {"--duration", "SECONDS", "of the packing [0.4]"}}),
+          .run = &run_tables_materials};
+}
+
+}  // namespace fiberchain::app
