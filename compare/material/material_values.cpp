@@ -28,9 +28,9 @@ class MaterialFile {
  private:
   double quantity(const char* key, const char* part, int place, const char* unit) const {
     try {
-      YAML::Node node = root_[key][part];
-      if (place >= 0) node = node[place];
-      return units_.to_si(node.as<std::string>(), unit);
+      const YAML::Node values = root_[key][part];
+      const YAML::Node one = place < 0 ? values : values[place];
+      return units_.to_si(one.as<std::string>(), unit);
     } catch (const YAML::Exception&) {
       throw InputError(fmt::format("{}: {}.{} is missing", path_.string(), key, part));
     }
