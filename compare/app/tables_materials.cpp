@@ -70,20 +70,22 @@ int run_tables_materials(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command tables_materials_command() {
-  return {.name = "tables materials",
-          .description = "the damping that materials have: flat loss factors and thermoelastic metals beside "
-                         "dashpots, by mode, frequency and diameter",
-          .footer = "Without a choice all parts are made.\n"
-                    "Example:\n  fiberchain tables materials --part modes,wires --aspect-ratio 13 --json\n",
-          .options = with_output(
-              {{"--part", "LIST", "modes, two-modes, cycle, wires, packing [all]"},
-               {"--aspect-ratio", "N", "r_f = L/d of the fibers let go, number of bonds [20]"},
-               {"--modes", "N", "bending modes of each [5]"},
-               {"--diameters", "N", "of the wires, from 1 um to 10 mm [49]"},
-               {"--fibers", "N", "of the packing [300]"},
-               {"--seeds", "N", "of the packing [1]"},
-               {"--duration", "SECONDS", "of the packing [0.4]"}}),
-          .run = &run_tables_materials};
+  return {
+      .name = "tables materials",
+      .description =
+          "the damping that materials have: flat loss factors and thermoelastic metals beside "
+          "dashpots, by mode, frequency and diameter",
+      .footer =
+          "Without a choice all parts are made.\n"
+          "Example:\n  fiberchain tables materials --part modes,wires --aspect-ratio 13 --json\n",
+      .options = with_output({{"--part", "LIST", "modes, two-modes, cycle, wires, packing [all]"},
+                              {"--aspect-ratio", "N", "r_f = L/d of the fibers let go, number of bonds [20]"},
+                              {"--modes", "N", "bending modes of each [5]"},
+                              {"--diameters", "N", "of the wires, from 1 um to 10 mm [49]"},
+                              {"--fibers", "N", "of the packing [300]"},
+                              {"--seeds", "N", "of the packing [1]"},
+                              {"--duration", "SECONDS", "of the packing [0.4]"}}),
+      .run = &run_tables_materials};
 }
 
 }  // namespace fiberchain::app

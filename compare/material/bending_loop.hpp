@@ -12,7 +12,7 @@ struct BendingLoop {
   double frequency;            ///< [Hz]
   std::vector<double> angle;   ///< of the bond [rad], the first once more at the end
   std::vector<double> moment;  ///< that bends it [N m]
-  double loss;     ///< energy lost in the cycle over 2 pi times the largest that its storage modulus stores [-]
+  double loss;  ///< energy lost in the cycle over 2 pi times the largest that its storage modulus stores [-]
   double storage;  ///< moment in phase with the angle, over the angle [N m]
 };
 

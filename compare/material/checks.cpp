@@ -69,8 +69,7 @@ std::vector<Measured> against_roots(const ValidationInput& in) {
   std::vector<Run> runs;
   for (const int aspect_ratio : {7, 13}) {
     const ThreeFibers fibers = three_fibers(aluminium(), aspect_ratio);
-    for (const dem::Fiber& fiber :
-         {fibers.flat, fibers.thermoelastic, with_loss_factor(fibers, 0.1).flat}) {
+    for (const dem::Fiber& fiber : {fibers.flat, fibers.thermoelastic, with_loss_factor(fibers, 0.1).flat}) {
       for (const auto& mode : bending_modes_of(fiber, 3)) {
         for (const auto form : {dem::BondForm::incremental, dem::BondForm::total})
           runs.push_back({fiber, mode, form});
@@ -161,13 +160,12 @@ std::vector<Measured> bamboo(const ValidationInput& in) {
   fiber.branches = dem::maxwell_branches({bending, twist, {}}, fiber.bond_model);
   const auto modes = bending_modes_of(fiber, 4);
   std::vector<double> loss(modes.size());
-  in.jobs.run(modes.size(),
-              [&](std::size_t i) { loss[i] = 2 * marched_decay(fiber, modes[i]).damping; });
+  in.jobs.run(modes.size(), [&](std::size_t i) { loss[i] = 2 * marched_decay(fiber, modes[i]).damping; });
   const dem::Fiber dashpots = with_viscous_damping(elastic, loss[0] / 2);
   const double viscous = 2 * bending_modes_of(dashpots, 4).back().decay.damping;
-  const auto turning = reference::complex_chain_modes(
-      linear_chain_of(fiber), reference::bond_moduli(bond_spectra_of(fiber)),
-      reference::ChainMotion::twist, reference::ChainEnds::clamped_free, 1);
+  const auto turning =
+      reference::complex_chain_modes(linear_chain_of(fiber), reference::bond_moduli(bond_spectra_of(fiber)),
+                                     reference::ChainMotion::twist, reference::ChainEnds::clamped_free, 1);
   return {{loss.back(),
            {modes.front().decay.frequency / (2 * std::numbers::pi),
             modes.back().decay.frequency / (2 * std::numbers::pi), loss.front(), viscous,
@@ -177,14 +175,15 @@ std::vector<Measured> bamboo(const ValidationInput& in) {
 }  // namespace
 
 const Checks& material_checks() {
-  static const Checks checks{{{"paper-complex-domain", "paper-superior", "material-flat-modes"}, modes_in_time, 1},
-                             {{"material-march-root"}, against_roots, 2},
-                             {{"material-wire-march", "material-wire-root"}, wires, 2},
-                             {{"material-rise-0.02", "material-rise-0.1"}, rises},
-                             {{"material-free-decay"}, free_decay},
-                             {{"material-two-modes"}, together},
-                             {{"material-loop"}, loops},
-                             {{"bamboo-bending"}, bamboo}};
+  static const Checks checks{
+      {{"paper-complex-domain", "paper-superior", "material-flat-modes"}, modes_in_time, 1},
+      {{"material-march-root"}, against_roots, 2},
+      {{"material-wire-march", "material-wire-root"}, wires, 2},
+      {{"material-rise-0.02", "material-rise-0.1"}, rises},
+      {{"material-free-decay"}, free_decay},
+      {{"material-two-modes"}, together},
+      {{"material-loop"}, loops},
+      {{"bamboo-bending"}, bamboo}};
   return checks;
 }
 

@@ -44,8 +44,8 @@ dem::Fiber with_thermoelasticity(const dem::Fiber& elastic, const MetalValues& m
   dem::Fiber fiber = elastic;
   const double strength = dem::relaxation_strength(metal.thermal, metal.youngs_modulus, metal.density);
   const double diffusivity = dem::thermal_diffusivity(metal.thermal, metal.density);
-  const dem::PronySeries series = dem::thermoelastic_branches(
-      strength, diffusivity, dem::sphere_radius(elastic), highest, tolerance);
+  const dem::PronySeries series =
+      dem::thermoelastic_branches(strength, diffusivity, dem::sphere_radius(elastic), highest, tolerance);
   fiber.branches = dem::maxwell_branches({{}, {}, series}, fiber.bond_model);
   return fiber;
 }
@@ -74,8 +74,8 @@ std::vector<reference::ComplexChainMode> exact_thermoelastic_modes(const dem::Fi
   const auto spring = reference::elastic_modulus();
   const auto bending = reference::thermoelastic_modulus(reference_wire(metal, elastic.diameter));
   return reference::complex_chain_modes(linear_chain_of(elastic), {spring, spring, spring, bending},
-                                        reference::ChainMotion::bending,
-                                        reference::ChainEnds::clamped_free, count);
+                                        reference::ChainMotion::bending, reference::ChainEnds::clamped_free,
+                                        count);
 }
 
 double first_frequency(const dem::Fiber& elastic) {
@@ -84,8 +84,7 @@ double first_frequency(const dem::Fiber& elastic) {
 
 double diameter_at_peak(const MetalValues& metal, int aspect_ratio, double ratio) {
   const double d = 1e-3;  // f_1 goes as 1/d, the peak as 1/d^2
-  const double peak =
-      dem::thermal_peak(dem::thermal_diffusivity(metal.thermal, metal.density), d / 2);
+  const double peak = dem::thermal_peak(dem::thermal_diffusivity(metal.thermal, metal.density), d / 2);
   return d * ratio * peak / first_frequency(metal_wire(metal, d, aspect_ratio));
 }
 
@@ -113,8 +112,7 @@ ThreeFibers with_loss_factor(const ThreeFibers& fibers, double loss_factor) {
   ThreeFibers lossy = fibers;
   lossy.thermoelastic = fibers.elastic;
   lossy.flat = with_flat_loss(fibers.elastic, loss_factor, fibers.band, first_frequency(fibers.elastic));
-  lossy.viscous =
-      with_viscous_damping(fibers.elastic, bending_modes_of(lossy.flat, 1).front().decay.damping);
+  lossy.viscous = with_viscous_damping(fibers.elastic, bending_modes_of(lossy.flat, 1).front().decay.damping);
   return lossy;
 }
 

@@ -51,8 +51,7 @@ Figure mode_figure(const ThreeFibers& fibers, const std::vector<ModePoint>& poin
   for (const ModePoint& p : points) {
     if (p.damper != Damper::flat) continue;
     figure.annotations.push_back({fmt::format("mode {}", p.mode),
-                                  p.root.frequency / (2 * std::numbers::pi * f),
-                                  1.7 * p.marched.damping});
+                                  p.root.frequency / (2 * std::numbers::pi * f), 1.7 * p.marched.damping});
   }
   return figure;
 }
@@ -64,8 +63,12 @@ Figure two_mode_figure(const std::vector<TwoModes>& runs) {
                 {}};
   for (const TwoModes& run : runs) {
     const bool viscous = run.damper == Damper::viscous;
-    Series curve{fmt::format("{}: ζ_2 = {:.3f}", name(run.damper), run.in_company), {}, {}, Mark::line,
-                 Dash::solid, static_cast<int>(run.damper)};
+    Series curve{fmt::format("{}: ζ_2 = {:.3f}", name(run.damper), run.in_company),
+                 {},
+                 {},
+                 Mark::line,
+                 Dash::solid,
+                 static_cast<int>(run.damper)};
     // one below the other
     for (std::size_t i = 0; i < run.history.time.size(); i += 10) {
       if (run.history.time[i] <= 5 * run.period)
@@ -79,10 +82,12 @@ Figure two_mode_figure(const std::vector<TwoModes>& runs) {
 
 Figure cycle_figure(const ThreeFibers& fibers, const std::vector<CyclePoint>& points) {
   const double f = first_frequency(fibers.elastic);
-  Figure figure{"Energy that a bond loses in a cycle of bending: bond law (points), {/:Italic K}″/{/:Italic K}′ (lines)",
-                {"frequency over that of mode 1", true},
-                {"loss over 2π × energy stored", true, std::pair{1e-6, 10.0}},
-                {}};
+  Figure figure{
+      "Energy that a bond loses in a cycle of bending: bond law (points), {/:Italic K}″/{/:Italic K}′ "
+      "(lines)",
+      {"frequency over that of mode 1", true},
+      {"loss over 2π × energy stored", true, std::pair{1e-6, 10.0}},
+      {}};
   for (const Damper damper : kDampers) {
     figure.series.push_back(loss_curve(fibers, damper, 0.1, 1e3, 1));
     Series marks{label_of(fibers, damper), {}, {}, Mark::points, Dash::solid, static_cast<int>(damper)};
@@ -105,8 +110,12 @@ Figure loop_figure(const dem::Fiber& flat, const dem::Fiber& viscous, double fre
     for (const double x : {1.0, 6.0, 30.0}) {
       const BendingLoop loop = bending_loop(*fiber, x * frequency);
       const double largest = *std::ranges::max_element(loop.angle);
-      Series curve{fmt::format("{}, {:g} {{/:Italic f}}_1: loss {:.2f}", label, x, loop.loss), {}, {},
-                   Mark::line, fiber == &flat ? Dash::solid : Dash::dashed, color++ % 3};
+      Series curve{fmt::format("{}, {:g} {{/:Italic f}}_1: loss {:.2f}", label, x, loop.loss),
+                   {},
+                   {},
+                   Mark::line,
+                   fiber == &flat ? Dash::solid : Dash::dashed,
+                   color++ % 3};
       for (std::size_t i = 0; i < loop.angle.size(); ++i)
         curve.add(loop.angle[i] / largest, loop.moment[i] / (K * largest));
       figure.series.push_back(std::move(curve));

@@ -49,11 +49,11 @@ MarchedDecay marched_decay(const dem::Fiber& fiber, const reference::ComplexChai
   const double frequency = mode.decay.eigenvalue.imag();
   const auto records =
       dem::ring_down<2>({struck_release(fiber, {{mode, small_deflection}}, clean.periods() + 1)}, options);
-  const FirstModeDamping found = first_mode_damping(
-      tip_history(records.front(), dem::fiber_length(fiber)), clean, frequency);
+  const FirstModeDamping found =
+      first_mode_damping(tip_history(records.front(), dem::fiber_length(fiber)), clean, frequency);
   const double ratio = std::isnan(found.sine) ? found.peaks.ratio : found.sine;
-  return {ratio, found.peaks.ratio, found.peaks.frequency / (2 * std::numbers::pi),
-          records.front().time_step, records.front().steps};
+  return {ratio, found.peaks.ratio, found.peaks.frequency / (2 * std::numbers::pi), records.front().time_step,
+          records.front().steps};
 }
 
 Damping decay_in_company(const TipHistory& history, double frequency, int intervals) {

@@ -23,8 +23,8 @@ double largest(const TipHistory& history, double from, double to) {
 TwoModes two_modes_of(const dem::Fiber& fiber, Damper damper, double periods) {
   constexpr double amount = 1e-6;
   const auto modes = bending_modes_of(fiber, 2);
-  TwoModes found{damper, {}, 2 * std::numbers::pi / modes[0].decay.eigenvalue.imag(),
-                 modes[1].decay.damping, 0, 0};
+  TwoModes found{damper, {}, 2 * std::numbers::pi / modes[0].decay.eigenvalue.imag(), modes[1].decay.damping,
+                 0,      0};
   // samples count by mode 1, of which mode 2 has more than six in a period
   dem::ReleaseOptions options;
   options.samples_per_period = 1200;
@@ -70,9 +70,8 @@ std::vector<ModePoint> mode_points(const ThreeFibers& fibers, int modes, const J
       shapes.push_back(own[n]);
     }
   }
-  jobs.run(points.size(), [&](std::size_t i) {
-    points[i].marched = marched_decay(fibers.of(points[i].damper), shapes[i]);
-  });
+  jobs.run(points.size(),
+           [&](std::size_t i) { points[i].marched = marched_decay(fibers.of(points[i].damper), shapes[i]); });
   return points;
 }
 
@@ -116,7 +115,8 @@ std::vector<WirePoint> wire_points(const WireSweep& sweep, const Jobs& jobs) {
 
 std::vector<double> logarithmic_values(double first, double last, int count) {
   std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(first * std::pow(last / first, count > 1 ? i / (count - 1.0) : 0));
+  for (int i = 0; i < count; ++i)
+    values.push_back(first * std::pow(last / first, count > 1 ? i / (count - 1.0) : 0));
   return values;
 }
 

@@ -15,10 +15,10 @@ namespace fiberchain::compare {
 /// A bending mode of one of the three fibers.
 struct ModePoint {
   Damper damper;
-  int mode;                        ///< from 1
-  reference::FreeDecay root;       ///< of the linear chain with complex moduli
+  int mode;                   ///< from 1
+  reference::FreeDecay root;  ///< of the linear chain with complex moduli
   MarchedDecay marched;
-  std::optional<double> series;    ///< zeta with the exact thermoelastic modulus
+  std::optional<double> series;  ///< zeta with the exact thermoelastic modulus
 };
 
 /// The lowest bending modes of each of the fibers, in time and by their roots.
@@ -50,17 +50,17 @@ std::vector<CyclePoint> cycle_points(const ThreeFibers& fibers, const std::vecto
 /// A wire of a metal, clamped at one end.
 struct WirePoint {
   MetalValues metal;
-  double diameter;                 ///< [m]
-  double frequency;                ///< first bending frequency [Hz]
-  double peak;                     ///< of thermoelastic damping [Hz]
+  double diameter;   ///< [m]
+  double frequency;  ///< first bending frequency [Hz]
+  double peak;       ///< of thermoelastic damping [Hz]
   int branches;
-  double root;                     ///< zeta of mode 1 of the chain with branches
-  double series;                   ///< zeta with the exact thermoelastic modulus
-  std::optional<double> marched;   ///< zeta in time
+  double root;                    ///< zeta of mode 1 of the chain with branches
+  double series;                  ///< zeta with the exact thermoelastic modulus
+  std::optional<double> marched;  ///< zeta in time
 };
 
 struct WireSweep {
-  std::vector<std::string> metals{"aluminium", "copper", "carbon-steel",
+  std::vector<std::string> metals{"aluminium", "copper",   "carbon-steel",
                                   "tungsten",  "titanium", "stainless-steel-316"};
   int aspect_ratio = 20;
   std::vector<double> diameters;  ///< [m]

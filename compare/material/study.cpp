@@ -120,8 +120,7 @@ MaterialPart wire_part(const MaterialPlan& plan, const Jobs& jobs) {
 
 MaterialPart packing_part(const MaterialPlan& plan, const Jobs& jobs) {
   const auto runs = run_packings(damped_packings(plan.packing), {.samples = 100}, jobs);
-  const auto failed =
-      std::ranges::count_if(runs, [](const PackingRun& r) { return r.status != "finished"; });
+  const auto failed = std::ranges::count_if(runs, [](const PackingRun& r) { return r.status != "finished"; });
   return {tabulate(runs, [](const PackingRun& run) { return row_of(run); }),
           {},
           {{"materials-packing", damped_packing_figure(runs)}},

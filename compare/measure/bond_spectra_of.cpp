@@ -19,10 +19,9 @@ reference::BondSpectra bond_spectra_of(const dem::Fiber& fiber) {
 }
 
 std::vector<reference::ComplexChainMode> bending_modes_of(const dem::Fiber& fiber, int count) {
-  return reference::complex_chain_modes(linear_chain_of(fiber),
-                                        reference::bond_moduli(bond_spectra_of(fiber)),
-                                        reference::ChainMotion::bending,
-                                        reference::ChainEnds::clamped_free, count);
+  return reference::complex_chain_modes(
+      linear_chain_of(fiber), reference::bond_moduli(bond_spectra_of(fiber)), reference::ChainMotion::bending,
+      reference::ChainEnds::clamped_free, count);
 }
 
 }  // namespace fiberchain::compare

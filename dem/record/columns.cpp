@@ -25,9 +25,9 @@ constexpr auto joined(const Column (&... parts)[n]) {
   return all;
 }
 
-constexpr auto kColumns = joined(columns::equilibrium, columns::damping, columns::flow, columns::fit,
-                                 columns::benchmark, columns::validation, columns::packing,
-                                 columns::material_study);
+constexpr auto kColumns =
+    joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
+           columns::validation, columns::packing, columns::material_study);
 
 }  // namespace
 
