@@ -50,7 +50,7 @@ Figure mode_figure(const ThreeFibers& fibers, const std::vector<ModePoint>& poin
   }
   for (const ModePoint& p : points) {
     if (p.damper != Damper::flat) continue;
-    figure.annotations.push_back({fmt::format("mode {}", p.mode),
+    figure.annotations.push_back({p.mode == 1 ? std::string("mode 1") : fmt::format("{}", p.mode),
                                   p.root.frequency / (2 * std::numbers::pi * f), 1.7 * p.marched.damping});
   }
   return figure;
@@ -59,7 +59,7 @@ Figure mode_figure(const ThreeFibers& fibers, const std::vector<ModePoint>& poin
 Figure two_mode_figure(const std::vector<TwoModes>& runs) {
   Figure figure{"Modes 1 and 2 ring down together, ζ_1 = 0.01 in both fibers",
                 {"time over the period of mode 1"},
-                {"free end over mode 1's first amplitude"},
+                {"free end over mode 1's first amplitude (viscous: 4.5 up)"},
                 {}};
   for (const TwoModes& run : runs) {
     const bool viscous = run.damper == Damper::viscous;
@@ -102,12 +102,12 @@ Figure cycle_figure(const ThreeFibers& fibers, const std::vector<CyclePoint>& po
 Figure loop_figure(const dem::Fiber& flat, const dem::Fiber& viscous, double frequency) {
   Figure figure{"Loops of a bond bent to and fro, loss factor 0.1 at the first frequency {/:Italic f}_1",
                 {"angle over its largest"},
-                {"moment over the stiffness at {/:Italic f}_1 and the largest angle"},
+                {"moment over that of {/:Italic f}_1 in phase"},
                 {}};
   int color = 0;
   for (const auto& [fiber, label] : {std::pair{&viscous, "viscous"}, std::pair{&flat, "flat"}}) {
     const double K = bending_loop(*fiber, frequency).storage;
-    for (const double x : {1.0, 6.0, 30.0}) {
+    for (const double x : {1.0, 3.0, 10.0}) {
       const BendingLoop loop = bending_loop(*fiber, x * frequency);
       const double largest = *std::ranges::max_element(loop.angle);
       Series curve{fmt::format("{}, {:g} {{/:Italic f}}_1: loss {:.2f}", label, x, loop.loss),
