@@ -27,7 +27,7 @@ MaterialPlan material_plan(const Arguments& arguments) {
   read_number(arguments, "--aspect-ratio", {.low = 6, .high = 60}, plan.aspect_ratio);
   read_number(arguments, "--modes", {.low = 1, .high = 5}, plan.modes);
   read_number(arguments, "--diameters", {.low = 2, .high = 1000}, plan.diameters);
-  read_number(arguments, "--fibers", {.low = 10, .high = 100000}, plan.packing.fibers);
+  read_number(arguments, "--fibers", {.low = 150, .high = 100000}, plan.packing.fibers);
   read_number(arguments, "--seeds", {.low = 1, .high = 100}, plan.packing.seeds);
   read_number(arguments, "--duration", {.low = 0, .high = 10, .low_open = true}, plan.packing.duration);
   return plan;

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
        {Words{"tables", "static", "--aspect-ratio", "5", "--load", "1", "--method", "solve,march"},
         {"tables", "damping", "--aspect-ratio", "5", "--peaks", "0..2", "--bond-damping", "3"},
         {"tables", "friction", "--aspect-ratio", "5", "--peaks", "1..2", "--rolling-friction", "1"},
-        {"tables", "materials", "--aspect-ratio", "7", "--diameters", "3", "--fibers", "10", "--duration",
+        {"tables", "materials", "--aspect-ratio", "7", "--diameters", "3", "--fibers", "150", "--duration",
          "2e-3"},
         {"tables", "shear", "--spheres", "5"},
         {"tables", "contact-modulus", "--fibers", "150", "--seeds", "1", "--modulus", "1,0.1", "--duration",
