@@ -11,16 +11,16 @@ using compare::MaterialPart;
 using compare::MaterialPlan;
 
 /// A question and what is shown of it.
-struct Part {
+struct NamedPart {
   const char* name;
   MaterialPart (*make)(const MaterialPlan&, const compare::Jobs&);
 };
 
-constexpr Part kParts[] = {{"modes", &compare::mode_part},
-                           {"two-modes", &compare::two_mode_part},
-                           {"cycle", &compare::cycle_part},
-                           {"wires", &compare::wire_part},
-                           {"packing", &compare::packing_part}};
+constexpr NamedPart kMaterialParts[] = {{"modes", &compare::mode_part},
+                                        {"two-modes", &compare::two_mode_part},
+                                        {"cycle", &compare::cycle_part},
+                                        {"wires", &compare::wire_part},
+                                        {"packing", &compare::packing_part}};
 
 MaterialPlan material_plan(const Arguments& arguments) {
   MaterialPlan plan;
@@ -33,10 +33,10 @@ MaterialPlan material_plan(const Arguments& arguments) {
   return plan;
 }
 
-std::vector<Part> parts_of(const Arguments& arguments) {
-  std::vector<std::pair<std::string, Part>> choices;
-  for (const Part& part : kParts) choices.emplace_back(part.name, part);
-  std::vector<Part> chosen{std::begin(kParts), std::end(kParts)};
+std::vector<NamedPart> material_parts_of(const Arguments& arguments) {
+  std::vector<std::pair<std::string, NamedPart>> choices;
+  for (const NamedPart& part : kMaterialParts) choices.emplace_back(part.name, part);
+  std::vector<NamedPart> chosen{std::begin(kMaterialParts), std::end(kMaterialParts)};
   read_choices(arguments, "--part", chosen, choices);
   return chosen;
 }
@@ -44,12 +44,12 @@ std::vector<Part> parts_of(const Arguments& arguments) {
 int run_tables_materials(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const MaterialPlan plan = material_plan(arguments);
-  const std::vector<Part> parts = parts_of(arguments);
+  const std::vector<NamedPart> parts = material_parts_of(arguments);
   const auto directory = open_output(output, context);
   const auto progress = context.progress(parts.size());
   Results results{.name = "materials", .heading = "The damping that materials have"};
   int failed = 0;
-  for (const Part& part : parts) {
+  for (const NamedPart& part : parts) {
     MaterialPart made = part.make(plan, output.jobs);
     if (&part == &parts.front()) {
       results.table = std::move(made.table);

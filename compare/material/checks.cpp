@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kModes = 5;
 
-MetalValues aluminium() { return metal_values(find_data_directory(std::nullopt), "aluminium"); }
+MetalValues aluminium() { return metal_values("aluminium"); }
 
 double farther(double from, double now) { return std::abs(now) > std::abs(from) ? now : from; }
 
@@ -113,11 +113,11 @@ Measured rise(double loss) {
   for (const dem::MaxwellBranch& branch : flat.series) series.push_back({branch.strength, branch.time});
   const auto modulus = reference::complex_modulus(series);
   const auto tangent = [&](double w) { return reference::loss_factor(modulus, w); };
-  constexpr double two_pi = 2 * std::numbers::pi;
-  return {.value = flat.rise,
-          .evidence = {std::pow(1e3, 2 * std::atan(loss) / std::numbers::pi),
-                       dem::unrelaxed_modulus(flat.series)},
-          .expected = causal_rise(tangent, two_pi * band.low, two_pi * band.high)};
+  return {
+      .value = flat.rise,
+      .evidence = {std::pow(1e3, 2 * std::atan(loss) / std::numbers::pi),
+                   dem::unrelaxed_modulus(flat.series)},
+      .expected = causal_rise(tangent, 2 * std::numbers::pi * band.low, 2 * std::numbers::pi * band.high)};
 }
 
 std::vector<Measured> rises(const ValidationInput&) { return {rise(0.02), rise(0.1)}; }
@@ -151,7 +151,7 @@ std::vector<Measured> loops(const ValidationInput&) {
 
 /// Bamboo by its file: modes 1 to 5 of a splint in time, 2 zeta over the loss factor; twist by its roots.
 std::vector<Measured> bamboo(const ValidationInput& in) {
-  const PlantLoss plant = plant_loss(find_data_directory(std::nullopt), "bamboo");
+  const PlantLoss plant = plant_loss("bamboo");
   const dem::Fiber elastic{{plant.youngs_modulus, plant.shear_modulus, plant.density}, 0.01, 20};
   const dem::FrequencyBand band{plant.band_low, plant.band_high};
   dem::Fiber fiber = elastic;

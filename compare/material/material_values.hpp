@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "dem/material/thermoelastic.hpp"
@@ -16,10 +15,10 @@ struct MetalValues {
   dem::ThermalProperties thermal;
 };
 
-/// Of DATA/materials/NAME.yaml. Throws InputError where the file or a value is missing.
-MetalValues metal_values(const std::filesystem::path& data_directory, const std::string& name);
+/// Throws dem::SceneError for a file that is wrong or not there, InputError where a value is missing.
+MetalValues metal_values(const std::string& name);
 
-/// The loss factors that DATA/materials/NAME.yaml has for bending and for twist, each with its range.
+/// The loss factors that a material has for bending and for twist, each with its range.
 struct LossRange {
   double value, low, high;
 };
@@ -29,6 +28,7 @@ struct PlantLoss {
   double density;                        ///< [kg/m^3]
   double band_low, band_high;            ///< of both [Hz]
 };
-PlantLoss plant_loss(const std::filesystem::path& data_directory, const std::string& name);
+/// As metal_values().
+PlantLoss plant_loss(const std::string& name);
 
 }  // namespace fiberchain::compare

@@ -5,7 +5,6 @@
 
 #include "compare/measure/bond_spectra_of.hpp"
 #include "compare/measure/first_mode_filter.hpp"
-#include "compare/study/published.hpp"
 #include "dem/model/prony_series.hpp"
 
 namespace fiberchain::compare {
@@ -98,9 +97,8 @@ std::vector<WirePoint> wire_points(const WireSweep& sweep, const Jobs& jobs) {
     bool marched;
   };
   std::vector<Asked> asked;
-  const auto data = find_data_directory(std::nullopt);
   for (const std::string& name : sweep.metals) {
-    const MetalValues metal = metal_values(data, name);
+    const MetalValues metal = metal_values(name);
     for (std::size_t i = 0; i < sweep.diameters.size(); ++i) {
       const bool marched = sweep.marched_every > 0 && i % sweep.marched_every == 1 % sweep.marched_every;
       asked.push_back({metal, sweep.diameters[i], marched});

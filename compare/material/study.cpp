@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "compare/study/published.hpp"
 #include "compare/study/tabulate.hpp"
 
 namespace fiberchain::compare {
@@ -79,9 +78,7 @@ dem::NamedRow row_of(const PackingRun& run) {
 
 }  // namespace
 
-ThreeFibers study_fibers(int aspect_ratio) {
-  return three_fibers(metal_values(find_data_directory(std::nullopt), "aluminium"), aspect_ratio);
-}
+ThreeFibers study_fibers(int aspect_ratio) { return three_fibers(metal_values("aluminium"), aspect_ratio); }
 
 MaterialPart mode_part(const MaterialPlan& plan, const Jobs& jobs) {
   const ThreeFibers fibers = study_fibers(plan.aspect_ratio);

@@ -9,6 +9,7 @@
 #include "dem/record/columns/equilibrium.hpp"
 #include "dem/record/columns/fit.hpp"
 #include "dem/record/columns/flow.hpp"
+#include "dem/record/columns/material.hpp"
 #include "dem/record/columns/material_study.hpp"
 #include "dem/record/columns/packing.hpp"
 #include "dem/record/columns/validation.hpp"
@@ -27,7 +28,7 @@ constexpr auto joined(const Column (&... parts)[n]) {
 
 constexpr auto kColumns =
     joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
-           columns::validation, columns::packing, columns::material_study);
+           columns::validation, columns::packing, columns::material, columns::material_study);
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 #include "compare/material/points.hpp"
 #include "compare/measure/bond_spectra_of.hpp"
 #include "compare/study/errors.hpp"
-#include "compare/study/published.hpp"
+#include "dem/scene/scene_error.hpp"
 
 BOOST_AUTO_TEST_SUITE(material_test)
 
@@ -23,8 +23,6 @@ dem::Fiber one_branch(double strength, double time) {
   fiber.branches = dem::maxwell_branches({series, series, {}}, fiber.bond_model);
   return fiber;
 }
-
-std::filesystem::path data() { return find_data_directory(std::nullopt); }
 
 double zeta_1(const dem::Fiber& fiber) { return bending_modes_of(fiber, 1).front().decay.damping; }
 
@@ -71,7 +69,7 @@ BOOST_AUTO_TEST_CASE(modes_decay_in_time_as_their_roots) {
 }
 
 BOOST_AUTO_TEST_CASE(three_fibers_are_alike_in_mode_1) {
-  const MetalValues tungsten = metal_values(data(), "tungsten");
+  const MetalValues tungsten = metal_values("tungsten");
   const ThreeFibers fibers = three_fibers(tungsten, 9);
   const double wire = zeta_1(fibers.thermoelastic);
   BOOST_TEST(zeta_1(fibers.viscous) == wire, boost::test_tools::tolerance(1e-9));
@@ -101,17 +99,17 @@ BOOST_AUTO_TEST_CASE(a_wire_is_damped_as_the_exact_series_says) {
 }
 
 BOOST_AUTO_TEST_CASE(values_are_those_of_the_files) {
-  const MetalValues steel = metal_values(data(), "carbon-steel");
+  const MetalValues steel = metal_values("carbon-steel");
   BOOST_TEST(steel.youngs_modulus == 212e9, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(steel.thermal.temperature == 290);
   BOOST_TEST(steel.thermal.conductivity == 49);
-  const PlantLoss bamboo = plant_loss(data(), "bamboo");
+  const PlantLoss bamboo = plant_loss("bamboo");
   BOOST_TEST(bamboo.bending.low == 0.01);
   BOOST_TEST(bamboo.bending.high == 0.015);
   BOOST_TEST(bamboo.twist.high == 0.04);
   BOOST_TEST(bamboo.band_high == 20000);
-  BOOST_CHECK_THROW(metal_values(data(), "unobtainium"), InputError);
-  BOOST_CHECK_THROW(metal_values(data(), "bamboo"), InputError);  // no conductivity
+  BOOST_CHECK_THROW(metal_values("unobtainium"), fiberchain::dem::SceneError);
+  BOOST_CHECK_THROW(metal_values("bamboo"), InputError);  // no conductivity
 }
 
 BOOST_AUTO_TEST_CASE(packings_have_the_same_damping_of_mode_1) {
