@@ -127,7 +127,7 @@ Command calibrate_command() {
           "whose source\n"
           "names no band, a band about the fiber's five modes is taken and said.\n"
           "Examples:\n"
-          "  fiberchain calibrate --material carbon-steel --diameter '20 um' --aspect-ratio 20\n"
+          "  fiberchain calibrate --material carbon-steel --diameter 2e-5 --aspect-ratio 20\n"
           "  fiberchain calibrate --damping-ratio 0.02 --aspect-ratio 20 --verify\n"
           "  fiberchain calibrate --bond-damping 1 --aspect-ratio 10 --poisson-ratio 0.17 --json",
       .options =

@@ -57,9 +57,9 @@ Figure mode_figure(const ThreeFibers& fibers, const std::vector<ModePoint>& poin
 }
 
 Figure two_mode_figure(const std::vector<TwoModes>& runs) {
-  Figure figure{"Modes 1 and 2 ring down together, ζ_1 = 0.01 in both fibers",
+  Figure figure{"Modes 1 and 2 ring down together (viscous drawn 4.5 up), ζ_1 = 0.01 in both fibers",
                 {"time over the period of mode 1"},
-                {"free end over mode 1's first amplitude (viscous: 4.5 up)"},
+                {"free end over mode 1's amplitude"},
                 {}};
   for (const TwoModes& run : runs) {
     const bool viscous = run.damper == Damper::viscous;

@@ -51,14 +51,16 @@ Departure departure(const std::string& motion, int seed) {
 
 }  // namespace
 
+// Motions part after some collisions: the ratio of one seed is 2.9 to 4.5, that of the sums of three 3.5
+// to 4.4.
 BOOST_AUTO_TEST_CASE(the_offset_goes_with_the_square_of_the_step) {
-  for (const int seed : {1, 2}) {
-    const Departure coarse = departure(", step: 7.64e-6", seed), fine = departure(", step: 3.82e-6", seed);
-    BOOST_TEST_MESSAGE("seed " << seed << ": " << coarse.mean << " and " << fine.mean << ", least "
-                               << coarse.least << " and " << fine.least);
-    BOOST_TEST(std::abs(coarse.mean / fine.mean - 4.5) <
-               0.8);  // 4, and motions that part after some collisions
+  double coarse = 0, fine = 0;
+  for (const int seed : {1, 2, 3}) {
+    coarse += departure(", step: 7.64e-6", seed).mean;
+    fine += departure(", step: 3.82e-6", seed).mean;
   }
+  BOOST_TEST_MESSAGE(coarse / 3 << " and " << fine / 3);
+  BOOST_TEST(std::abs(coarse / fine - 4) < 0.8);
 }
 
 BOOST_AUTO_TEST_CASE(the_restitution_wanted_bounds_the_wander) {

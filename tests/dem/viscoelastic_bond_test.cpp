@@ -196,12 +196,11 @@ double change_in_a_rigid_turn(int steps) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(rigid_turns_leave_branches_as_they_are_or_drift_at_fourth_order) {
-  BOOST_TEST(change_in_a_rigid_turn<Total>(9) < 1e-13);
-  const double coarse = change_in_a_rigid_turn<Incremental>(40),
-               fine = change_in_a_rigid_turn<Incremental>(80);
-  BOOST_TEST(coarse < 0.02);
-  BOOST_TEST(std::abs(std::log2(coarse / fine) - 4) < 0.1);
+BOOST_AUTO_TEST_CASE(rigid_turns_leave_branches_as_they_are) {
+  for (const int steps : {9, 40}) {
+    BOOST_TEST(change_in_a_rigid_turn<Total>(steps) < 1e-13);
+    BOOST_TEST(change_in_a_rigid_turn<Incremental>(steps) < 1e-13);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_has_relaxed_forgets_its_path) {
@@ -238,7 +237,6 @@ BOOST_AUTO_TEST_CASE(a_cycle_of_bending_takes_the_area_of_its_loop) {
       const double next = a * std::sin(w * dt * n), turn = next - angle;
       angle = next;
       const double before = bond.loads(0).moment_on_second[2];
-      const V spin{0, 0, 0.5 * turn / dt};
       bond.first = Bond<Total>::moved(bond.first, {}, {0, 0, -0.5 * turn});
       bond.second = Bond<Total>::moved(bond.second, {}, {0, 0, 0.5 * turn});
       if (n > (cycles - 1) * steps) spent += bond.spent(dt);

@@ -49,7 +49,7 @@ inline constexpr Column damping[] = {
     {"cvode_convergence_failures", integer, "1", "its nonlinear iterations that did not converge"},
     {"motion", text, "", "bending, axial or twist"},
     {"mode", integer, "1", "number of the mode, 1 the lowest"},
-    {"mode_damping", number, "1", "damping ratio of that mode of the linear chain"},
+    {"mode_damping", number, "1", "damping ratio of that mode of the linear chain, in free decay"},
     {"stable_step_ratio", number, "1", "largest stable time step over t_b"},
     {"time", number, "1", "time since the release over the first mode's period"},
     {"energy", number, "J", "kinetic and elastic energy of the chain"},

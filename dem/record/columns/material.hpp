@@ -24,7 +24,6 @@ inline constexpr Column material[] = {
     {"band_high", number, "Hz", "its upper end"},
     {"peak_ratio", number, "1", "frequency of the mode over that of the thermoelastic peak"},
     {"mode_frequency", number, "Hz", "frequency |s|/(2 pi) of the chain's mode"},
-    {"mode_damping", number, "1", "damping ratio zeta of the chain's mode, free decay"},
     {"mode_damping_beam", number, "1",
      "zeta of the fiber as a uniform beam of its own mass, with the exact thermoelastic modulus"},
     {"mode_error", number, "1", "mode_damping over mode_damping_beam - 1"},

@@ -10,7 +10,7 @@
 #include "compare/study/errors.hpp"
 #include "dem/scene/scene_error.hpp"
 
-BOOST_AUTO_TEST_SUITE(material_test)
+BOOST_AUTO_TEST_SUITE(material_study_test)
 
 using namespace fiberchain;
 using namespace fiberchain::compare;
