@@ -77,7 +77,7 @@ Command tables_materials_command() {
           "dashpots, by mode, frequency and diameter",
       .footer =
           "Without a choice all parts are made.\n"
-          "Example:\n  fiberchain tables materials --part modes,wires --aspect-ratio 13 --json\n",
+          "Example:\n  fiberchain tables materials --part two-modes --json\n",
       .options = with_output({{"--part", "LIST", "modes, two-modes, cycle, wires, packing [all]"},
                               {"--aspect-ratio", "N", "r_f = L/d of the fibers let go, number of bonds [20]"},
                               {"--modes", "N", "bending modes of each [5]"},
