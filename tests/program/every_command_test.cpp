@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
         {"tables", "damping", "--aspect-ratio", "5", "--peaks", "0..2", "--bond-damping", "3"},
         {"tables", "friction", "--aspect-ratio", "5", "--peaks", "1..2", "--rolling-friction", "1"},
         {"tables", "materials", "--aspect-ratio", "7", "--diameters", "3", "--fibers", "150", "--duration",
-         "2e-3"},
+         "2e-4"},
         {"tables", "shear", "--spheres", "5"},
         {"tables", "contact-modulus", "--fibers", "150", "--seeds", "1", "--modulus", "1,0.1", "--duration",
          "2e-4", "--samples", "20"},
