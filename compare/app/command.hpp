@@ -13,7 +13,9 @@ namespace fiberchain::app {
 class Arguments {
  public:
   Arguments() = default;
-  explicit Arguments(std::map<std::string, std::string> texts) : texts_(std::move(texts)) {}
+  explicit Arguments(std::map<std::string, std::string> texts,
+                     std::map<std::string, std::vector<std::string>> lists = {})
+      : texts_(std::move(texts)), lists_(std::move(lists)) {}
 
   bool has(const std::string& option) const { return texts_.contains(option); }
 
@@ -23,11 +25,18 @@ class Arguments {
     return found == texts_.end() ? "" : found->second;
   }
 
+  /// All texts of an option that may come several times, in their order.
+  std::vector<std::string> texts(const std::string& option) const {
+    const auto found = lists_.find(option);
+    return found == lists_.end() ? std::vector<std::string>() : found->second;
+  }
+
  private:
   std::map<std::string, std::string> texts_;
+  std::map<std::string, std::vector<std::string>> lists_;
 };
 
-enum class OptionKind { text, flag, required };
+enum class OptionKind { text, flag, required, several };
 
 struct Option {
   std::string name;  ///< "--load"; a name without dashes is taken by its place

@@ -19,12 +19,19 @@ struct Registered {
   CLI::App* app;
   std::map<std::string, std::string> texts;
   std::map<std::string, bool> flags;
+  std::map<std::string, std::vector<std::string>> lists;
 };
 
 void add_option(Registered& entry, const Option& option) {
   const std::string names = option.alias.empty() ? option.name : option.name + "," + option.alias;
   if (option.kind == OptionKind::flag) {
     entry.app->add_flag(names, entry.flags[option.name], option.help);
+    return;
+  }
+  if (option.kind == OptionKind::several) {
+    entry.app->add_option(names, entry.lists[option.name], option.help)
+        ->type_name(option.type)
+        ->allow_extra_args(false);
     return;
   }
   CLI::Option* added = entry.app->add_option(names, entry.texts[option.name], option.help);
@@ -49,7 +56,7 @@ std::vector<std::unique_ptr<Registered>> register_commands(CLI::App& program) {
     CLI::App* app =
         parent.add_subcommand(command.name.substr(command.name.find(' ') + 1), command.description);
     app->footer(command.footer);
-    all.push_back(std::make_unique<Registered>(Registered{command, app, {}, {}}));
+    all.push_back(std::make_unique<Registered>(Registered{command, app, {}, {}, {}}));
     for (const Option& option : command.options) add_option(*all.back(), option);
   }
   return all;
@@ -63,7 +70,7 @@ Arguments arguments_of(const Registered& entry) {
   for (const auto& [name, set] : entry.flags) {
     if (set) typed[name] = "";
   }
-  return Arguments(std::move(typed));
+  return Arguments(std::move(typed), entry.lists);
 }
 
 /// The names of the commands below an app.

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/run_packing.hpp"
+#include "compare/app/run_sweep.hpp"
 #include "compare/measure/strain.hpp"
 #include "compare/scenes/cantilever.hpp"
 #include "compare/scenes/damping_report.hpp"
@@ -17,6 +19,7 @@
 #include "dem/run/memory.hpp"
 #include "dem/run/packing_estimate.hpp"
 #include "dem/scene/located_error.hpp"
+#include "dem/scene/scene_settings.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -118,9 +121,14 @@ int run_scene(const dem::SceneText& text, const dem::Scene& scene, const Argumen
 int run_scene_file(const Arguments& arguments, Context& context) {
   output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
-  const dem::SceneText text = dem::read_scene_text(path);
+  const dem::SceneText as_read = dem::read_scene_text(path);
+  const std::vector<SweptKey> keys = swept_keys(arguments);
+  context.provenance = dem::with_scene(context.provenance, path, as_read.text);
+  const auto several = [](const SweptKey& key) { return key.values.size() > 1; };
+  if (std::ranges::any_of(keys, several)) return run_sweep(as_read, keys, arguments, context);
+  const dem::SceneText text = with_settings(as_read, combinations(keys).front());
+  context.provenance.settings = dem::in_words(text.settings);
   const dem::Scene scene = dem::parse_scene(text);
-  context.provenance = dem::with_scene(context.provenance, path, text.text);
   warn_of_values(text, context);
   for (const std::string& line : compare::damping_lines(scene)) context.log->info(line);
   try {
@@ -142,9 +150,13 @@ Command run_command() {
           "SIGTERM\n"
           "stop them at a checkpoint, with status 130 and 143; --resume goes on from there, as after a "
           "crash, and\n"
-          "ends in the same state. One run at a time in a directory.",
+          "ends in the same state. One run at a time in a directory.\n"
+          "With several values, --set contacts.friction=0.2,0.4 --set filling.seed=1..3, every combination "
+          "is "
+          "run,\n--jobs at a time, each in a directory of its own; NAME-sweep.csv has a row of each.",
       .options = with_output(
           {{"SCENE", "", "scene file (YAML)", OptionKind::required},
+           set_option(),
            {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
            {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag},
            {"--instruction-set", "NAME",

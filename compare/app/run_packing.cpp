@@ -26,6 +26,14 @@ dem::EarlierRun earlier_run(const Arguments& arguments) {
   return force ? dem::EarlierRun::replace : dem::EarlierRun::refuse;
 }
 
+/// " --set KEY=VALUE" for each setting.
+std::string typed_settings(const dem::SceneText& text) {
+  std::string words;
+  for (const dem::SceneSetting& one : text.settings)
+    words += fmt::format(" --set '{}={}'", one.key, one.value);
+  return words;
+}
+
 /// Figures of what the log holds.
 std::vector<dem::OutputFile> figures_of(const dem::PackingJob& job) {
   const dem::CsvDocument log = dem::read_csv(job.files.log());
@@ -103,11 +111,11 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
       dem::run_packing_session(job, opened->begin(), {asked_to_stop, say, context.bar, context.watched});
   if (end.failure.empty() && !end.finished()) {
     context.log->info(
-        "stopped at step {} of {}, t = {:.6g} s, with a checkpoint{}; to go on: fiberchain run {} --out {} "
+        "stopped at step {} of {}, t = {:.6g} s, with a checkpoint{}; to go on: fiberchain run {}{} --out {} "
         "--resume",
         end.last.step, end.steps, end.last.time,
         end.checkpointed == end.last.step ? "" : fmt::format(" of step {}", end.checkpointed), path.string(),
-        out.string());
+        typed_settings(text), out.string());
     return kSignaled + signals.received();
   }
   if (end.begun_at >= end.steps) end.run_time = earlier_run_time(job);

@@ -96,7 +96,6 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   check_stiff(groups, options);
   check_fluid(domain);
   check_periodic_invariance(domain);
-  if (!options.placed_anywhere) check_places(groups, domain, 0);
   if (options.threads < 1)
     throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
   if (options.account_energy && packing_law(options).intact_place >= 0) {
@@ -115,6 +114,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   }
   state_ = std::make_unique<State>(std::move(domain), std::move(options), step);
   State& s = *state_;
+  if (!s.options.placed_anywhere) check_places(groups, s.domain, s.time());
   s.add(groups);
   s.touch();
   s.contacts.begin_accounts();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/assembly/carried_state.hpp"
 #include "dem/assembly/energy_balance.hpp"
 #include "dem/assembly/saved_state.hpp"
 #include "dem/chain/chain_state.hpp"
@@ -45,6 +46,8 @@ struct AssemblyOptions {
   bool sort_in_space = true;     ///< keep fibers that are neighbors in space near each other in memory
   bool allow_passage = false;    ///< march on where bodies may have passed through each other or a wall
   InstructionSet instruction_set = best_instruction_set();
+  std::int64_t steps_before = 0;  ///< done when the assembly begins, which is at steps_before steps and...
+  double time_shift = 0;          ///< ... this [s]
   double speed = 0;  ///< that bodies may come to [m/s], for the choice of a step beside those there are
   double restitution_error = usual_restitution_error;  ///< that a chosen step may make
 };
@@ -89,6 +92,12 @@ class Assembly {
 
   /// Adds fibers now, as the last group. The step stays: throws InvalidInput if it is beyond what they allow.
   void insert(FiberGroup group);
+
+  /// At the start: the fibers of its first groups go on from where they were carried from, with the strains
+  /// of their bonds and the histories of contacts that are there still, at walls those of the same overlap.
+  /// Their energies are accounted from here on. Throws InvalidInput where they are not as many fibers of as
+  /// many spheres.
+  CarriedLosses take_over(const CarriedState& carried);
 
   /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up, and where bodies
   /// may have passed through each other or a wall: an overlap beyond the smaller radius, a path of a step

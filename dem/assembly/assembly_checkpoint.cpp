@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
+#include "dem/assembly/group_layout.hpp"
 #include "dem/model/errors.hpp"
 
 // Saving and restoring the state: one table of fields serves both.
@@ -34,6 +35,10 @@ struct FieldRule {
   Extent extent = Extent::fixed;
   std::size_t (*width)(const State& s) = [](const State&) { return std::size_t{1}; };
 };
+
+[[noreturn]] void refuse(std::string_view name, const std::string& reason) {
+  throw InvalidInput(fmt::format("field '{}' of the saved state {}", name, reason));
+}
 
 /// A number of the state itself.
 template <auto member>
@@ -85,6 +90,26 @@ FieldRule block_field(std::string_view name, int version = 1) {
           .version = version};
 }
 
+FieldValues group_layouts(State& s, const Places&) {
+  std::vector<GroupLayout> all;
+  for (std::size_t g = 0; g < s.kinds.size(); ++g) {
+    const GroupKind& kind = s.kinds[g];
+    all.push_back({s.fibers[g], kind.spheres(), kind.kernel->width,
+                   static_cast<std::int64_t>(kind.kernel->history),
+                   static_cast<std::int64_t>(kind.memory.bond), kind.law->form});
+  }
+  return to_numbers(all);
+}
+
+void require_layouts(State& s, const FieldValues& values) {
+  if (group_layouts(s, {}) != values) refuse(layout_field, "is not that of this assembly");
+}
+
+void require_step(State& s, const FieldValues& values) {
+  const double saved = std::get<Reals>(values).front();
+  if (saved != s.step) refuse("time_step", fmt::format("is {} s; this assembly has {} s", saved, s.step));
+}
+
 constexpr std::string_view order_field = "fiber_order";
 
 /// The fibers of all groups, place by place.
@@ -127,10 +152,6 @@ void set_reference_positions(State& s, const FieldValues& values) {
 constexpr std::string_view keys_field = "contact_keys";
 /// First and second primitive (to_number), slot.
 constexpr std::size_t key_size = 3;
-
-[[noreturn]] void refuse(std::string_view name, const std::string& reason) {
-  throw InvalidInput(fmt::format("field '{}' of the saved state {}", name, reason));
-}
 
 FieldValues contact_keys(State&, const Places& contacts) {
   Integers all;
@@ -203,6 +224,13 @@ void set_contact_works(State& s, const FieldValues& values) {
 /// Every field, in the order of restoring; a new one is a line here.
 const std::vector<FieldRule>& fields() {
   static const std::vector<FieldRule> all = {
+      {.name = layout_field, .get = group_layouts, .set = require_layouts},
+      {.name = "time_step",
+       .get = [](State& s, const Places&) -> FieldValues { return Reals{s.step}; },
+       .set = require_step},
+      {.name = "time_shift",
+       .get = [](State& s, const Places&) -> FieldValues { return Reals{s.options.time_shift}; },
+       .set = [](State& s, const FieldValues& v) { s.options.time_shift = std::get<Reals>(v).front(); }},
       number_field<&State::steps>("steps"),
       number_field<&State::displacement_budget>("displacement_budget"),
       number_field<&State::inserted>("inserted_energy"),

@@ -93,12 +93,13 @@ struct Assembly::State {
       : domain(std::move(around)),
         options(std::move(how)),
         step(dt),
+        steps(options.steps_before),
         pool(options.threads),
         contacts(domain, {options.account_energy, options.instruction_set}, step) {
     watch.on = options.time_parts;
   }
 
-  double time() const { return static_cast<double>(steps) * step; }
+  double time() const { return static_cast<double>(steps) * step + options.time_shift; }
   /// Numbers of spheres go through groups, fibers and spheres; rows through groups, places and spheres.
   std::int64_t group_begin(int group) const { return blocks[first_block[group]].first(0); }
   std::int64_t first_sphere(int group, int fiber) const {

@@ -9,15 +9,16 @@
 namespace fiberchain::dem {
 
 struct Provenance {
-  std::string version;       ///< of the program, as in CHANGELOG.md
-  std::string commit;        ///< git commit of the build, "-dirty" if its tree was changed, or "unknown"
-  std::string command;       ///< command line, shell-quoted where it needs to be
-  std::string scene;         ///< path of the scene file, "" if there is none
-  std::string scene_sha256;  ///< SHA-256 of its content as `sha256sum` prints it, "" if there is none
-  std::string compiler;      ///< name and version
-  std::string flags;         ///< its flags
-  std::string cpu;           ///< model of the processor that ran it
-  std::string date;          ///< UTC, ISO 8601
+  std::string version;        ///< of the program, as in CHANGELOG.md
+  std::string commit;         ///< git commit of the build, "-dirty" if its tree was changed, or "unknown"
+  std::string command;        ///< command line, shell-quoted where it needs to be
+  std::string scene;          ///< path of the scene file, "" if there is none
+  std::string scene_sha256;   ///< SHA-256 of its content as `sha256sum` prints it, "" if there is none
+  std::string settings = {};  ///< "key=value; ..." in place of what the scene says, "" if there are none
+  std::string compiler;       ///< name and version
+  std::string flags;          ///< its flags
+  std::string cpu;            ///< model of the processor that ran it
+  std::string date;           ///< UTC, ISO 8601
 };
 
 /// Provenance of this build running that command line now. SOURCE_DATE_EPOCH, if set, stands for the

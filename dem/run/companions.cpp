@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 void check_log(const CompanionsOf& run, std::int64_t done) {
   const fs::path path = run.files.log();
   const auto last = RunLog::last_step(path, run.log, done);
-  const std::int64_t wanted = run.schedule.samples.at_or_before(done);
+  const std::int64_t wanted = run.written.log;
   if (last != wanted) fail_at(path, last, wanted);
 }
 
@@ -31,7 +31,7 @@ void check_trajectory(const CompanionsOf& run, std::int64_t done) {
   const fs::path path = run.files.trajectory();
   const TrajectoryReader reader(path);
   const auto kept = std::ranges::upper_bound(reader.steps(), done) - reader.steps().begin();
-  const std::int64_t wanted = run.schedule.frames.at_or_before(done);
+  const std::int64_t wanted = run.written.trajectory;
   std::optional<std::int64_t> last;
   if (kept > 0) last = reader.steps()[static_cast<std::size_t>(kept) - 1];
   if (last != wanted) fail_at(path, last, wanted);
@@ -43,7 +43,7 @@ void check_series(const CompanionsOf& run, std::int64_t done) {
   const fs::path path = run.files.at(".pvd");
   const VtkSeries series =
       VtkSeries::read(run.files.directory, run.files.name, entries(run.provenance), done);
-  const std::int64_t wanted = run.schedule.frames.at_or_before(done);
+  const std::int64_t wanted = run.written.vtk;
   if (series.last_step() != wanted) fail_at(path, series.last_step(), wanted);
   if (const auto part = series.missing_part())
     throw ReadError(*part, "is missing, of the series " + path.string());
@@ -74,10 +74,12 @@ fs::path put_aside(const fs::path& path) {
   }
 }
 
-/// The companion resumed, or begun anew where it cannot be: what was there is kept.
+/// The companion resumed, or begun anew where it cannot be: what was there is kept. One that the scene did
+/// not have before begins.
 template <class Check, class Resume, class Begin>
-auto resumed(const fs::path& path, std::int64_t done, const Say& say, const Check& check,
-             const Resume& resume, const Begin& begin) {
+auto resumed(const fs::path& path, std::int64_t written, std::int64_t done, const Say& say,
+             const Check& check, const Resume& resume, const Begin& begin) {
+  if (written < 0 && !fs::exists(fs::symlink_status(path))) return begin();
   std::string fault = fault_of(path, check);
   if (fault.empty()) {
     try {
@@ -111,18 +113,18 @@ Companions resume_companions(const CompanionsOf& run, std::int64_t done, const S
   Companions all;
   if (run.schedule.samples.any()) {
     all.log.emplace(resumed(
-        log, done, say, [&] { check_log(run, done); },
+        log, run.written.log, done, say, [&] { check_log(run, done); },
         [&] { return RunLog::resume(log, run.log, run.provenance, done); },
         [&] { return RunLog(log, run.log, run.provenance); }));
   }
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(resumed(
-      trajectory, done, say, [&] { check_trajectory(run, done); },
+      trajectory, run.written.trajectory, done, say, [&] { check_trajectory(run, done); },
       [&] { return TrajectoryWriter::resume(trajectory, run.header, done); },
       [&] { return TrajectoryWriter(trajectory, run.header); }));
   if (!run.vtk) return all;
   all.vtk = resumed(
-      run.files.at(".pvd"), done, say, [&] { check_series(run, done); },
+      run.files.at(".pvd"), run.written.vtk, done, say, [&] { check_series(run, done); },
       [&] { return VtkSeries::resume(run.files.directory, name, from, done); },
       [&] { return VtkSeries(run.files.directory, name, from); });
   return all;
@@ -133,10 +135,9 @@ void look_at_companions(const CompanionsOf& run, std::int64_t done, const Say& s
     const std::string fault = fault_of(path, [&] { check(run, done); });
     if (!fault.empty()) say(fmt::format("warning: {}", fault));
   };
-  if (run.schedule.samples.any()) tell(run.files.log(), check_log);
-  if (!run.schedule.frames.any()) return;
-  tell(run.files.trajectory(), check_trajectory);
-  if (run.vtk) tell(run.files.at(".pvd"), check_series);
+  if (run.written.log >= 0) tell(run.files.log(), check_log);
+  if (run.written.trajectory >= 0) tell(run.files.trajectory(), check_trajectory);
+  if (run.written.vtk >= 0) tell(run.files.at(".pvd"), check_series);
 }
 
 }  // namespace fiberchain::dem

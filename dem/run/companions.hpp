@@ -21,6 +21,7 @@ struct CompanionsOf {
   TrajectoryHeader header;
   bool vtk;
   RunSchedule schedule;
+  WrittenSteps written = {};  ///< what should stand in those of a run that goes on
 };
 
 /// Those that the schedule has times for.

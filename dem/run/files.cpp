@@ -40,12 +40,15 @@ std::vector<fs::path> all_files(const RunFiles& files) {
           files.at("-energy.png")};
 }
 
-Checkpoint checkpoint_of(const fs::path& path, const std::string& scene_sha256) {
-  return read_checkpoint(path, scene_sha256);
-}
-
-/// A checkpoint of one of these programs. @throws InputError
-Checkpoint ours(Checkpoint checkpoint, const fs::path& path, const std::vector<std::string>& programs) {
+/// A checkpoint of this scene and one of these programs.
+/// @throws ReadError where it cannot be read, InputError
+Checkpoint our_checkpoint(const fs::path& path, const SceneKeys& keys,
+                          const std::vector<std::string>& programs) {
+  Checkpoint checkpoint = read_checkpoint(path);
+  if (const std::string other = other_physics(checkpoint, keys); !other.empty()) {
+    throw InputError(fmt::format("{}: belongs to another scene: {}; start_from goes on with other physics",
+                                 path.string(), other));
+  }
   if (std::ranges::find(programs, checkpoint.program) != programs.end()) return checkpoint;
   throw InputError(
       fmt::format("{}: was written by another program ({}; this is {}), which need not end in the same bits",
@@ -86,18 +89,27 @@ void remove_leftovers(const RunFiles& files) {
   remove_staged(files.at(""), "");
 }
 
-std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
+std::string other_physics(const Checkpoint& checkpoint, const SceneKeys& keys) {
+  constexpr std::size_t most = 5;
+  const std::vector<KeyChange> changes = physical(changes_between(scene_keys_in(checkpoint.keys), keys));
+  std::string words;
+  for (std::size_t n = 0; n < std::min(most, changes.size()); ++n)
+    words += (n == 0 ? "" : "; ") + in_words(changes[n]);
+  return changes.size() > most ? words + fmt::format("; and {} more keys", changes.size() - most) : words;
+}
+
+std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const SceneKeys& keys,
                                           const std::vector<std::string>& programs, const Say& say) {
   const fs::path last = files.checkpoint(), previous = previous_checkpoint(last);
   if (!fs::exists(last) && !fs::exists(previous)) return std::nullopt;
   std::string reason;
   try {
-    return ours(checkpoint_of(last, scene_sha256), last, programs);
+    return our_checkpoint(last, keys, programs);
   } catch (const ReadError& error) {
     reason = error.what();
   }
   try {
-    Checkpoint before = ours(checkpoint_of(previous, scene_sha256), previous, programs);
+    Checkpoint before = our_checkpoint(previous, keys, programs);
     say(fmt::format("{}; going on from the one before, of step {}", reason, before.step));
     std::error_code ignored;  // absent: nothing to put aside
     fs::rename(last, files.at(".checkpoint.bad"), ignored);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/scene/scene_keys.hpp"
 #include "dem/trajectory/checkpoint.hpp"
 
 // Names of the files of a packing run, and the lock of its directory.
@@ -39,10 +40,16 @@ void remove_leftovers(const RunFiles& files);
 
 /// The last checkpoint, or the one before if the last cannot be used, which is said and the bad one put aside
 /// as NAME.checkpoint.bad; nothing if there is none at all.
+/// @param keys of the scene that goes on
 /// @param programs whose checkpoints may be used: this one, with each instruction set that this processor has
-/// @throws InputError if no checkpoint can be used, or it belongs to another scene or program
-std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const std::string& scene_sha256,
+/// @throws InputError if no checkpoint can be used, it is of another program, or of a scene with other
+/// physics, whose keys are named
+std::optional<Checkpoint> find_checkpoint(const RunFiles& files, const SceneKeys& keys,
                                           const std::vector<std::string>& programs, const Say& say);
+
+/// What differs in physics from the scene that a checkpoint is of, "contacts.friction: 0.3, was 0.2; ..."; ""
+/// if nothing does.
+std::string other_physics(const Checkpoint& checkpoint, const SceneKeys& keys);
 
 /// Exclusive lock of a directory by one run; the system releases it at the end of the process, a kill
 /// included.

@@ -17,7 +17,10 @@
 #include "dem/run/overlaps.hpp"
 #include "dem/run/processor_time.hpp"
 #include "dem/run/schedule.hpp"
+#include "dem/run/session_words.hpp"
+#include "dem/scene/carry_over.hpp"
 #include "dem/scene/expected_impact.hpp"
+#include "dem/scene/scene_keys.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -25,80 +28,45 @@ namespace {
 /// Steps between two checks for a request to stop.
 constexpr std::int64_t kStride = 64;
 
-/// The step's origin and limits.
-std::string step_words(const StepChoice& choice, const PackingScene& scene) {
-  const std::string off = std::isfinite(choice.restitution_error)
-                              ? fmt::format("off by up to {:.2g}", choice.restitution_error)
-                              : "not to be found";
-  const bool stiff = !std::isfinite(choice.bonds);
-  const std::string bonds =
-      stiff ? fmt::format("{:.4g} of bending {:.4g} s, {:.4g} of an impact {:.4g} s, turning {:.4g} s",
-                          bending_part, choice.bending, impact_part, choice.impact, choice.turning)
-            : fmt::format("bonds {:.4g} s, bond damping {:.4g} s", choice.bonds, choice.damped_bonds);
-  const std::string limits =
-      fmt::format(": {}, contacts {:.4g} s; restitution {} where single spheres meet at {:.3g} m/s", bonds,
-                  choice.contacts, off, choice.speed);
-  if (scene.step) return fmt::format("given; {:.4g} s would be chosen; stable{}", choice.step, limits);
-  if (choice.set_by == "speed") {
-    return fmt::format(
-        "{} of the smallest radius at {:.3g} m/s, which fibers and walls may come to; stable{}", chosen_path,
-        choice.speed, limits);
-  }
-  if (choice.set_by == "restitution") {
-    return fmt::format("restitution within {:g} at {:.3g} m/s; stable{}", scene.restitution_error,
-                       choice.speed, limits);
-  }
-  if (stiff && choice.set_by != "contacts")
-    return fmt::format("bonds solved within the step, set by {}; each alone{}", choice.set_by, limits);
-  return fmt::format("{} of what is stable, set most by {}; each alone{}", chosen_part, choice.set_by,
-                     limits);
-}
-
-/// What the fibers weigh.
-std::string mass_words(const PackingScene& scene) {
-  double mass = 0, cylinders = 0;
-  for (const PackingFiberKind& kind : scene.kinds) {
-    const auto fibers = static_cast<double>(kind.count + std::ssize(kind.starts));
-    Fiber own = kind.fiber;
-    own.mass = MassModel::cylinder;
-    mass += fibers * fiber_mass(kind.fiber);
-    cylinders += fibers * fiber_mass(own);
-  }
-  return fmt::format("{:.4g} kg, {:.3g} of the fibers' own", mass, mass / cylinders);
-}
-
-CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule) {
+CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule, const WrittenSteps& written) {
   return {
       .files = job.files,
       .log = run_log_table(job.scene),
       .provenance = job.provenance,
       .header = {"fiberchain", job.provenance.version, entries(job.provenance), job.scene.batches.number > 1},
       .vtk = job.scene.output.vtk,
-      .schedule = schedule};
+      .schedule = schedule,
+      .written = written};
 }
 
 /// The files of a run as they grow.
 class RunWriter {
  public:
   /// Goes on behind what was written up to `done` steps, or begins.
-  RunWriter(const PackingJob& job, const RunSchedule& schedule, InstructionSet set, std::int64_t done,
-            bool resumed, const Say& say)
+  RunWriter(const PackingJob& job, const RunSchedule& schedule, const RunBegin& begin, std::int64_t done,
+            const Say& say)
       : job_(job),
-        set_(set),
+        set_(begin.instruction_set),
+        written_(begin.written),
         fingerprint_(scene_fingerprint(job.text, job.scene)),
-        files_(resumed ? resume_companions(companions_of(job, schedule), done, say)
-                       : begin_companions(companions_of(job, schedule))) {}
+        keys_(to_text(scene_keys(job.text))),
+        files_(begin.resumed ? resume_companions(companions_of(job, schedule, written_), done, say)
+                             : begin_companions(companions_of(job, schedule, written_))) {}
 
   void write_line(const RunMoment& moment, const Pace& pace) {
     files_.log->append(
         run_log_row(moment, job_.scene, pace.step_rate(moment.step), pace.time_left(moment.step)));
+    written_.log = moment.step;
   }
 
   void write_frame(const Assembly& assembly, const std::vector<std::int64_t>& inserted) {
     fill_frame(assembly, job_.scene, inserted, frame_);
     const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
     files_.trajectory->append(frame_, scalars);
-    if (files_.vtk) files_.vtk->append(frame_);
+    written_.trajectory = frame_.step;
+    if (!files_.vtk) return;
+    files_.vtk->append(frame_);
+    written_.vtk = frame_.step;
   }
 
   void write_checkpoint(const Assembly& assembly, const std::vector<std::int64_t>& inserted) const {
@@ -108,9 +76,14 @@ class RunWriter {
                            .threads = job_.threads,
                            .scene_sha256 = fingerprint_,
                            .scene = job_.text.text,
+                           .keys = keys_,
                            .step = assembly.steps(),
                            .time = assembly.time(),
                            .inserted = inserted,
+                           .kinds = kinds_of_groups(job_.scene, inserted),
+                           .carried = pairs_of(job_.scene.carried),
+                           .batches_done = job_.scene.batches.done,
+                           .written = written_,
                            .state = {}},
                           [&](const UseField& use) { assembly.each_saved(use); });
   }
@@ -118,7 +91,8 @@ class RunWriter {
  private:
   const PackingJob& job_;
   InstructionSet set_;
-  std::string fingerprint_;
+  WrittenSteps written_;
+  std::string fingerprint_, keys_;
   Companions files_;
   TrajectoryFrame frame_{};  ///< its memory is kept from one to the next
 };
@@ -167,11 +141,11 @@ class Session {
         batches_(job.scene, assembly_, std::move(begin.inserted),
                  filling_watch(watchers.asked_to_stop, watchers.say, watchers.terminal, watchers.watched)),
         pace_(assembly_.steps(), begin.steps),
-        writer_(job, schedule_, begin.instruction_set, assembly_.steps(), begin.resumed, watchers.say),
+        writer_(job, schedule_, begin, assembly_.steps(), watchers.say),
         last_(measure(assembly_, job.scene)),
         checkpointed_(assembly_.steps()),
         written_(begin.resumed ? assembly_.steps() : -1) {
-    if (!begin.resumed) write_due();
+    if (!begin.resumed) write_due(true);
   }
 
   void run() {
@@ -210,17 +184,18 @@ class Session {
     assembly_.march(steps);
   }
 
-  /// The checkpoint last: whatever it stands for is written by then.
-  void write_due() {
+  /// The checkpoint last: whatever it stands for is written by then. At the start all that the scene wants.
+  void write_due(bool at_start = false) {
     const std::int64_t step = assembly_.steps();
     if (step == written_) return;
     written_ = step;
-    if (schedule_.samples.holds(step)) write_sample();
-    if (schedule_.frames.holds(step)) {
+    const auto due = [&](const EvenSteps& steps) { return at_start ? steps.any() : steps.holds(step); };
+    if (due(schedule_.samples)) write_sample();
+    if (due(schedule_.frames)) {
       const ProcessorTimer timer(times_.frames);
       writer_.write_frame(assembly_, batches_.inserted());
     }
-    if (schedule_.checkpoints.holds(step)) write_checkpoint();
+    if (due(schedule_.checkpoints)) write_checkpoint();
   }
 
   void write_sample() {
@@ -311,8 +286,11 @@ std::string program_of(const Provenance& provenance, InstructionSet set) {
                      provenance.compiler, provenance.flags, name(set));
 }
 
-PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const PackingWatchers& watchers) {
+PackingEndState run_packing_session(const PackingJob& asked, RunBegin begin,
+                                    const PackingWatchers& watchers) {
   const auto clock = std::chrono::steady_clock::now();
+  PackingJob job = asked;
+  job.scene = begin.scene;
   const double step = begin.assembly.step();
   if (!begin.choice.integrator_reason.empty()) {
     watchers.say(fmt::format("integrator: {} ({})", name(begin.assembly.integrator()),
@@ -329,7 +307,8 @@ PackingEndState run_packing_session(const PackingJob& job, RunBegin begin, const
     end.last = measure(begin.assembly, job.scene);
     end.coordination = coordination(begin.assembly);
     take_counts(begin.assembly, end);
-    look_at_companions(companions_of(job, RunSchedule(job.scene.output, end.steps)), end.steps, watchers.say);
+    look_at_companions(companions_of(job, RunSchedule(job.scene.output, end.steps), begin.written), end.steps,
+                       watchers.say);
   } else {
     run_to_end(job, std::move(begin), watchers, end);
   }

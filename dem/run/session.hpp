@@ -62,14 +62,16 @@ struct PackingEndState {
   bool finished() const { return failure.empty() && last.step == steps; }
 };
 
-/// Where a run begins: at the start of its scene, or at a checkpoint.
+/// Where a run begins: at the start of its scene, at a checkpoint, or where the scene's file left off.
 struct RunBegin {
   Assembly assembly;
   StepChoice choice;
   std::int64_t steps;    ///< of the whole run
-  bool resumed = false;  ///< from a checkpoint
+  bool resumed = false;  ///< from a checkpoint of its own, behind what its files have
   InstructionSet instruction_set = best_instruction_set();
   std::vector<std::int64_t> inserted = {};  ///< fibers of each group that came after the start
+  PackingScene scene = {};                  ///< with what it has from a file
+  WrittenSteps written = {};                ///< what stands in the files of a run that is resumed
 };
 
 /// @throws InputError for checkpoints that cannot be used, dem::InvalidInput, also for want of memory,

@@ -19,9 +19,19 @@
 namespace fiberchain::dem {
 namespace {
 
-/// Fibers of a kind that come before batch `n`.
+/// Fibers of a kind that come before batch `n`, beside those that were there already.
 std::int64_t before_batch(const PackingFiberKind& kind, const Batches& batches, int n) {
-  return kind.count * n / batches.number;
+  return n <= batches.done ? 0 : kind.count * (n - batches.done) / (batches.number - batches.done);
+}
+
+std::int64_t carried_in(const PackingScene& scene) {
+  std::int64_t fibers = 0;
+  for (const CarriedFibers& group : scene.carried) fibers += group.fibers;
+  return fibers;
+}
+
+std::int64_t count_in_batch(const PackingScene& scene, const PackingFiberKind& kind, int n) {
+  return before_batch(kind, scene.batches, n + 1) - before_batch(kind, scene.batches, n);
 }
 
 std::vector<FiberGroup> groups_of_files(const PackingScene& scene) {
@@ -76,7 +86,7 @@ std::int64_t steps_in(const PackingScene& scene, const PackingPlan& plan) {
 
 /// A batch after the end, or within a step of another, would never come.
 void check_batches(const PackingScene& scene, double step, std::int64_t steps) {
-  for (int n = 1; n < scene.batches.number; ++n) {
+  for (int n = std::max(1, scene.batches.done + 1); n < scene.batches.number; ++n) {
     const std::int64_t at = batch_step(scene, n, step);
     if (at > batch_step(scene, n - 1, step) && at < steps) continue;
     throw InvalidKey("batches.interval",
@@ -137,12 +147,14 @@ PackingPlan plan_of(const PackingScene& scene) {
   return plan;
 }
 
-PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch) {
+PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch,
+                           const CarriedStart& carried) {
   const PackingPlan plan = plan_of(scene);
   check_starts(scene);
-  PackingStart start{groups_of_files(scene), scene.domain, {}, plan.choice, plan.steps};
-  const PlacedSpheres of_files = spheres_of(start.groups);
-  for (FiberGroup& group : packing_batch(scene, 0, 0, of_files, watch)) {
+  PackingStart start{carried.groups, scene.domain, {}, plan.choice, plan.steps};
+  for (FiberGroup& group : groups_of_files(scene)) start.groups.push_back(std::move(group));
+  const PlacedSpheres there = spheres_of(start.groups);
+  for (FiberGroup& group : packing_batch(scene, 0, carried.time, there, watch)) {
     start.groups.push_back(std::move(group));
   }
   start.options = {.step = plan.step,
@@ -152,6 +164,10 @@ PackingStart packing_start(const PackingScene& scene, int threads, const Inserti
                    .threads = useful_threads(scene, threads),
                    .account_energy = scene.account_energy,
                    .orientations = scene.orientations};
+  if (!carried.groups.empty()) {
+    start.options.steps_before = std::llround(carried.time / plan.step);
+    start.options.time_shift = carried.time - static_cast<double>(start.options.steps_before) * plan.step;
+  }
   return start;
 }
 
@@ -170,8 +186,7 @@ std::int64_t batch_step(const PackingScene& scene, int n, double step) {
 std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n) {
   std::vector<InsertionCount> counts;
   for (const PackingFiberKind& kind : scene.kinds) {
-    const std::int64_t count =
-        before_batch(kind, scene.batches, n + 1) - before_batch(kind, scene.batches, n);
+    const std::int64_t count = count_in_batch(scene, kind, n);
     if (count > 0) counts.push_back({chain_of(kind), count});
   }
   return counts;
@@ -180,7 +195,26 @@ std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n) {
 int groups_at_start(const PackingScene& scene) {
   const auto of_files =
       std::ranges::count_if(scene.kinds, [](const PackingFiberKind& k) { return !k.starts.empty(); });
-  return static_cast<int>(of_files) + static_cast<int>(batch_counts(scene, 0).size());
+  return static_cast<int>(std::ssize(scene.carried) + of_files + std::ssize(batch_counts(scene, 0)));
+}
+
+std::vector<std::int64_t> kinds_of_groups(const PackingScene& scene,
+                                          const std::vector<std::int64_t>& inserted) {
+  std::vector<std::int64_t> kinds;
+  for (const CarriedFibers& group : scene.carried) kinds.push_back(group.kind);
+  const std::int64_t all = std::ssize(scene.kinds);
+  for (std::int64_t k = 0; k < all; ++k) {
+    if (!scene.kinds[k].starts.empty()) kinds.push_back(k);
+  }
+  std::size_t later = 0;
+  for (int n = 0; n < scene.batches.number; ++n) {
+    for (std::int64_t k = 0; k < all; ++k) {
+      if (count_in_batch(scene, scene.kinds[k], n) == 0) continue;
+      if (n > 0 && later == inserted.size()) return kinds;
+      if (n == 0 || inserted[later++] > 0) kinds.push_back(k);
+    }
+  }
+  return kinds;
 }
 
 std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
@@ -190,13 +224,13 @@ std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double t
   if (counts.empty()) return {};
   InsertionRules rules = scene.filling;
   rules.time = time;
-  rules.first_number = 0;
+  rules.first_number = carried_in(scene);
   for (const PackingFiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);
   return random_insertion(counts, rules, scene.domain, present, watch, shortfall);
 }
 
 std::int64_t fibers_in(const PackingScene& scene) {
-  std::int64_t sum = 0;
+  std::int64_t sum = carried_in(scene);
   for (const PackingFiberKind& kind : scene.kinds) {
     sum += kind.count + static_cast<std::int64_t>(kind.starts.size());
   }
@@ -208,6 +242,8 @@ std::int64_t spheres_in(const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
     sum += (kind.count + static_cast<std::int64_t>(kind.starts.size())) * (kind.fiber.aspect_ratio + 1);
   }
+  for (const CarriedFibers& group : scene.carried)
+    sum += group.fibers * (scene.kinds[group.kind].fiber.aspect_ratio + 1);
   return sum;
 }
 

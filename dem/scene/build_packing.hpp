@@ -32,16 +32,23 @@ int useful_threads(const PackingScene& scene, int threads);
 
 /// What an assembly starts from.
 struct PackingStart {
-  std::vector<FiberGroup> groups;  ///< those of files, then the first batch of those at random
+  std::vector<FiberGroup> groups;  ///< those carried, those of files, then the first batch of those at random
   Domain domain;
   AssemblyOptions options;  ///< with the step
   StepChoice choice;        ///< the step that is taken where the scene gives none, and what sets it
   std::int64_t steps;       ///< of the whole run
 };
 
+/// Fibers that a packing goes on with.
+struct CarriedStart {
+  std::vector<FiberGroup> groups = {};  ///< as `carried` of the scene says
+  double time = 0;                      ///< that the scene begins at [s]
+};
+
 /// Small scenes take fewer threads than given: waiting for each other would cost them more.
 /// @throws InvalidInput for what makes no sense together, NoRoom when fibers do not go into the region
-PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch = {});
+PackingStart packing_start(const PackingScene& scene, int threads, const InsertionWatch& watch = {},
+                           const CarriedStart& carried = {});
 
 /// The assembly itself.
 /// @throws InvalidInput also for spheres beyond a wall
@@ -53,8 +60,12 @@ std::int64_t batch_step(const PackingScene& scene, int n, double step);
 /// How many fibers of which kind batch `n` has, in the order of their groups.
 std::vector<InsertionCount> batch_counts(const PackingScene& scene, int n);
 
-/// Groups of fibers at the start: those of files and of the first batch.
+/// Groups of fibers at the start: those that were there, those of files and of the first batch.
 int groups_at_start(const PackingScene& scene);
+
+/// The kind of each group that is there; `inserted` has the fibers of each group that came after the start.
+std::vector<std::int64_t> kinds_of_groups(const PackingScene& scene,
+                                          const std::vector<std::int64_t>& inserted);
 
 /// The fibers of batch `n`, beside those that are there, among the walls of that time [s]. Kinds without a
 /// fiber in it are left out.

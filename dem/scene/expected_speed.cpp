@@ -23,7 +23,7 @@ Box whole_of(const PackingScene& scene) {
 }
 
 double start_speed(const PackingScene& scene) {
-  double fastest = 0;
+  double fastest = scene.carried_speed;
   for (const PackingFiberKind& kind : scene.kinds) {
     if (kind.count > 0) fastest = std::max(fastest, norm(scene.filling.velocity));
     for (const FiberStart& start : kind.starts) fastest = std::max(fastest, norm(start.velocity));

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "dem/files/numbers.hpp"
+#include "dem/scene/scene_settings.hpp"
 #include "dem/scene/units.hpp"
-#include "dem/scene/yaml_document.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -99,8 +99,10 @@ class Search {
     }
     const double size = std::abs(value);
     if (size == 0 || !std::isfinite(size) || (size >= range.low && size <= range.high)) return;
-    found.push_back(fmt::format("{}:{}: {}: {} is {:.4g} {}{} ({})", name_, node.Mark().line + 1, path, typed,
-                                value, range.unit, suggestion(typed, range, units_), range.what));
+    const int line = node.Mark().line;
+    const std::string where = node.Mark().is_null() ? name_ : fmt::format("{}:{}", name_, line + 1);
+    found.push_back(fmt::format("{}: {}: {} is {:.4g} {}{} ({})", where, path, typed, value, range.unit,
+                                suggestion(typed, range, units_), range.what));
   }
 
   const std::string& name_;
@@ -111,7 +113,7 @@ class Search {
 
 std::vector<std::string> implausible_values(const SceneText& text) {
   Search search(text.name);
-  search.look_at(read_document(text.text, text.name), "", "");
+  search.look_at(settled_document(text), "", "");
   return search.found;
 }
 

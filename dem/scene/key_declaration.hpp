@@ -24,6 +24,7 @@ struct KeyDeclaration {
   std::string meaning;    ///< one sentence, Markdown
   bool must = false;      ///< the key must be there
   bool list = false;      ///< a list of mappings with `keys`
+  bool file = false;      ///< names a file whose content counts, not its name
   std::vector<KeyDeclaration> keys = {};  ///< of the nested mapping
 };
 

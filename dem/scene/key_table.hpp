@@ -48,6 +48,12 @@ struct SceneKey {
     return *this;
   }
 
+  /// The key names a file beside the scene's: what counts is its content.
+  SceneKey& content_counts() {
+    declared.file = true;
+    return *this;
+  }
+
   /// The key is of use under a condition on keys declared before only, "integrator: cvode".
   SceneKey& only_with(const std::string& words, std::function<bool(const T&)> holds) {
     declared.meaning += "; only with " + words;

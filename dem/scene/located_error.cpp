@@ -6,7 +6,7 @@
 namespace fiberchain::dem {
 
 void throw_located(const SceneText& scene, const InvalidInput& error) {
-  const StrictMapping top(scene.text, scene.name);
+  const StrictMapping top(scene);
   if (const auto* at = dynamic_cast<const InvalidKey*>(&error)) top.fail_within(at->key, error.what());
   top.fail("", error.what());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,7 @@ enum class NoRoomChoice {
 /// Insertion of the random fibers in equal parts, one every interval, the first at the start.
 struct Batches {
   int number = 1;
+  int done = 0;         ///< of them that were over where the scene goes on: the others have all fibers
   double interval = 0;  ///< [s]
   NoRoomChoice no_room = NoRoomChoice::end;
 };
@@ -44,9 +46,36 @@ struct PackingOutput {
   bool vtk = false;      ///< frames as VTK files too
 };
 
+/// What the clock of a scene that goes on from a file shows at its start.
+enum class StartClock {
+  as_in_file,  ///< the time of the file: walls, batches, flow and duration count from where its run began
+  zero         ///< 0
+};
+
+/// A file that a scene goes on from.
+struct StartFile {
+  std::filesystem::path path;
+  std::optional<std::int64_t> frame = {};  ///< of a trajectory, from 0; left out: the last
+  StartClock clock = StartClock::as_in_file;
+
+  /// A trajectory; else a checkpoint.
+  bool is_trajectory() const { return path.extension() == ".h5"; }
+};
+
+/// Fibers of a group that a scene has from a file.
+struct CarriedFibers {
+  int kind;  ///< among those of the scene
+  std::int64_t fibers;
+};
+
 /// Many fibers that meet each other and walls.
 struct PackingScene {
   std::vector<PackingFiberKind> kinds;
+  std::optional<StartFile> start_from = {};
+  /// Groups that are there already, from `start_from`: before all others, and beside the kinds' own counts.
+  /// Empty until the file has been read (carry_over.hpp).
+  std::vector<CarriedFibers> carried = {};
+  double carried_speed = 0;  ///< of the fastest of their spheres [m/s]
   InsertionRules filling =
       {};  ///< region, orientation, velocity, gap, seed and attempts of the fibers at random
   Batches batches = {};

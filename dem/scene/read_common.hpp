@@ -198,6 +198,9 @@ PackingScene read_packing(const StrictMapping& top);
 /// Diameter of the thickest fibers [m].
 double largest_diameter(const PackingScene& scene);
 
+/// Declares key start_from.
+void declare_start_from(KeyTable<PackingScene>& table);
+
 /// Declares keys periodic, walls, gravity, fluid and contacts of a packing.
 void declare_domain(KeyTable<PackingScene>& table);
 

@@ -61,10 +61,12 @@ KeyTable<FiberKindKeys> fiber_kind_keys() {
   table.mapping("curvature", curvature_keys(), &store_curvature, "arc at rest").otherwise("straight");
   table.integer("count", &FiberKindKeys::count, kCounts,
                 "number of fibers at random, in all batches together");
-  table.word(
-      "starts", &FiberKindKeys::starts, "path",
-      "CSV file beside the scene, a fiber a line: `x,y,z` (center of the first sphere [m]), `ux,uy,uz` (unit "
-      "vector along the fiber) and, where fibers move, `vx,vy,vz` [m/s]");
+  table
+      .word("starts", &FiberKindKeys::starts, "path",
+            "CSV file beside the scene, a fiber a line: `x,y,z` (center of the first sphere [m]), `ux,uy,uz` "
+            "(unit "
+            "vector along the fiber) and, where fibers move, `vx,vy,vz` [m/s]")
+      .content_counts();
   table.one_of({"count", "starts"});
   return table;
 }
@@ -149,6 +151,7 @@ KeyTable<PackingScene> output_keys() {
 KeyTable<PackingScene> packing_keys() {
   KeyTable<PackingScene> table;
   table.known("scene", "packing", "many fibers that touch each other and walls");
+  declare_start_from(table);
   table.list("fibers", fiber_kind_keys(), &store_fiber_kind, "kinds of fibers").required();
   declare_domain(table);
   declare_filling(table);
@@ -210,7 +213,9 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
   }
   check_walls_differ(top, scene.domain.walls);
   check_plates(top, scene);
-  if (scene.duration > 0 && !((scene.batches.number - 1) * scene.batches.interval < scene.duration)) {
+  const bool at_zero = !scene.start_from || scene.start_from->clock == StartClock::zero;
+  if (at_zero && scene.duration > 0 &&
+      !((scene.batches.number - 1) * scene.batches.interval < scene.duration)) {
     top.fail("duration", "ends before the last batch of fibers comes");
   }
 }
@@ -224,7 +229,7 @@ PackingScene read_packing(const StrictMapping& top) {
   check_number(top, scene);
   complete_scene_box(scene);
   check_together(top, scene);
-  check_starts(top, scene);
+  if (!scene.start_from) check_starts(top, scene);  // fibers of a file are no longer where they started
   check_plan(top, scene);
   return scene;
 }

@@ -40,7 +40,7 @@ const std::vector<SceneKind>& scene_kinds() {
 }
 
 Scene parse_scene(const SceneText& scene) {
-  const StrictMapping top(scene.text, scene.name);
+  const StrictMapping top(scene);
   std::vector<std::string> words;
   for (const SceneKind& kind : scene_kinds()) words.emplace_back(kind.name);
   switch (top.choice("scene", words)) {

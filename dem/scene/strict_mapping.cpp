@@ -12,6 +12,7 @@
 #include "dem/files/nearest_word.hpp"
 #include "dem/files/numbers.hpp"
 #include "dem/scene/scene_error.hpp"
+#include "dem/scene/scene_settings.hpp"
 #include "dem/scene/yaml_document.hpp"
 
 namespace fiberchain::dem {
@@ -32,10 +33,13 @@ std::optional<std::array<double, 3>> three_numbers(const YAML::Node& node) {
 }  // namespace
 
 StrictMapping::StrictMapping(const std::string& text, std::string name, std::shared_ptr<const Units> units)
-    : node_(read_document(text, name)),
-      mark_(node_.Mark()),
-      name_(std::move(name)),
-      units_(std::move(units)) {
+    : StrictMapping(read_document(text, name), name, std::move(units)) {}
+
+StrictMapping::StrictMapping(const SceneText& scene, std::shared_ptr<const Units> units)
+    : StrictMapping(settled_document(scene), scene.name, std::move(units)) {}
+
+StrictMapping::StrictMapping(const YAML::Node& top, std::string name, std::shared_ptr<const Units> units)
+    : node_(top), mark_(node_.Mark()), name_(std::move(name)), units_(std::move(units)) {
   if (!node_.IsMap()) fail("", "must be a mapping of keys and values");
   if (units_) return;
   try {
@@ -240,6 +244,7 @@ YAML::Mark StrictMapping::mark_of(const std::string& key) const {
 }
 
 void StrictMapping::fail_at(const YAML::Mark& mark, const std::string& message) const {
+  if (mark.is_null()) throw SceneError(fmt::format("{}: {}", name_, message));  // a setting's, in no line
   throw SceneError(fmt::format("{}:{}: {}", name_, mark.line + 1, message));
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dem/scene/scene_text.hpp"
 #include "dem/scene/units.hpp"
 #include "dem/scene/value_range.hpp"
 
@@ -20,6 +21,8 @@ class StrictMapping {
   /// The top of the YAML text; `name` is what messages call the file. No key is checked yet.
   /// `units`: those of another reader, which take some 10 ms to load; loaded where null.
   StrictMapping(const std::string& text, std::string name, std::shared_ptr<const Units> units = nullptr);
+  /// The same of a scene with its settings.
+  explicit StrictMapping(const SceneText& scene, std::shared_ptr<const Units> units = nullptr);
 
   /// Refuses a key that is not among these, or that comes twice; names the nearest known one.
   void allow(const std::vector<std::string>& keys) const;
@@ -88,6 +91,7 @@ class StrictMapping {
   [[noreturn]] void fail_missing(const std::string& key) const;
 
  private:
+  StrictMapping(const YAML::Node& top, std::string name, std::shared_ptr<const Units> units);
   StrictMapping(const StrictMapping& parent, const std::string& key);
   StrictMapping(const StrictMapping& parent, const YAML::Node& node, const std::string& path);
   double to_si(const std::string& key, const std::string& typed, std::string_view unit) const;

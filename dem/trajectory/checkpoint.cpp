@@ -19,8 +19,9 @@ namespace {
 using hdf5::Handle;
 
 constexpr std::string_view kMagic = "fiberchain checkpoint ";
-/// 1: the state as one array without names; 2: a dataset for every field of the state.
-constexpr int kFormat = 2;
+/// 1: the state as one array without names; 2: a dataset for every field of the state; 3: the scene's keys
+/// and what its groups are, beside it.
+constexpr int kFormat = 3;
 constexpr const char *kState = "state", *kVersion = "version";
 constexpr std::size_t kHead = 512;  ///< HDF5 looks for itself at 0, 512, 1024 ...
 
@@ -68,14 +69,23 @@ void write_content(const std::filesystem::path& path, const Checkpoint& head, co
   const Handle file = create_behind_head(path);
   hdf5::set_attribute(file, "program", head.program);
   hdf5::set_attribute(file, "scene_sha256", head.scene_sha256);
-  hdf5::write_array(file, "scene", {H5T_NATIVE_UCHAR, H5T_STD_U8LE}, {head.scene.size()}, head.scene.data(),
-                    false);
+  const auto write_text = [&](const char* name, const std::string& text) {
+    hdf5::write_array(file, name, {H5T_NATIVE_UCHAR, H5T_STD_U8LE}, {text.size()}, text.data(), false);
+  };
+  const auto write_numbers = [&](const char* name, const std::vector<std::int64_t>& all) {
+    hdf5::write_array(file, name, type_of(all), {all.size()}, all.data(), false);
+  };
+  write_text("scene", head.scene);
+  write_text("keys", head.keys);
   const std::int64_t threads = head.threads;
   set_number(file, "threads", H5T_NATIVE_INT64, H5T_STD_I64LE, &threads);
   set_number(file, "step", H5T_NATIVE_INT64, H5T_STD_I64LE, &head.step);
   set_number(file, "time", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &head.time);
-  hdf5::write_array(file, "inserted", type_of(head.inserted), {head.inserted.size()}, head.inserted.data(),
-                    false);
+  write_numbers("inserted", head.inserted);
+  write_numbers("kinds", head.kinds);
+  write_numbers("carried", head.carried);
+  set_number(file, "batches_done", H5T_NATIVE_INT64, H5T_STD_I64LE, &head.batches_done);
+  write_numbers("written", {head.written.log, head.written.trajectory, head.written.vtk});
   const Handle group = hdf5::make_group(file, kState);
   fields([&](std::string_view name, const StateField& field) { write_field(group, name, field); });
   hdf5::flush(file);
@@ -120,6 +130,11 @@ Number number(hid_t file, const char* name, hid_t type) {
   return all.front();
 }
 
+std::string text_in(hid_t file, const char* name) {
+  const auto bytes = array<char>(file, name, H5T_NATIVE_UCHAR);
+  return {bytes.begin(), bytes.end()};
+}
+
 StateField field_in(hid_t group, const char* name) {
   const Handle dataset = hdf5::open_array(group, name);
   const auto version = hdf5::integer_attribute(dataset, kVersion);
@@ -148,13 +163,20 @@ Checkpoint checkpoint_in(const std::filesystem::path& path) {
   Checkpoint checkpoint;
   checkpoint.program = hdf5::text_attribute(file, "program").value_or("");
   checkpoint.scene_sha256 = hdf5::text_attribute(file, "scene_sha256").value_or("");
-  const auto scene = array<char>(file, "scene", H5T_NATIVE_UCHAR);
-  checkpoint.scene.assign(scene.begin(), scene.end());
+  checkpoint.scene = text_in(file, "scene");
+  checkpoint.keys = text_in(file, "keys");
   checkpoint.threads = static_cast<int>(number<std::int64_t>(file, "threads", H5T_NATIVE_INT64));
   checkpoint.step = number<std::int64_t>(file, "step", H5T_NATIVE_INT64);
   checkpoint.time = number<double>(file, "time", H5T_NATIVE_DOUBLE);
   checkpoint.state = state_in(file);
-  checkpoint.inserted = array<std::int64_t>(file, "inserted", H5T_NATIVE_INT64);
+  const auto numbers = [&](const char* name) { return array<std::int64_t>(file, name, H5T_NATIVE_INT64); };
+  checkpoint.inserted = numbers("inserted");
+  checkpoint.kinds = numbers("kinds");
+  checkpoint.carried = numbers("carried");
+  checkpoint.batches_done = number<std::int64_t>(file, "batches_done", H5T_NATIVE_INT64);
+  const std::vector<std::int64_t> written = numbers("written");
+  if (written.size() != 3) throw hdf5::Failure("written is not three numbers");
+  checkpoint.written = {written[0], written[1], written[2]};
   return checkpoint;
 }
 
@@ -196,8 +218,8 @@ void check_content(const std::filesystem::path& path) {
   if (*format < kFormat)
     throw ReadError(
         path,
-        fmt::format("is a checkpoint of the old format {}, whose state has no named fields; this program "
-                    "reads format {}",
+        fmt::format("is a checkpoint of the old format {}, which does not say what its scene means; this "
+                    "program reads format {}",
                     *format, kFormat));
   if (*format != kFormat)
     throw ReadError(
@@ -266,15 +288,6 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   } catch (const hdf5::Failure& failure) {
     throw ReadError(path, fmt::format("is no checkpoint of this program: {}", failure.what()));
   }
-}
-
-Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& scene_sha256) {
-  Checkpoint checkpoint = read_checkpoint(path);
-  if (checkpoint.scene_sha256 != scene_sha256) {
-    throw ReadError(path, fmt::format("belongs to another scene (SHA-256 {:.12}..., not {:.12}...)",
-                                      checkpoint.scene_sha256, scene_sha256));
-  }
-  return checkpoint;
 }
 
 std::string resumed_differently(const Checkpoint& checkpoint, const std::string& program, int threads) {
