@@ -90,24 +90,8 @@ FieldRule block_field(std::string_view name, int version = 1) {
           .version = version};
 }
 
-FieldValues group_layouts(State& s, const Places&) {
-  std::vector<GroupLayout> all;
-  for (std::size_t g = 0; g < s.kinds.size(); ++g) {
-    const GroupKind& kind = s.kinds[g];
-    all.push_back({s.fibers[g], kind.spheres(), kind.kernel->width,
-                   static_cast<std::int64_t>(kind.kernel->history),
-                   static_cast<std::int64_t>(kind.memory.bond), kind.law->form});
-  }
-  return to_numbers(all);
-}
-
-void require_layouts(State& s, const FieldValues& values) {
-  if (group_layouts(s, {}) != values) refuse(layout_field, "is not that of this assembly");
-}
-
-void require_step(State& s, const FieldValues& values) {
-  const double saved = std::get<Reals>(values).front();
-  if (saved != s.step) refuse("time_step", fmt::format("is {} s; this assembly has {} s", saved, s.step));
+void require_same(std::string_view name, const FieldValues& saved, const FieldValues& own) {
+  if (saved != own) refuse(name, "is not that of this assembly");
 }
 
 constexpr std::string_view order_field = "fiber_order";
@@ -224,10 +208,13 @@ void set_contact_works(State& s, const FieldValues& values) {
 /// Every field, in the order of restoring; a new one is a line here.
 const std::vector<FieldRule>& fields() {
   static const std::vector<FieldRule> all = {
-      {.name = layout_field, .get = group_layouts, .set = require_layouts},
+      {.name = layout_field,
+       .get = [](State& s, const Places&) -> FieldValues { return to_numbers(group_layouts(s)); },
+       .set = [](State& s,
+                 const FieldValues& v) { require_same(layout_field, v, to_numbers(group_layouts(s))); }},
       {.name = "time_step",
        .get = [](State& s, const Places&) -> FieldValues { return Reals{s.step}; },
-       .set = require_step},
+       .set = [](State& s, const FieldValues& v) { require_same("time_step", v, Reals{s.step}); }},
       {.name = "time_shift",
        .get = [](State& s, const Places&) -> FieldValues { return Reals{s.options.time_shift}; },
        .set = [](State& s, const FieldValues& v) { s.options.time_shift = std::get<Reals>(v).front(); }},
@@ -288,10 +275,6 @@ std::size_t size_of(const FieldValues& values) {
   return std::visit([](const auto& numbers) { return numbers.size(); }, values);
 }
 
-std::string_view type_of(const FieldValues& values) {
-  return std::holds_alternative<Integers>(values) ? "integers" : "reals";
-}
-
 /// Contacts of a saved state, whose pairs have been checked.
 std::size_t contacts_in(const SavedState& saved) {
   const auto found = saved.find(keys_field);
@@ -307,7 +290,7 @@ void check_field(State& s, const FieldRule& rule, const SavedState& saved) {
            fmt::format("is of version {}; this program reads version {}", field.version, rule.version));
   const FieldValues own = rule.get(s, s.contacts.places());
   if (own.index() != field.values.index())
-    refuse(rule.name, fmt::format("holds {}, not {}", type_of(field.values), type_of(own)));
+    refuse(rule.name, own.index() == 1 ? "holds reals, not integers" : "holds integers, not reals");
   const std::size_t wanted = rule.extent == Extent::fixed ? size_of(own) : rule.width(s) * contacts_in(saved);
   if (size_of(field.values) != wanted)
     refuse(rule.name, fmt::format("has {} numbers; this assembly has {}", size_of(field.values), wanted));

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dem/assembly/assembly.hpp"
 #include "dem/motion/physics.hpp"
 
 namespace fiberchain::dem {
@@ -23,6 +24,9 @@ struct GroupLayout {
            law_numbers >= 0 && bond_numbers >= law_numbers && bond_numbers < 100'000;
   }
 };
+
+/// Of an assembly's groups.
+std::vector<GroupLayout> group_layouts(const Assembly::State& state);
 
 inline constexpr std::string_view layout_field = "group_layout";
 

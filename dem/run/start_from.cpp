@@ -74,8 +74,10 @@ double step_of(const Continued& from) {
 PackingScene with_step(PackingScene scene, const Continued& from, const Say& say) {
   const double step = step_of(from), chosen = plan_of(scene).step;
   if (step == chosen) return scene;
-  say(fmt::format("the step stays {:.6g} s; a run of this duration would choose {:.6g} s from its start",
-                  step, chosen));
+  if (scene.carried.empty()) {
+    say(fmt::format("the step stays {:.6g} s; a run of this duration would choose {:.6g} s from its start",
+                    step, chosen));
+  }
   scene.step = step;
   return scene;
 }

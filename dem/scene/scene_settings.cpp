@@ -60,12 +60,12 @@ const KeyDeclaration& declared(const SceneText& scene, const SceneSetting& setti
                                const std::string& key) {
   const auto found = std::ranges::find(keys, key, &KeyDeclaration::name);
   if (found != keys.end()) return *found;
-  std::vector<std::string> names;
-  for (const KeyDeclaration& one : keys) names.push_back(one.name);
-  if (names.empty()) refuse_setting(scene, setting, fmt::format("'{}' has no keys below it", path));
+  std::vector<std::string> known;
+  for (const KeyDeclaration& one : keys) known.push_back(one.name);
+  if (known.empty()) refuse_setting(scene, setting, fmt::format("'{}' has no keys below it", path));
   refuse_setting(scene, setting,
                  fmt::format("unknown key '{}{}'; {}", path.empty() ? "" : path + ".", printable(key),
-                             suggestion(key, names)));
+                             dem::suggestion(key, known)));
 }
 
 /// The entry of a list that a step names.
