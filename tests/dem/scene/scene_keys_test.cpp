@@ -41,7 +41,8 @@ std::vector<std::string> differences(const std::string& text) {
 }
 
 void check(const std::string& text, const std::vector<std::string>& says) {
-  BOOST_CHECK_EQUAL_COLLECTIONS(differences(text).begin(), differences(text).end(), says.begin(), says.end());
+  const std::vector<std::string> found = differences(text);
+  BOOST_CHECK_EQUAL_COLLECTIONS(found.begin(), found.end(), says.begin(), says.end());
 }
 
 }  // namespace
