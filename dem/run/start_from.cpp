@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "dem/insertion/placement.hpp"
@@ -147,9 +148,27 @@ RunBegin carried_on(const PackingJob& job, const StartState& from, InstructionSe
           .scene = scene};
 }
 
+/// Fibers would meet themselves or others where the sides come nearer.
+[[noreturn]] void refuse_periods(const std::string& words) {
+  throw InvalidKey("periodic", fmt::format("{}; the periodic sides must be those of start_from", words));
+}
+
 void say_changes(const Checkpoint& checkpoint, const PackingJob& job, const Say& say) {
-  const std::string other = other_physics(checkpoint, scene_keys(job.text));
+  const SceneKeys keys = scene_keys(job.text);
+  for (const KeyChange& change : changes_between(scene_keys_in(checkpoint.keys), keys)) {
+    if (change.path.starts_with("periodic")) refuse_periods(in_words(change) + " is not allowed");
+  }
+  const std::string other = other_physics(checkpoint, keys);
   if (!other.empty()) say("with " + other);
+}
+
+void check_periods(const TrajectoryFrame& frame, const PackingScene& scene) {
+  for (int a = 0; a < 3; ++a) {
+    const double period = scene.domain.period[a],
+                 there = frame.periodic[a] ? frame.high[a] - frame.low[a] : 0.0;
+    if (std::abs(period - there) > 1e-9 * there)
+      refuse_periods(fmt::format("a period of {} m is not allowed where the frame has {} m", period, there));
+  }
 }
 
 RunBegin from_checkpoint(const PackingJob& job, const std::vector<InstructionSet>& sets, const Say& say,
@@ -186,7 +205,9 @@ RunBegin from_frame(const PackingJob& job, const std::vector<InstructionSet>& se
     throw InvalidKey("start_from.frame", fmt::format("frame {} is not allowed: {} has {} frames, from 0 on",
                                                      frame, file.path.string(), last + 1));
   }
-  StartState start{state_of_frame(reader.read(frame)), {}};
+  const TrajectoryFrame read = reader.read(frame);
+  check_periods(read, job.scene);
+  StartState start{state_of_frame(read), {}};
   start.kinds = kinds_by_shape(job.scene, start.state);
   say(fmt::format("start_from: frame {} of {}, t = {:.6g} s", frame, file.path.string(), start.state.time));
   return carried_on(job, by_clock(std::move(start), job.scene), sets.front(), say, watch);

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(settings_that_cannot_be_say_why) {
       {{"fibers[x].count", "4"}, "is no entry of a list, such as fibers[0]"},
       {{"fibers[0]", "4"}, "'fibers' is a list: set a key of an entry"},
       {{"gravity[0]", "4"}, "'gravity' is no list"},
-      {{"gravity.x", "4"}, "'gravity' has no keys below it"},
+      {{"gravity.x", "4"}, "'gravity' is no mapping there"},
       {{"scene", "flow"}, "the kind of the scene stays as it is"},
       {{"contacts.friction", ""}, "has no value"},
       {{"contacts.friction", "[1"}, "is no YAML"},
