@@ -61,7 +61,8 @@ struct Fault {
 std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.says; }
 
 const Fault kFaults[] = {
-    {kScene + "colour: red\n", "test.yaml:14: unknown key 'colour'; allowed: scene, start_from, fibers, periodic"},
+    {kScene + "colour: red\n",
+     "test.yaml:14: unknown key 'colour'; allowed: scene, start_from, fibers, periodic"},
     {with("fibers:", "fibres:"), "test.yaml:2: unknown key 'fibres'; did you mean 'fibers'?"},
     {less("count: 11"), "test.yaml:3: fibers[0]: must have exactly one of count, starts"},
     {less("count: 11", "count: 0"),
