@@ -32,12 +32,12 @@ void check_fluid(const Domain& domain) {
   }
 }
 
-void check_places(const std::vector<FiberGroup>& groups, const Domain& domain, double time) {
+void check_places(const std::vector<FiberGroup>& groups, const std::vector<Wall>& walls, double time) {
   for (const FiberGroup& group : groups) {
     for (std::size_t f = 0; f < group.fibers.size(); ++f) {
       for (std::size_t i = 0; i < group.fibers[f].poses.size(); ++i) {
-        for (std::size_t w = 0; w < domain.walls.size(); ++w) {
-          const Wall& wall = domain.walls[w];
+        for (std::size_t w = 0; w < walls.size(); ++w) {
+          const Wall& wall = walls[w];
           if (!is_active(wall, time) || gap_to(wall, group.fibers[f].poses[i].position, time) > 0) continue;
           throw InvalidInput(fmt::format(
               "sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
@@ -114,7 +114,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   }
   state_ = std::make_unique<State>(std::move(domain), std::move(options), step);
   State& s = *state_;
-  if (!s.options.placed_anywhere) check_places(groups, s.domain, s.time());
+  if (!s.options.placed_anywhere) check_places(groups, s.contacts.walls(), s.time());
   s.add(groups);
   s.touch();
   s.contacts.begin_accounts();
@@ -128,7 +128,7 @@ void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
   check_stiff({group}, s.options);
-  check_places({group}, s.domain, s.time());
+  check_places({group}, s.contacts.walls(), s.time());
   const double largest = largest_bond_step(stable_time_step({group}, s.domain, s.options));
   if (s.step > largest) {
     throw InvalidInput(
@@ -197,6 +197,11 @@ std::vector<ContactState> Assembly::contacts() const {
   std::ranges::stable_sort(all, {}, &ContactState::key);
   return all;
 }
+std::vector<WallSample> Assembly::wall_samples() const {
+  return state_->contacts.wall_samples(state_->time());
+}
+void Assembly::begin_wall_interval() { state_->contacts.begin_wall_interval(state_->time()); }
+const std::vector<Wall>& Assembly::walls() const { return state_->contacts.walls(); }
 std::int64_t Assembly::sort_count() const { return state_->sort_count; }
 StepTimes Assembly::times() const { return state_->watch.times; }
 IdleTimes Assembly::idle_times() const { return state_->pool.idle_times(); }

@@ -13,6 +13,7 @@
 #include "dem/chain/chain_state.hpp"
 #include "dem/chain/fiber_group.hpp"
 #include "dem/contact/contact_state.hpp"
+#include "dem/contact/wall_record.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
 #include "dem/motion/integrator.hpp"
@@ -143,6 +144,12 @@ class Assembly {
   /// Largest turn of a bond in a step [rad] since the start, or more; 0 where bonds are not solved for.
   double largest_turn() const;
   std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
+  /// Forces and moments on each wall over the interval that ends now, which began at the start or at the last
+  /// begin_wall_interval(). The mean force times the interval is what the wall's contacts have given it to
+  /// round-off.
+  std::vector<WallSample> wall_samples() const;
+  void begin_wall_interval();
+  const std::vector<Wall>& walls() const;  ///< those that are driven stand where they are now
   std::int64_t sort_count() const;             ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;
   AssemblySample sample() const;              ///< the same and the bending, in one pass

@@ -143,7 +143,6 @@ struct Assembly::State {
   AssemblySample sample();
   std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"
   std::int64_t fastest_sphere() const;
-  double fastest_wall() const;
   double smallest_radius() const;  ///< [m]
 
  private:

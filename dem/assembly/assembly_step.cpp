@@ -53,7 +53,7 @@ void Assembly::State::rebuild_neighbor_list() {
 /// whether it was checked.
 bool Assembly::State::update_neighbor_list() {
   const double longest = *std::ranges::max_element(paths);
-  longest_path = std::max(longest_path, longest + step * fastest_wall());
+  longest_path = std::max(longest_path, longest + step * contacts.fastest_wall(time()));
   contacts.add_displacements(paths);
   displacement_budget -= longest;
   if (contacts.walls_moved_far(time())) {
@@ -124,6 +124,7 @@ void Assembly::State::move_part(int part, int thread) {
 
 void Assembly::State::has_moved() {
   ++steps;
+  contacts.move_walls();
   set_gradient();
 }
 
@@ -154,6 +155,7 @@ void Assembly::State::touch_and_move() {
         contacts.reduce_halo_forces(k, loads.of(k));
         move_part(k, thread);
       });
+  contacts.end_forces(now);
   has_moved();
   watch.lap(part_times);
 }
@@ -228,14 +230,6 @@ std::int64_t Assembly::State::fastest_sphere() const {
     const double speed = norm(rows.velocity(i));
     if (speed > most) fastest = i, most = speed;
   }
-  return fastest;
-}
-
-/// Of the walls that are there [m/s].
-double Assembly::State::fastest_wall() const {
-  double fastest = 0;
-  for (const Wall& wall : domain.walls)
-    if (is_active(wall, time())) fastest = std::max(fastest, norm(wall.velocity));
   return fastest;
 }
 

@@ -60,7 +60,15 @@ double largest_speed(const std::vector<FiberGroup>& groups, const Domain& domain
       for (const auto& v : state.velocity) fastest = std::max(fastest, norm(v));
     }
   }
-  for (const Wall& each : domain.walls) wall = std::max(wall, norm(each.velocity));
+  for (const Wall& each : domain.walls) {
+    double reach = 0;
+    for (const FiberGroup& group : groups) {
+      for (const ChainState<3>& state : group.fibers) {
+        for (const auto& pose : state.poses) reach = std::max(reach, distance_from_axis(each, pose.position));
+      }
+    }
+    wall = std::max(wall, largest_speed(each, reach));
+  }
   return fastest + wall;
 }
 

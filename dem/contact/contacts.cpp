@@ -20,6 +20,7 @@ Contacts::Contacts(const Domain& domain, const ContactOptions& options, double s
       step_(step) {
   check(domain.contacts);
   for (const Wall& wall : domain.walls) shapes_.push_back(shape_index(law_, wall));
+  records_.resize(domain.walls.size());
 }
 
 double Contacts::law_reach(const std::vector<ContactBody>& bodies) const {
@@ -66,6 +67,8 @@ void Contacts::cut(int count) {
   parts_ = std::vector<Part>(count);
   for (Part& part : parts_) {
     part.walls.resize(domain_.walls.size());
+    part.wall_loads.resize(domain_.walls.size());
+    part.wall_brought.resize(domain_.walls.size());
     part.halo_of_part.resize(count);
     part.histories.accounted = accounted_;
   }

@@ -12,6 +12,7 @@
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/pair_list.hpp"
 #include "dem/contact/wall_neighbors.hpp"
+#include "dem/contact/wall_record.hpp"
 #include "dem/parallel/force_buffers.hpp"
 #include "dem/parallel/thread_pool.hpp"
 
@@ -27,7 +28,6 @@ struct ContactOptions {
 struct ContactAccumulators {
   std::int64_t contacts = 0;  ///< now
   ContactAccount<double> account{}, power{};
-  double wall_work = 0, wall_power = 0;
 
   ContactAccumulators& operator+=(const ContactAccumulators& more);
 };
@@ -64,6 +64,10 @@ class Contacts {
   double update_neighbor_list(const SphereStorage& rows, ThreadPool& pool);
   /// Whether a wall has moved so far that spheres near it may be missing: time for rebuild_neighbor_list().
   bool walls_moved_far(double time) const;
+  /// Of those that are there, where spheres may meet them [m/s].
+  double fastest_wall(double time) const;
+  /// As they stand: those that are driven have moved.
+  const std::vector<Wall>& walls() const { return domain_.walls; }
   const std::vector<Vec<double, 3>>& reference_positions() const { return neighbors_.reference_positions(); }
   double reference_time() const { return reference_time_; }
   /// When the next neighbor list is built at saved positions.
@@ -77,6 +81,14 @@ class Contacts {
   const PartDependencies& reach() const { return reach_; }
   /// Adds the loads of a part's contacts to its own; what leaves the part waits for reduce_halo_forces().
   void work_out(int part, const SphereStorage& rows, double time, LoadRange loads);
+  /// Once the forces of all parts are worked out: what they do to the walls, and a kick of driven ones.
+  void end_forces(double time);
+  /// Driven walls to the next moment, together with the spheres.
+  void move_walls();
+  /// Of each wall over the interval up to now.
+  std::vector<WallSample> wall_samples(double time) const;
+  /// A new interval for all walls.
+  void begin_wall_interval(double time);
   /// Adds what earlier parts have for this one, in their order.
   void reduce_halo_forces(int part, LoadRange loads);
   /// Both for all parts, none of which has loads.
@@ -112,8 +124,15 @@ class Contacts {
   void restore(const std::vector<SavedContact>& contacts);
   /// The ContactAccumulators of all parts as numbers of a saved state.
   std::vector<double> accumulators() const;
-  static constexpr int accumulators_per_part = 9;
+  static constexpr int accumulators_per_part = 7;
   void set_accumulators(const double* from);
+  /// The same of the walls' records.
+  std::vector<double> wall_records() const;
+  void set_wall_records(const double* from);
+  /// Where driven walls stood when the neighbor list was built [m]; 0 of others.
+  std::vector<double> reference_shifts() const { return reference_shifts_; }
+  /// Puts driven walls there.
+  void set_drive_shifts(const std::vector<double>& shifts);
 
  private:
   /// visit(place) for every contact, part by part, pairs before walls.
@@ -124,6 +143,8 @@ class Contacts {
     PairList pairs;
     InnerPairList inner;
     std::vector<WallNeighbors> walls;
+    std::vector<WallLoad> wall_loads;  ///< of each now
+    std::vector<double> wall_brought;  ///< work of each as it came or went, waiting for end_forces() [J]
     ContactHistories histories;  ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
     std::vector<HaloForce> halo;
@@ -169,6 +190,12 @@ class Contacts {
                                double& arm) const;
   ContactView view(Part& part, const SphereStorage& rows);
   WallView wall_view(int wall, WallNeighbors& neighbors, double time) const;
+  /// All loads of a part's spheres at the walls.
+  void touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task);
+  /// How far its surface may be, where spheres are, from where it was when the list was built [m].
+  double wall_displacement(std::size_t wall, double time) const;
+  void measure_turn_reach();
+  void keep_wall_poses(double time);
   /// Contacts that may begin in a step, at most.
   std::size_t most_new_contacts(const Part& part) const;
 
@@ -188,6 +215,10 @@ class Contacts {
   const ContactKernel* kernel_ = nullptr;
   NeighborList neighbors_;
   double reference_time_ = 0;
+  std::vector<WallPose> reference_poses_;  ///< of the walls when the list was built
+  std::vector<double> reference_shifts_;   ///< of those that are driven [m]
+  std::vector<double> turn_reach_;  ///< of each: distance of spheres from where it turns; 0 unless visibly [m]
+  std::vector<WallRecord> records_;
   std::vector<Part> parts_;
   std::vector<UpdateScratch> scratch_;  ///< one a thread
   PartDependencies reach_;

@@ -16,8 +16,6 @@ ContactAccumulators& ContactAccumulators::operator+=(const ContactAccumulators& 
   contacts += more.contacts;
   add_times(account, 1, more.account);
   add_times(power, 1, more.power);
-  wall_work += more.wall_work;
-  wall_power += more.wall_power;
   return *this;
 }
 
@@ -31,17 +29,15 @@ ContactAccount<double> Contacts::dissipated() const {
   return sum;
 }
 
-double Contacts::wall_work() const {
-  double sum = 0;
-  for (const Part& part : parts_) sum += part.sums.wall_work - 0.5 * step_ * part.sums.wall_power;
-  return sum;
-}
-
 void Contacts::begin_accounts() {
   const double half = 0.5 * step_;
   for (Part& part : parts_) {
     add_times(part.sums.account, -half, part.sums.power);
-    part.sums.wall_work -= half * part.sums.wall_power;
+  }
+  begin_wall_interval(0);
+  for (WallRecord& record : records_) record.work -= half * record.power;
+  for (Wall& wall : domain_.walls) {
+    if (wall.motion.drive) wall.motion.drive->speed *= 0.5;
   }
 }
 
@@ -85,11 +81,9 @@ double Contacts::brought_by(const WallNeighbors& neighbors, const Part& part) co
 void Contacts::drop(WallNeighbors& neighbors, int wall, Part& part) const {
   for (std::size_t n = 0; n < neighbors.count; ++n) {
     if (neighbors.contact[n] == 0) continue;
-    if (accounted_) {
-      const SavedContact contact = part.histories.at(
-          neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
-      part.sums.wall_work -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
-    }
+    const SavedContact contact = part.histories.at(
+        neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
+    part.wall_brought[wall] -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
     part.histories.give_back(neighbors.contact[n]);
     neighbors.contact[n] = 0;
   }
@@ -100,8 +94,7 @@ std::vector<double> Contacts::accumulators() const {
   for (const Part& part : parts_) {
     const ContactAccumulators& s = part.sums;
     all.insert(all.end(), {static_cast<double>(s.contacts), s.account.normal_dashpot, s.account.sliding,
-                           s.account.rolling, s.wall_work, s.power.normal_dashpot, s.power.sliding,
-                           s.power.rolling, s.wall_power});
+                           s.account.rolling, s.power.normal_dashpot, s.power.sliding, s.power.rolling});
   }
   return all;
 }
@@ -110,9 +103,7 @@ void Contacts::set_accumulators(const double* from) {
   for (Part& part : parts_) {
     part.sums = {.contacts = static_cast<std::int64_t>(from[0]),
                  .account = {from[1], from[2], from[3]},
-                 .power = {from[5], from[6], from[7]},
-                 .wall_work = from[4],
-                 .wall_power = from[8]};
+                 .power = {from[4], from[5], from[6]}};
     from += accumulators_per_part;
   }
 }

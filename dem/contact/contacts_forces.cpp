@@ -34,13 +34,36 @@ ContactView Contacts::view(Part& part, const SphereStorage& rows) {
 WallView Contacts::wall_view(int w, WallNeighbors& neighbors, double time) const {
   const Wall& wall = domain_.walls[w];
   WallView view{};
-  wall.shape.numbers(time * wall.velocity, view.shape);
-  for (int c = 0; c < 3; ++c) view.velocity[c] = wall.velocity[c];
+  const WallPose pose = pose_at(wall, time);
+  const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
+  wall.shape.numbers(pose, view.shape);
+  view.shape_index = shapes_[w];
+  for (int c = 0; c < 3; ++c) {
+    view.center[c] = pose.center_now()[c];
+    view.velocity[c] = motion.velocity[c];
+    view.spin[c] = motion.spin[c];
+  }
   view.slots = neighbors.slots.data();
   view.count = static_cast<std::int32_t>(neighbors.slots.size());
   view.contact = neighbors.contact.data();
   view.parameters = wall_parameters_.data();
   return view;
+}
+
+void Contacts::touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task) {
+  const double time_before = (std::round(time / step_) - 1) * step_;  // to the bit, as the step before had it
+  for (std::size_t w = 0; w < part.walls.size(); ++w) {
+    part.wall_loads[w] = {};
+    if (!is_active(domain_.walls[w], time)) continue;
+    std::fill_n(task.wall_force, 3, 0.0), std::fill_n(task.wall_moment, 3, 0.0);
+    kernel_->wall(contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
+    for (int c = 0; c < 3; ++c) {
+      part.wall_loads[w].force[c] = task.wall_force[c];
+      part.wall_loads[w].moment[c] = task.wall_moment[c];
+    }
+    if (time > 0 && !is_active(domain_.walls[w], time_before))
+      part.wall_brought[w] += brought_by(part.walls[w], part);
+  }
 }
 
 void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange loads) {
@@ -51,7 +74,6 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
     if (!is_active(domain_.walls[w], time)) drop(part.walls[w], static_cast<int>(w), part);
   }
   part.histories.reserve(most_new_contacts(part));
-  const double time_before = (std::round(time / step_) - 1) * step_;  // to the bit, as the step before had it
   const ContactView contacts = view(part, rows);
   ContactTask task{.inner = part.inner.view(),
                    .inner_count = part.inner.count,
@@ -66,23 +88,14 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
                    .contacts = 0,
                    .account = part.sums.account,
                    .power = {},
-                   .wall_work = 0,
-                   .wall_power = 0,
+                   .wall_force = {},
+                   .wall_moment = {},
                    .deepest = part.deepest};
   kernel_->pairs(contacts, task);
-  for (std::size_t w = 0; w < part.walls.size(); ++w) {
-    if (!is_active(domain_.walls[w], time)) continue;
-    kernel_->walls[shapes_[w]](contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
-    if (accounted_ && time > 0 && !is_active(domain_.walls[w], time_before))
-      task.wall_work += brought_by(part.walls[w], part);
-  }
+  touch_walls(part, contacts, time, task);
   part.histories.free_count = task.free_count;
   part.deepest = task.deepest;
-  part.sums = {.contacts = task.contacts,
-               .account = task.account,
-               .power = task.power,
-               .wall_work = part.sums.wall_work + task.wall_work,
-               .wall_power = task.wall_power};
+  part.sums = {.contacts = task.contacts, .account = task.account, .power = task.power};
   sort_halo(k, task.halo_count);
 }
 
@@ -96,6 +109,7 @@ void Contacts::work_out(const SphereStorage& rows, double time, ForceBuffers& lo
   pool.parallel_for(parts().count(),
                     [&](int k, int thread) { work_out(k, rows, time, loads.take(k, thread)); });
   pool.parallel_for(parts().count(), [&](int k, int) { reduce_halo_forces(k, loads.of(k)); });
+  end_forces(time);
 }
 
 void Contacts::reduce_halo_forces(int k, LoadRange loads) {

@@ -32,6 +32,7 @@ void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, doub
     for (WallNeighbors& neighbors : part.walls) neighbors.count = 0;
   }
   reference_time_ = time;
+  keep_wall_poses(time);
   neighbors_.build(std::move(positions), pool);
   update_parts(pool);
   restore(contacts);
@@ -52,6 +53,7 @@ void Contacts::update_parts(ThreadPool& pool) {
   std::vector<std::vector<int>> reached;
   for (const Part& part : parts_) reached.push_back(part.pairs.reached);
   reach_ = PartDependencies(std::move(reached));
+  measure_turn_reach();
 }
 
 void Contacts::update_part(int k, UpdateScratch& scratch) {
@@ -60,6 +62,7 @@ void Contacts::update_part(int k, UpdateScratch& scratch) {
   part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, scratch.pairs);
   part.inner.stale = true;
   for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    const WallShape shape = domain_.walls[w].shape.moved(reference_poses_[w]);
     Vec<double, 3> last{};
     double gap = -std::numeric_limits<double>::infinity();
     const auto is_near = [&](std::int32_t i) {
@@ -68,7 +71,7 @@ void Contacts::update_part(int k, UpdateScratch& scratch) {
       // a gap is a distance: it shrinks by no more than the way from the last sphere looked at
       if (const double left = gap - reach; left > 0 && dot(place - last, place - last) < left * left)
         return false;
-      gap = gap_to(domain_.walls[w], place, reference_time_), last = place;
+      gap = shape.nearest(place).distance, last = place;
       return gap < reach;
     };
     part.walls[w].update(neighbors_.rebuilt(k), is_near, part.histories, kernel_->width, pad + 2,
@@ -96,12 +99,6 @@ void Contacts::add_displacements(const std::vector<double>& paths) {
     inner.displacement_since += paths[k] + longest;
     inner.stale = inner.stale || !(inner.displacement_since < (1 - 1e-9) * (inner_cutoff() - law_reach_));
   }
-}
-
-bool Contacts::walls_moved_far(double time) const {
-  return std::ranges::any_of(domain_.walls, [&](const Wall& wall) {
-    return time < wall.active_until && norm(wall.velocity) * (time - reference_time_) > 0.5 * skin_;
-  });
 }
 
 }  // namespace fiberchain::dem

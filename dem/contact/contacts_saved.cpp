@@ -109,9 +109,13 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorag
   double other_arm = 0;
   if (is_facet(c.key.second)) {
     const Wall& wall = domain_.walls[second];
-    pair.normal = direction_to(wall, x, time);
-    arm = gap_to(wall, x, time);
-    other_velocity = wall.velocity;
+    const WallPose pose = pose_at(wall, time);
+    const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
+    const NearestPoint<double> nearest = wall.shape.moved(pose).nearest(x);
+    pair.normal = nearest.direction;
+    arm = nearest.distance;
+    other_velocity = motion.velocity + cross(motion.spin, x + arm * pair.normal - pose.center_now());
+    other_spin = motion.spin;
   } else {
     const Vec<double, 3> r = nearest_image(periods_, rows.position(second) - x);
     pair.normal = (1 / norm(r)) * r;

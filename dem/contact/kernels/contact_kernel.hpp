@@ -65,8 +65,9 @@ struct HaloForce {
 
 /// A wall as it is now, and the spheres of a part near it.
 struct WallView {
-  double shape[wall_shape_size];  ///< numbers of its shape
-  double velocity[3];
+  int shape_index;  ///< of its shape in the kernels' list
+  double shape[wall_shape_size];            ///< numbers of its shape
+  double center[3], velocity[3], spin[3];  ///< of its motion half a step before, about a center now
   const std::int32_t* slots;
   std::int32_t count;        ///< padded to whole vectors
   std::int32_t* contact;     ///< as of pairs
@@ -88,8 +89,7 @@ struct ContactTask {
   std::int64_t contacts;  ///< counted
   ContactAccount<double> account;
   ContactAccount<double> power;  ///< of this moment [W]
-  double wall_work;              ///< by moving walls on spheres [J]
-  double wall_power;             ///< of this moment [W]
+  double wall_force[3], wall_moment[3];  ///< on the wall, about its center: summed
   double deepest;                ///< largest overlap over the (smaller) radius so far
 };
 
@@ -120,8 +120,7 @@ struct ContactKernel {
   std::int32_t (*prune)(const ContactView&, std::int32_t begin, std::int32_t end, double gap,
                         const InnerPairs&, std::int32_t found);
   void (*pairs)(const ContactView&, ContactTask&);
-  /// Of each shape of the kernels' list.
-  void (*const* walls)(const ContactView&, const WallView&, ContactTask&);
+  void (*wall)(const ContactView&, const WallView&, ContactTask&);
   /// Neighbors in these runs of sorted spheres, without those bonded to the asking one: written to `found`,
   /// counted.
   std::int32_t (*query_neighbors)(const SortedSpheres&, const SlotRange* runs, int count,

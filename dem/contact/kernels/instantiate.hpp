@@ -10,19 +10,10 @@
 // Included by one source file an instruction set and list of laws, as dem/motion/kernels/instantiate.hpp.
 namespace fiberchain::dem {
 
-/// Wall loops of a law, one a shape.
-template <class Real, class Law, ContactPhysics P, class Shapes>
-struct WallKernels;
-template <class Real, class Law, ContactPhysics P, template <class> class... Shapes>
-struct WallKernels<Real, Law, P, ShapeList<Shapes...>> {
-  static constexpr void (*list[])(const ContactView&, const WallView&,
-                                  ContactTask&) = {contact_wall<Law, P, Shapes, Real>...};
-};
-
 template <class Real, class Law, ContactPhysics P, class Shapes>
 constexpr ContactKernel contact_kernel_of() {
   return {lane_count<Real>, prune_pairs<P, Real>, contact_pairs<Law, P, Real>,
-          WallKernels<Real, Law, P, Shapes>::list, query_neighbors<P.periodic, Real>};
+          contact_wall<Law, P, NearestOfShapes<Real, Shapes>, Real>, query_neighbors<P.periodic, Real>};
 }
 
 template <int count>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contact/kernels/pairs.hpp"
+#include "dem/model/shapes/shapes.hpp"
 
 namespace fiberchain::dem {
 
@@ -9,8 +10,21 @@ template <class Real>
 struct WallLanes {
   Slots<Real> sphere, contact;
   NearestPoint<Real> nearest;  ///< of the wall
+  Vec<Real, 3> arm;            ///< from the wall's center to its nearest point
   Real radius;
   Real reach;  ///< distance of the center below which the law acts
+};
+
+/// A rigid body's: v + w x arm.
+template <class Real>
+struct WallMotionLanes {
+  Vec<Real, 3> velocity, spin;
+};
+
+/// On a wall, about its center, lane by lane.
+template <class Real>
+struct WallLoadLanes {
+  Vec<Real, 3> force{Real(0.0), Real(0.0), Real(0.0)}, moment{Real(0.0), Real(0.0), Real(0.0)};
 };
 
 template <class Law, ContactPhysics P, class Real>
@@ -28,21 +42,22 @@ typename Law::template Parameters<Real> wall_parameters(const ContactView& view,
 /// Sphere and wall as two bodies; lanes beyond the reach overlap by next to nothing.
 template <class Real>
 TouchingPair<Real> pair_at_wall(const WallLanes<Real>& at, const VelocitySpin<Real>& motion,
-                                const Vec<Real, 3>& wall_velocity) {
+                                const WallMotionLanes<Real>& wall) {
   const Vec<Real, 3>&v = motion.velocity, &w = motion.spin;
   TouchingPair<Real> pair;
   pair.normal = at.nearest.direction;
   pair.overlap = select(at.nearest.distance < at.reach, at.radius - at.nearest.distance, Real(1e-300));
-  pair.velocity = wall_velocity - v - cross(at.nearest.distance * w, at.nearest.direction);
-  pair.spin = -w;
-  pair.mean_spin = Real(0.5) * w;
+  pair.velocity = plus_cross(wall.velocity, wall.spin, at.arm) - v -
+                  cross(at.nearest.distance * w, at.nearest.direction);
+  pair.spin = wall.spin - w;
+  pair.mean_spin = Real(0.5) * (w + wall.spin);
   return pair;
 }
 
-/// Energy dissipated in the contacts, and the work of the wall, in the lanes within reach.
+/// Energy dissipated in the contacts, in the lanes within reach.
 template <class Law, class Real, class Parameters, class History>
-void account_wall(const ContactView& view, const WallLanes<Real>& at, const Vec<Real, 3>& wall_velocity,
-                  const Parameters& p, const TouchingPair<Real>& pair, History before, History after,
+void account_wall(const ContactView& view, const WallLanes<Real>& at, const Parameters& p,
+                  const TouchingPair<Real>& pair, History before, History after,
                   const ContactAction<Real>& action, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
   const Real on = select(at.nearest.distance < at.reach, Real(1.0), Real(0.0));
@@ -52,18 +67,25 @@ void account_wall(const ContactView& view, const WallLanes<Real>& at, const Vec<
   Real elastic_force = Law::elastic_force(p, pair.overlap);  // beyond the reach 0, unless the law pulls
   if constexpr (Law::acts_beyond_touch) elastic_force = on * elastic_force;
   account<Law, Real>(p, pair, before, after, counted, elastic_force, Real(view.step), lanes, work, task);
-  const double power = summed<Real>(dot(counted.force, wall_velocity), lanes);
-  task.wall_work += view.step * power;
-  task.wall_power += power;
+}
+
+/// What the lanes within reach do to the wall.
+template <class Real>
+void load_wall(const WallLanes<Real>& at, const ContactAction<Real>& action, WallLoadLanes<Real>& load) {
+  const Real on = select(at.nearest.distance < at.reach, Real(1.0), Real(0.0));
+  const Vec<Real, 3> force = on * action.force;
+  load.force = load.force - force;
+  load.moment = load.moment - cross(at.arm, force) - on * action.moment;
 }
 
 /// Loads on the spheres, as rows. `deepest` of their overlaps over the radius, lane by lane.
 template <class Law, ContactPhysics P, class Real>
 LoadRows<Real> wall_loads(const ContactView& view, const WallView& wall, const WallLanes<Real>& at,
-                          const Vec<Real, 3>& wall_velocity, ContactTask& task, Real& deepest) {
+                          const WallMotionLanes<Real>& motion, ContactTask& task, WallLoadLanes<Real>& load,
+                          Real& deepest) {
   using std::max;
   const auto p = wall_parameters<Law, P, Real>(view, wall, at.sphere);
-  const TouchingPair<Real> pair = pair_at_wall(at, velocity_spin_at<Real>(view, at.sphere.at), wall_velocity);
+  const TouchingPair<Real> pair = pair_at_wall(at, velocity_spin_at<Real>(view, at.sphere.at), motion);
   deepest = max(deepest, pair.overlap / at.radius);
   const RowStarts<Real> history_rows = rows_at<contact_history_size, Real>(view.histories, at.contact.at);
   auto history = load_struct<contact_history_size, Law::template History, Real>(history_rows);
@@ -71,19 +93,45 @@ LoadRows<Real> wall_loads(const ContactView& view, const WallView& wall, const W
   const ContactAction<Real> action = Law::template act<P.rolling>(p, pair, Real(view.step), history);
   store_struct<contact_history_size, Law::template History, Real>(history, history_rows);
   if constexpr (P.accounted)
-    account_wall<Law>(view, at, wall_velocity, p, pair, before, history, action, task);
+    account_wall<Law>(view, at, p, pair, before, history, action, task);
+  load_wall(at, action, load);
   LoadRows<Real> loads;
   to_rows(action.force, at.nearest.distance * cross(at.nearest.direction, action.force) + action.moment,
           loads);
   return loads;
 }
 
-/// Spheres of a part against one wall of a shape.
-template <class Law, ContactPhysics P, template <class> class Shape, class Real>
+template <class Real>
+Vec<Real, 3> broadcast_vector(const double* numbers) {
+  return {Real(numbers[0]), Real(numbers[1]), Real(numbers[2])};
+}
+
+/// Nearest point of a shape of these numbers, seen from as many places as there are lanes.
+template <class Real>
+using NearestOfShape = void (*)(const double* shape, const Vec<Real, 3>& place, NearestPoint<Real>& nearest);
+
+template <template <class> class Shape, class Real>
+void nearest_of_shape(const double* numbers, const Vec<Real, 3>& place, NearestPoint<Real>& nearest) {
+  const Shape<Real> shape = broadcast<Shape, Real>(numbers);
+  nearest = shape.nearest(place - shape.point);
+}
+
+/// One a shape, so that the loop with the law in it is compiled once for all of them.
+template <class Real, class Shapes>
+struct NearestOfShapes;
+template <class Real, template <class> class... Shapes>
+struct NearestOfShapes<Real, ShapeList<Shapes...>> {
+  static constexpr NearestOfShape<Real> list[] = {nearest_of_shape<Shapes, Real>...};
+};
+
+/// Spheres of a part against one wall.
+template <class Law, ContactPhysics P, class Shapes, class Real>
 FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wall, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
-  const Shape<Real> shape = broadcast<Shape, Real>(wall.shape);
-  const Vec<Real, 3> wall_velocity{Real(wall.velocity[0]), Real(wall.velocity[1]), Real(wall.velocity[2])};
+  const NearestOfShape<Real> nearest = Shapes::list[wall.shape_index];
+  const WallMotionLanes<Real> motion{broadcast_vector<Real>(wall.velocity), broadcast_vector<Real>(wall.spin)};
+  const Vec<Real, 3> center = broadcast_vector<Real>(wall.center);
+  WallLoadLanes<Real> load;
   Real deepest(0.0);
   for (std::int32_t n = 0; n < wall.count; n += lanes) {
     std::int32_t entry[lanes];
@@ -91,7 +139,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     WallLanes<Real> at;
     at.sphere = slots_of<Real>(wall.slots, entry);
     const Balls<Real> ball = balls_at<Real>(view, at.sphere.at);
-    at.nearest = shape.nearest(ball.center - shape.point);
+    nearest(wall.shape, ball.center, at.nearest);
     at.radius = ball.radius;
     at.reach = Law::acts_beyond_touch ? at.radius + contact_gap<Law, Real>(view) : at.radius;
     const unsigned touching = less_mask(at.nearest.distance, at.reach);
@@ -101,7 +149,8 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       wall.contact[n + __builtin_ctz(begins)] = begin_contact<P>(view, task);
     clear<P>(view, 0);  // of lanes that do not touch
     at.contact = slots_of<Real>(wall.contact, entry);
-    const LoadRows<Real> loads = wall_loads<Law, P, Real>(view, wall, at, wall_velocity, task, deepest);
+    at.arm = ball.center + at.nearest.distance * at.nearest.direction - center;
+    const LoadRows<Real> loads = wall_loads<Law, P, Real>(view, wall, at, motion, task, load, deepest);
     for (unsigned loaded = touching; loaded != 0; loaded &= loaded - 1) {
       const int k = __builtin_ctz(loaded);
       add_row<Real>(loads.at[k], at.sphere.at[k], task);
@@ -111,6 +160,10 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
       std::int32_t& contact = wall.contact[n + __builtin_ctz(ends)];
       contact = end_contact(contact, task);
     }
+  }
+  for (int c = 0; c < 3; ++c) {
+    task.wall_force[c] += summed<Real>(load.force[c], lanes);
+    task.wall_moment[c] += summed<Real>(load.moment[c], lanes);
   }
   task.deepest = std::max(task.deepest, largest_lane(deepest));
 }

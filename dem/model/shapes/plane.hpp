@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "dem/model/shapes/nearest_point.hpp"
+#include "dem/model/shapes/wall_pose.hpp"
 
 namespace fiberchain::dem {
 
@@ -19,6 +20,10 @@ struct BasicPlane {
   NearestPoint<Real> nearest(const Vec<Real, 3>& from) const { return {-normal, dot(from, normal)}; }
 
   bool is_invariant_along(int axis) const { return std::abs(normal[axis]) < 1e-12; }
+  bool is_round_about(const Vec<double, 3>&, const Vec<double, 3>& line) const {
+    return norm(cross(normal, line)) < 1e-12;
+  }
+  void turn(const Quaternion<double>& by) { normal = rotate(by, normal); }
 };
 
 using Plane = BasicPlane<double>;

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dem/contact/contacts.hpp"
+
+// Walls as they move, and what contacts do to them.
+namespace fiberchain::dem {
+namespace {
+
+void add_times(WallLoad& sum, double factor, const WallLoad& more) {
+  sum.force = sum.force + factor * more.force;
+  sum.moment = sum.moment + factor * more.moment;
+}
+
+/// A kick of the mass with the loads of its middle: m (v+ - v-) = dt (F - c (v- + v+) / 2).
+void kick(WallDrive& drive, double load, double step) {
+  const double half_drag = 0.5 * step * drive.damping / drive.mass;
+  drive.speed = ((1 - half_drag) * drive.speed + step / drive.mass * (drive.force + load)) / (1 + half_drag);
+}
+
+}  // namespace
+
+void Contacts::end_forces(double time) {
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    Wall& wall = domain_.walls[w];
+    WallRecord& record = records_[w];
+    record.now = {};
+    for (Part& part : parts_) {
+      add_times(record.now, 1, part.wall_loads[w]);
+      record.work += part.wall_brought[w];
+      part.wall_brought[w] = 0;
+    }
+    const WallVelocity before = velocity_at(wall, time - 0.5 * step_);
+    if (wall.motion.drive && is_active(wall, time))
+      kick(*wall.motion.drive, dot(record.now.force, wall.motion.drive->axis), step_);
+    const WallVelocity after = velocity_at(wall, time + 0.5 * step_);
+    add_times(record.impulse, step_, record.now);
+    record.force_peak = std::max(record.force_peak, norm(record.now.force));
+    record.moment_peak = std::max(record.moment_peak, norm(record.now.moment));
+    record.power = -0.5 * (dot(record.now.force, before.velocity + after.velocity) +
+                           dot(record.now.moment, before.spin + after.spin));
+    record.work += step_ * record.power;
+  }
+}
+
+void Contacts::move_walls() {
+  for (Wall& wall : domain_.walls) {
+    if (wall.motion.drive) wall.motion.drive->shift += step_ * wall.motion.drive->speed;
+  }
+}
+
+void Contacts::begin_wall_interval(double time) {
+  for (WallRecord& record : records_) {
+    record.impulse = {};
+    add_times(record.impulse, 0.5 * step_, record.now);
+    record.force_peak = norm(record.now.force);
+    record.moment_peak = norm(record.now.moment);
+    record.interval_begin = time;
+  }
+}
+
+std::vector<WallSample> Contacts::wall_samples(double time) const {
+  std::vector<WallSample> all;
+  for (std::size_t w = 0; w < records_.size(); ++w) {
+    const WallRecord& record = records_[w];
+    const double interval = time - record.interval_begin;
+    WallLoad mean = record.now;
+    if (interval > 0.5 * step_) {
+      mean = {};
+      add_times(mean, 1 / interval, record.impulse);
+      add_times(mean, -0.5 * step_ / interval, record.now);
+    }
+    all.push_back({mean, record.force_peak, record.moment_peak, record.work - 0.5 * step_ * record.power,
+                   pose_at(domain_.walls[w], time).center_now()});
+  }
+  return all;
+}
+
+double Contacts::wall_work() const {
+  if (!accounted_) return 0;
+  double sum = 0;
+  for (const WallRecord& record : records_) sum += record.work - 0.5 * step_ * record.power;
+  return sum;
+}
+
+double Contacts::wall_displacement(std::size_t w, double time) const {
+  const WallPose now = pose_at(domain_.walls[w], time), &before = reference_poses_[w];
+  const double shifted = norm(now.shift - before.shift);
+  if (!now.turned || turn_reach_[w] == 0) return shifted;
+  // the chord of the angle between both
+  return shifted + 2 * norm((conjugate(before.turn) * now.turn).v) * turn_reach_[w];
+}
+
+bool Contacts::walls_moved_far(double time) const {
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    const Wall& wall = domain_.walls[w];
+    if (is_at_rest(wall) || time >= wall.active_until) continue;
+    if (wall_displacement(w, time) > 0.5 * skin_) return true;
+  }
+  return false;
+}
+
+double Contacts::fastest_wall(double time) const {
+  double fastest = 0;
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    const Wall& wall = domain_.walls[w];
+    if (is_at_rest(wall) || !is_active(wall, time)) continue;
+    const WallVelocity now = velocity_at(wall, time);
+    fastest = std::max(fastest, norm(now.velocity) + norm(now.spin) * turn_reach_[w]);
+  }
+  return fastest;
+}
+
+void Contacts::measure_turn_reach() {
+  turn_reach_.assign(domain_.walls.size(), 0);
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    if (!turns_visibly(domain_.walls[w])) continue;
+    const Vec<double, 3> center = reference_poses_[w].center_now(), axis = domain_.walls[w].motion.about->axis;
+    for (const Vec<double, 3>& place : neighbors_.reference_positions())
+      turn_reach_[w] = std::max(turn_reach_[w], norm(cross(place - center, axis)));
+  }
+}
+
+std::vector<double> Contacts::wall_records() const {
+  std::vector<double> all;
+  for (std::size_t w = 0; w < records_.size(); ++w) {
+    const WallRecord& r = records_[w];
+    for (const auto& v : {r.now.force, r.now.moment, r.impulse.force, r.impulse.moment})
+      all.insert(all.end(), v.c, v.c + 3);
+    const std::optional<WallDrive>& drive = domain_.walls[w].motion.drive;
+    all.insert(all.end(), {r.force_peak, r.moment_peak, r.interval_begin, r.work, r.power,
+                           drive ? drive->shift : 0, drive ? drive->speed : 0});
+  }
+  return all;
+}
+
+void Contacts::set_wall_records(const double* from) {
+  for (std::size_t w = 0; w < records_.size(); ++w) {
+    WallRecord& r = records_[w];
+    for (Vec<double, 3>* v : {&r.now.force, &r.now.moment, &r.impulse.force, &r.impulse.moment})
+      std::copy_n(from, 3, v->c), from += 3;
+    r.force_peak = from[0], r.moment_peak = from[1], r.interval_begin = from[2];
+    r.work = from[3], r.power = from[4];
+    if (std::optional<WallDrive>& drive = domain_.walls[w].motion.drive)
+      drive->shift = from[5], drive->speed = from[6];
+    from += 7;
+  }
+}
+
+void Contacts::keep_wall_poses(double time) {
+  reference_poses_.clear(), reference_shifts_.clear();
+  for (const Wall& wall : domain_.walls) {
+    reference_poses_.push_back(pose_at(wall, time));
+    reference_shifts_.push_back(wall.motion.drive ? wall.motion.drive->shift : 0);
+  }
+}
+
+void Contacts::set_drive_shifts(const std::vector<double>& shifts) {
+  for (std::size_t w = 0; w < shifts.size(); ++w) {
+    if (std::optional<WallDrive>& drive = domain_.walls[w].motion.drive) drive->shift = shifts[w];
+  }
+}
+
+}  // namespace fiberchain::dem

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "dem/math/vec.hpp"
+
+namespace fiberchain::dem {
+
+/// What contacts do to a wall.
+struct WallLoad {
+  Vec<double, 3> force{};   ///< [N]
+  Vec<double, 3> moment{};  ///< about the center of its pose [N m]
+};
+
+/// Of a wall over the steps.
+struct WallRecord {
+  WallLoad now;                ///< at the last forces
+  WallLoad impulse;            ///< since the interval began, with the whole kick of now [N s], [N m s]
+  double force_peak = 0;       ///< size of the largest force in the interval, both ends included [N]
+  double moment_peak = 0;      ///< likewise [N m]
+  double interval_begin = 0;   ///< [s]
+  double work = 0, power = 0;  ///< done on what it touches since the start, with the kick of now [J]; now [W]
+};
+
+/// Of a wall in an interval that ends now.
+struct WallSample {
+  WallLoad mean;         ///< impulse over the time
+  double force_peak;     ///< size of the largest force at any step [N]
+  double moment_peak;    ///< likewise [N m]
+  double work;           ///< done on fibers since the start [J]
+  Vec<double, 3> center; ///< about which moments are [m]
+};
+
+}  // namespace fiberchain::dem
