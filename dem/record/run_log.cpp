@@ -53,16 +53,20 @@ std::string kept(const std::filesystem::path& path, const std::string& text, con
 }
 
 /// Reads every number, and gives the last step.
-std::optional<std::int64_t> last_step_in(const std::filesystem::path& path, const std::string& text) {
+std::optional<std::int64_t> last_step_in(const std::filesystem::path& path, const std::string& text,
+                                         std::size_t rows) {
   std::istringstream stream(text);
   const CsvDocument document = read_csv(stream, path.string());
   std::optional<std::int64_t> last;
   for (std::size_t n = 0; n < document.table.rows().size(); ++n) {
     const auto* step = std::get_if<std::int64_t>(&document.table.rows()[n].front());
-    if (!step || (last && *step <= *last))
+    const bool same = n % rows != 0;
+    if (!step || (last && (same ? *step != *last : *step <= *last)))
       throw InputError(fmt::format("{}:{}: its step does not rise", path.string(), document.lines[n]));
     last = *step;
   }
+  if (document.table.rows().size() % rows != 0)
+    throw InputError(fmt::format("{}: its last step has fewer than {} rows", path.string(), rows));
   return last;
 }
 
@@ -78,17 +82,17 @@ RunLog::RunLog(const std::filesystem::path& path, const Table& empty, const Prov
     : RunLog((replace_file(path, to_csv(empty, provenance)), path), empty.columns()) {}
 
 RunLog RunLog::resume(const std::filesystem::path& path, const Table& empty, const Provenance& provenance,
-                      std::int64_t last_step) {
+                      std::int64_t last_step, std::size_t rows) {
   if (!std::filesystem::exists(path)) return RunLog(path, empty, provenance);
   const std::string text = kept(path, content_of(path), header_line(empty), last_step);
-  last_step_in(path, text);
+  last_step_in(path, text, rows);
   replace_file(path, text);
   return RunLog(path, empty.columns());
 }
 
 std::optional<std::int64_t> RunLog::last_step(const std::filesystem::path& path, const Table& empty,
-                                              std::int64_t done) {
-  return last_step_in(path, kept(path, content_of(path), header_line(empty), done));
+                                              std::int64_t done, std::size_t rows) {
+  return last_step_in(path, kept(path, content_of(path), header_line(empty), done), rows);
 }
 
 RunLog::RunLog(RunLog&& other) noexcept

@@ -12,7 +12,7 @@
 namespace fiberchain::dem {
 
 /// How a run went, as CSV (dem/record/csv.hpp) that grows by a whole line at a time, each given to the system
-/// at once. Its first column is "step".
+/// at once. Its first column is "step"; of each step there are so many `rows`.
 class RunLog {
  public:
   /// A new log of an empty table under its provenance, in place of what stood there.
@@ -23,12 +23,12 @@ class RunLog {
   /// cut off; begins it if there is none.
   /// @throws OutputError, InputError if what stands there is no log of ours or damaged
   static RunLog resume(const std::filesystem::path& path, const Table& empty, const Provenance& provenance,
-                       std::int64_t last_step);
+                       std::int64_t last_step, std::size_t rows = 1);
 
   /// The last step up to `done` in a log of such a table; nothing if there is none.
   /// @throws InputError naming file and line of what cannot be read
   static std::optional<std::int64_t> last_step(const std::filesystem::path& path, const Table& empty,
-                                               std::int64_t done);
+                                               std::int64_t done, std::size_t rows = 1);
 
   RunLog(RunLog&& other) noexcept;
   ~RunLog();

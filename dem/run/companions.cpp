@@ -26,6 +26,15 @@ void check_log(const CompanionsOf& run, std::int64_t done) {
   if (last != wanted) fail_at(path, last, wanted);
 }
 
+void check_walls(const CompanionsOf& run, std::int64_t done) {
+  const fs::path path = run.files.walls();
+  const auto last = RunLog::last_step(path, run.wall_log, done, run.walls);
+  const std::int64_t wanted = run.schedule.samples.at_or_before(done);
+  if (last != wanted) fail_at(path, last, wanted);
+}
+
+bool logs_walls(const CompanionsOf& run) { return run.schedule.samples.any() && run.walls > 0; }
+
 /// The last frame, read, goes through all of the file that the next one will touch.
 void check_trajectory(const CompanionsOf& run, std::int64_t done) {
   const fs::path path = run.files.trajectory();
@@ -100,6 +109,7 @@ auto resumed(const fs::path& path, std::int64_t written, std::int64_t done, cons
 Companions begin_companions(const CompanionsOf& run) {
   Companions all;
   if (run.schedule.samples.any()) all.log.emplace(run.files.log(), run.log, run.provenance);
+  if (logs_walls(run)) all.walls.emplace(run.files.walls(), run.wall_log, run.provenance);
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(run.files.trajectory(), run.header);
   if (run.vtk) all.vtk = VtkSeries(run.files.directory, run.files.name, entries(run.provenance));
@@ -116,6 +126,13 @@ Companions resume_companions(const CompanionsOf& run, std::int64_t done, const S
         log, run.written.log, done, say, [&] { check_log(run, done); },
         [&] { return RunLog::resume(log, run.log, run.provenance, done); },
         [&] { return RunLog(log, run.log, run.provenance); }));
+  }
+  if (logs_walls(run)) {
+    const fs::path walls = run.files.walls();
+    all.walls.emplace(resumed(
+        walls, run.written.log, done, say, [&] { check_walls(run, done); },
+        [&] { return RunLog::resume(walls, run.wall_log, run.provenance, done, run.walls); },
+        [&] { return RunLog(walls, run.wall_log, run.provenance); }));
   }
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(resumed(
@@ -136,6 +153,7 @@ void look_at_companions(const CompanionsOf& run, std::int64_t done, const Say& s
     if (!fault.empty()) say(fmt::format("warning: {}", fault));
   };
   if (run.written.log >= 0) tell(run.files.log(), check_log);
+  if (run.written.log >= 0 && logs_walls(run)) tell(run.files.walls(), check_walls);
   if (run.written.trajectory >= 0) tell(run.files.trajectory(), check_trajectory);
   if (run.written.vtk >= 0) tell(run.files.at(".pvd"), check_series);
 }

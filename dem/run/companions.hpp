@@ -9,7 +9,7 @@
 #include "dem/trajectory/h5md.hpp"
 #include "dem/trajectory/vtk.hpp"
 
-// The files that grow beside the checkpoint of a run: log, trajectory and VTK series. A run goes on whatever
+// The files that grow beside the checkpoint of a run: logs, trajectory and VTK series. A run goes on whatever
 // has become of them: one that is missing or damaged is said, kept under another name and begun anew.
 namespace fiberchain::dem {
 
@@ -17,6 +17,8 @@ namespace fiberchain::dem {
 struct CompanionsOf {
   RunFiles files;
   Table log;  ///< empty, with its columns
+  Table wall_log;     ///< likewise
+  std::size_t walls;  ///< how many; rows of that of each step
   Provenance provenance;
   TrajectoryHeader header;
   bool vtk;
@@ -27,6 +29,7 @@ struct CompanionsOf {
 /// Those that the schedule has times for.
 struct Companions {
   std::optional<RunLog> log;
+  std::optional<RunLog> walls;  ///< where there are any
   std::optional<TrajectoryWriter> trajectory;
   std::optional<VtkSeries> vtk;
 };

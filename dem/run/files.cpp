@@ -30,6 +30,7 @@ std::vector<fs::path> all_files(const RunFiles& files) {
           journal_of(trajectory),
           files.at(".xmf"),
           files.log(),
+          files.walls(),
           files.at(".pvd"),
           files.at("-lines.pvd"),
           files.at(".csv"),
@@ -66,7 +67,7 @@ std::vector<fs::path> files_there(const RunFiles& files) {
   for (const fs::path& path : all_files(files)) {
     if (fs::exists(path)) there.push_back(path);
   }
-  for (const fs::path& path : {files.trajectory(), files.log(), files.at(".pvd")}) {
+  for (const fs::path& path : {files.trajectory(), files.log(), files.walls(), files.at(".pvd")}) {
     for (int n = 1; fs::exists(broken_name(path, n)); ++n) there.push_back(broken_name(path, n));
   }
   const std::vector<fs::path> parts = vtk_parts(files.at(""));

@@ -22,6 +22,7 @@ struct RunFiles {
   std::filesystem::path at(const std::string& end) const { return directory / (name + end); }
   std::filesystem::path trajectory() const { return at(".h5"); }
   std::filesystem::path log() const { return at("-log.csv"); }
+  std::filesystem::path walls() const { return at("-walls.csv"); }
   std::filesystem::path checkpoint() const { return at(".checkpoint"); }
 };
 

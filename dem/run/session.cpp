@@ -19,6 +19,7 @@
 #include "dem/run/schedule.hpp"
 #include "dem/run/session_words.hpp"
 #include "dem/scene/carry_over.hpp"
+#include "dem/run/wall_log.hpp"
 #include "dem/scene/expected_impact.hpp"
 #include "dem/scene/scene_keys.hpp"
 
@@ -32,6 +33,8 @@ CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule, c
   return {
       .files = job.files,
       .log = run_log_table(job.scene),
+      .wall_log = wall_log_table(),
+      .walls = job.scene.domain.walls.size(),
       .provenance = job.provenance,
       .header = {"fiberchain", job.provenance.version, entries(job.provenance), job.scene.batches.number > 1},
       .vtk = job.scene.output.vtk,
@@ -59,6 +62,10 @@ class RunWriter {
     written_.log = moment.step;
   }
 
+  void write_walls(const Assembly& assembly) {
+    if (files_.walls) files_.walls->append(wall_log_rows(assembly));
+  }
+
   void write_frame(const Assembly& assembly, const std::vector<std::int64_t>& inserted) {
     fill_frame(assembly, job_.scene, inserted, frame_);
     const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
@@ -71,6 +78,7 @@ class RunWriter {
 
   void write_checkpoint(const Assembly& assembly, const std::vector<std::int64_t>& inserted) const {
     if (files_.log) files_.log->flush();
+    if (files_.walls) files_.walls->flush();
     dem::write_checkpoint(job_.files.checkpoint(),
                           {.program = program_of(job_.provenance, set_),
                            .threads = job_.threads,
@@ -202,6 +210,8 @@ class Session {
     const ProcessorTimer timer(times_.samples);
     last_ = measure(assembly_, job_.scene, room_);
     writer_.write_line(last_, pace_);
+    writer_.write_walls(assembly_);
+    assembly_.begin_wall_interval();
     overlaps_.look_at(last_, watchers_.say);
     if (watchers_.sampled) watchers_.sampled(assembly_);
   }

@@ -253,6 +253,12 @@ std::string scene_fingerprint(const SceneText& text, const PackingScene& scene) 
     if (kind.file) all += sha256(kind.file->text);
     if (kind.material_file) all += sha256(kind.material_file->text);
   }
+  for (const Wall& wall : scene.domain.walls) {
+    if (!wall.motion.course) continue;
+    const WallCourse& course = *wall.motion.course;
+    for (const auto* values : {&course.place.time, &course.place.value, &course.angle.value})
+      all += sha256(fmt::format("{}", fmt::join(*values, ",")));
+  }
   return sha256(all);
 }
 

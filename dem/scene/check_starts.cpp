@@ -31,7 +31,7 @@ void check_walls(const PackingScene& scene, const PackingFiberKind& kind, std::s
       const double gap = distance_to(scene.domain.walls[w], poses[i].position, 0);
       if (radius - gap < refused_from * radius) continue;
       const std::string wall =
-          fmt::format("wall {} (walls of the box first, then planes, then cylinders)", w + 1);
+          fmt::format("wall {} (walls of the box first, then planes, cylinders, spheres, obstacles, cones)", w + 1);
       if (gap <= 0) {
         throw InvalidInput(
             fmt::format("{}its center is {:.4g} m behind {}", sphere_of(kind, fiber, i), -gap, wall));

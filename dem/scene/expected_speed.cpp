@@ -52,18 +52,36 @@ double flow_speed(const PackingScene& scene, const Box& all) {
   return speed;
 }
 
+/// Of walls that turn, in the room of fibers that come at random: those that are there already count by
+/// themselves (assembly/time_step.cpp).
+double wall_speed(const PackingScene& scene, const Box& all) {
+  double fastest = 0;
+  if (!std::ranges::any_of(scene.kinds, [](const PackingFiberKind& kind) { return kind.count > 0; }))
+    return 0;
+  for (const Wall& wall : scene.domain.walls) {
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec<double, 3> place{};
+      for (int a = 0; a < 3; ++a) place[a] = (corner >> a & 1) != 0 ? all.high[a] : all.low[a];
+      const double reach = distance_from_axis(wall, place);
+      fastest = std::max(fastest, largest_speed(wall, reach) - largest_speed(wall, 0));
+    }
+  }
+  return fastest;
+}
+
 }  // namespace
 
 double expected_speed(const PackingScene& scene) {
   const Box all = whole_of(scene);
   const Vec<double, 3>& g = scene.domain.gravity;
+  const double turning = wall_speed(scene, all);
   double drop = 0;  // gravity times the largest height
   for (int a = 0; a < 3; ++a) drop += std::abs(g[a]) * (all.high[a] - all.low[a]);
   const double start = start_speed(scene);
   double speed = std::sqrt(start * start + 2 * drop);
   if (scene.duration > 0) speed = std::min(speed, start + norm(g) * scene.duration);
-  if (!scene.domain.fluid) return speed;
-  return std::max(start, std::min(speed, settling_speed(scene))) + flow_speed(scene, all);
+  if (!scene.domain.fluid) return speed + turning;
+  return std::max(start, std::min(speed, settling_speed(scene))) + flow_speed(scene, all) + turning;
 }
 
 }  // namespace fiberchain::dem

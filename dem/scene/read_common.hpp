@@ -207,6 +207,9 @@ void declare_domain(KeyTable<PackingScene>& table);
 /// Declares key walls, which is read after the periods.
 void declare_walls(KeyTable<PackingScene>& table);
 
+/// Declares how a wall moves, and when it is there.
+void declare_wall_motion(KeyTable<Wall>& table);
+
 /// Declares key filling, which is read after the fibers and the domain.
 void declare_filling(KeyTable<PackingScene>& table);
 

@@ -163,7 +163,7 @@ KeyTable<PackingScene> packing_keys() {
   return table;
 }
 
-/// A plane on a box's own floor, a wall typed twice. Walls of the box count first, then planes, cylinders.
+/// A plane on a box's own floor, a wall typed twice. Walls of the box count first, then planes and so on.
 void check_walls_differ(const StrictMapping& top, const std::vector<Wall>& walls) {
   for (std::size_t i = 0; i < walls.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -186,6 +186,7 @@ void check_plates(const StrictMapping& top, const PackingScene& scene) {
       if (!a || !b || dot(a->normal, b->normal) > -1 + 1e-12) continue;
       const bool together = std::max(walls[i].active_from, walls[j].active_from) <
                             std::min(walls[i].active_until, walls[j].active_until);
+      if (walls[i].motion.moves() || walls[j].motion.moves()) continue;
       if (!together || dot(walls[i].velocity - walls[j].velocity, a->normal) != 0) continue;
       const double gap = dot(b->point - a->point, a->normal);
       if (gap >= diameter * (1 - 1e-9)) continue;
@@ -213,6 +214,9 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
   }
   check_walls_differ(top, scene.domain.walls);
   check_plates(top, scene);
+  const auto is_driven = [](const Wall& wall) { return wall.motion.drive.has_value(); };
+  if (scene.batches.number > 1 && std::ranges::any_of(scene.domain.walls, is_driven))
+    top.fail("filling", "in batches is not built together with walls that a force drives");
   const bool at_zero = !scene.start_from || scene.start_from->clock == StartClock::zero;
   if (at_zero && scene.duration > 0 &&
       !((scene.batches.number - 1) * scene.batches.interval < scene.duration)) {

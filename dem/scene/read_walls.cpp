@@ -62,14 +62,8 @@ void store_box(const StrictMapping& mapping, const BoxKeys& box, PackingScene& s
   }
 }
 
-void declare_wall_motion(KeyTable<Wall>& table) {
-  table.vector("velocity", "m/s", &Wall::velocity,
-               "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a time, and "
-               "one at rest `from` then");
-  table.quantity("from", "s", &Wall::active_from, kFinite, "the wall is there from this time on");
-  table.quantity("until", "s", &Wall::active_until, kFinite, "and gone from this time on")
-      .otherwise("always there");
-}
+/// Where fibers are.
+const Words<double> kSides{{"inside", 1}, {"outside", -1}};
 
 KeyTable<Wall> plane_keys() {
   KeyTable<Wall> table(Wall{Plane{}});
@@ -102,8 +96,100 @@ KeyTable<Wall> cylinder_keys() {
       .quantity(
           "radius", "m", [=](Wall & wall) -> auto& { return cylinder(wall).radius; }, kPositive, "radius")
       .required();
+  table.choice(
+      "fibers", [=](Wall & wall) -> auto& { return cylinder(wall).side; }, kSides, "which side they are on");
   declare_wall_motion(table);
   return table;
+}
+
+KeyTable<Wall> sphere_keys() {
+  KeyTable<Wall> table(Wall{Sphere{}});
+  const auto sphere = [](Wall& wall) -> Sphere& { return *wall.shape.get_if<Sphere>(); };
+  table.vector(
+           "center", "m", [=](Wall & wall) -> auto& { return sphere(wall).point; }, "center")
+      .required();
+  table
+      .quantity(
+          "radius", "m", [=](Wall & wall) -> auto& { return sphere(wall).radius; }, kPositive, "radius")
+      .required();
+  table.choice(
+      "fibers", [=](Wall & wall) -> auto& { return sphere(wall).side; }, kSides, "which side they are on");
+  declare_wall_motion(table);
+  return table;
+}
+
+KeyTable<Wall> obstacle_keys() {
+  KeyTable<Wall> table(Wall{BoxObstacle{.along = {1, 0, 0}, .across = {0, 1, 0}}});
+  const auto box = [](Wall& wall) -> BoxObstacle& { return *wall.shape.get_if<BoxObstacle>(); };
+  table.vector(
+           "center", "m", [=](Wall & wall) -> auto& { return box(wall).point; }, "center")
+      .required();
+  table.vector(
+           "sides", "m", [=](Wall & wall) -> auto& { return box(wall).half; }, "lengths of its sides, above 0")
+      .required();
+  table
+      .direction(
+          "along", [=](Wall & wall) -> auto& { return box(wall).along; }, "direction of the first side")
+      .otherwise("x");
+  table
+      .direction(
+          "across", [=](Wall & wall) -> auto& { return box(wall).across; },
+          "direction of the second side; what is along the first is left out")
+      .otherwise("y");
+  declare_wall_motion(table);
+  return table;
+}
+
+KeyTable<Wall> cone_keys() {
+  KeyTable<Wall> table(Wall{Cone{}});
+  const auto cone = [](Wall& wall) -> Cone& { return *wall.shape.get_if<Cone>(); };
+  table
+      .vector(
+          "point", "m", [=](Wall & wall) -> auto& { return cone(wall).point; }, "center of the first rim")
+      .required();
+  table
+      .direction(
+          "axis", [=](Wall & wall) -> auto& { return cone(wall).axis; }, "from there to the second rim's")
+      .required();
+  table
+      .quantity(
+          "length", "m", [=](Wall & wall) -> auto& { return cone(wall).length; }, kNonNegative,
+          "from rim to rim along the axis; 0: a disk or ring")
+      .required();
+  table
+      .quantity(
+          "radius", "m", [=](Wall & wall) -> auto& { return cone(wall).radius; }, kNonNegative,
+          "radius of the first rim, of the middle of the shell; 0: closed")
+      .required();
+  table
+      .quantity(
+          "end_radius", "m", [=](Wall & wall) -> auto& { return cone(wall).end_radius; }, kNonNegative,
+          "radius of the second rim; the same: a tube")
+      .required();
+  table.quantity(
+      "thickness", "m", [=](Wall & wall) -> auto& { return cone(wall).half; }, kNonNegative,
+      "thickness of the shell, rims rounded");
+  declare_wall_motion(table);
+  return table;
+}
+
+/// Keys that make no box: sides that are none, two of one direction.
+void complete_obstacle(const StrictMapping& mapping, BoxObstacle& box) {
+  for (int c = 0; c < 3; ++c) {
+    if (!(box.half[c] > 0)) mapping.fail("sides", "must all be above 0");
+    box.half[c] *= 0.5;
+  }
+  const Vec<double, 3> across = box.across - dot(box.across, box.along) * box.along;
+  if (!(norm(across) > 1e-6)) mapping.fail("across", "must be another direction than along");
+  box.across = (1 / norm(across)) * across;
+}
+
+void complete_cone(const StrictMapping& mapping, Cone& cone) {
+  if (!(cone.radius > 0) && !(cone.end_radius > 0))
+    mapping.fail("end_radius", "must be above 0 where radius is 0");
+  if (cone.length == 0 && cone.radius == cone.end_radius)
+    mapping.fail("length", "must be above 0 where both radii are the same");
+  cone.half *= 0.5;
 }
 
 /// Stores a wall whose key `along` says how it lies.
@@ -116,9 +202,14 @@ auto store_wall(const char* along) {
             along, std::string("must leave the wall the same all along ") + kAxes[a] + ", which is periodic");
       }
     }
-    if (const auto* tube = wall.shape.get_if<Cylinder>())
-      check_width(mapping, "radius", 2 * tube->radius, largest_diameter(scene), 0.5);
-    scene.domain.walls.push_back(wall);
+    const double thickest = largest_diameter(scene);
+    if (const auto* tube = wall.shape.get_if<Cylinder>(); tube != nullptr && tube->side > 0)
+      check_width(mapping, "radius", 2 * tube->radius, thickest, 0.5);
+    if (const auto* ball = wall.shape.get_if<Sphere>(); ball != nullptr && ball->side > 0)
+      check_width(mapping, "radius", 2 * ball->radius, thickest, 0.5);
+    Wall& stored = scene.domain.walls.emplace_back(wall);
+    if (auto* box = stored.shape.get_if<BoxObstacle>()) complete_obstacle(mapping, *box);
+    if (auto* cone = stored.shape.get_if<Cone>()) complete_cone(mapping, *cone);
   };
 }
 
@@ -133,7 +224,13 @@ KeyTable<PackingScene> wall_keys() {
                  [](const PackingScene& scene) { return scene.domain.wall_youngs_modulus > 0; });
   table.mapping("box", box_keys(), &store_box, "walls from 0 to the length of each side").otherwise("none");
   table.list("planes", plane_keys(), store_wall("normal"), "plane walls").otherwise("none");
-  table.list("cylinders", cylinder_keys(), store_wall("axis"), "cylindrical walls, fibers are inside")
+  table.list("cylinders", cylinder_keys(), store_wall("axis"), "endless cylinders").otherwise("none");
+  table.list("spheres", sphere_keys(), store_wall("center"), "spherical walls").otherwise("none");
+  table.list("obstacles", obstacle_keys(), store_wall("center"), "solid boxes among the fibers")
+      .otherwise("none");
+  table
+      .list("cones", cone_keys(), store_wall("axis"),
+            "shells of finite cones, open at both ends, which fibers touch from inside and outside")
       .otherwise("none");
   return table;
 }

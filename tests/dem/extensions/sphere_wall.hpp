@@ -3,9 +3,11 @@
 #include <string_view>
 
 #include "dem/model/shapes/nearest_point.hpp"
+#include "dem/model/shapes/wall_pose.hpp"
 
 namespace extensions {
 using namespace fiberchain::dem;
+using V3 = Vec<double, 3>;
 
 /// The outside of a sphere.
 template <class Real>
@@ -20,6 +22,8 @@ struct BasicSphereWall {
     return {(Real(-1.0) / distance) * from, distance - radius};
   }
   bool is_invariant_along(int) const { return false; }
+  bool is_round_about(const V3&, const V3&) const { return false; }
+  void turn(const Quaternion<double>&) {}
 };
 using SphereWall = BasicSphereWall<double>;
 

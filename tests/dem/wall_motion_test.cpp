@@ -1,0 +1,349 @@
+// Walls that turn, swing and are driven, and what fibers do to them, through the whole engine.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "dem/assembly/assembly.hpp"
+#include "dem/contact/contact_law.hpp"
+#include "dem/insertion/placement.hpp"
+
+BOOST_AUTO_TEST_SUITE(wall_motion_test)
+
+namespace dem = fiberchain::dem;
+using V = dem::Vec<double, 3>;
+
+namespace {
+
+constexpr double g = 9.81, pi = std::numbers::pi;
+
+void within(double value, double expected, double tolerance, const std::string& what) {
+  BOOST_TEST(std::abs(value - expected) <= tolerance, what << ": " << value << ", expected " << expected);
+}
+
+dem::Fiber fiber_with(int aspect_ratio, double youngs_modulus = 2.6e6) {
+  dem::Fiber fiber{dem::isotropic_material(youngs_modulus, 0.17, 1130), 1.66e-3, aspect_ratio};
+  fiber.bond_damping = 0.2;
+  return fiber;
+}
+
+dem::FiberGroup alone(const dem::Fiber& fiber, const V& first, const V& along, const V& velocity = {}) {
+  const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
+  return {chain, {dem::placed(chain, {first, along, velocity})}};
+}
+
+double mass_of(const dem::Fiber& fiber) { return dem::fiber_mass(fiber); }
+
+V momentum(const dem::Assembly& assembly) {
+  V sum{};
+  for (int group = 0; group < assembly.groups(); ++group) {
+    const double m = dem::sphere_mass(assembly.chain(group).fiber);
+    for (int f = 0; f < assembly.fibers(group); ++f)
+      for (const V& v : assembly.state(group, f).velocity) sum = sum + m * v;
+  }
+  return sum;
+}
+
+V middle(const dem::Assembly& assembly) {
+  V sum{};
+  const auto state = assembly.state(0, 0);
+  for (const auto& pose : state.poses) sum = sum + (1.0 / static_cast<double>(state.poses.size())) * pose.position;
+  return sum;
+}
+
+/// A turning drum with a paddle in it, a shaken funnel, a driven lid, fibers among them.
+struct Mill {
+  dem::Domain around;
+  dem::FiberGroup fibers;
+
+  explicit Mill(double friction = 0.35) {
+    around.gravity = {0, 0.3, -g};
+    around.contacts = {.restitution = 0.5, .friction = friction, .rolling_friction = 0.03};
+    around.wall_youngs_modulus = 5e6;
+    const V y{0, 1, 0};
+    dem::Wall drum{dem::Cylinder{{}, y, 0.02}}, left{dem::Plane{{0, -0.012, 0}, y}},
+        lid{dem::Plane{{0, 0.012, 0}, -y}}, paddle{dem::BoxObstacle{{0, 0, -0.006}, {2e-3, 6e-3, 4e-3}, {1, 0, 0}, y}},
+        funnel{dem::Cone{{0, 0, 0.012}, {0, 0, -1}, 6e-3, 9e-3, 3e-3, 4e-4}},
+        ball{dem::Sphere{{-0.012, 0, 0}, 3e-3, -1}};
+    drum.motion.about = left.motion.about = paddle.motion.about = dem::WallAxis{{}, y};
+    drum.motion.angular_velocity = left.motion.angular_velocity = 21;
+    paddle.motion.angular_velocity = -9;
+    funnel.motion.oscillation = dem::WallOscillation{{0.6, 0, 0.8}, 4e-4, 70, 0.3, 0.01};
+    lid.motion.drive = dem::WallDrive{.axis = -y, .mass = 2e-4, .force = 3e-3, .damping = 0.01};
+    around.walls = {drum, left, lid, paddle, funnel, ball};
+    const dem::Fiber fiber = fiber_with(5);
+    fibers.chain = dem::straight_chain<3>(fiber);
+    for (int n = 0; n < 12; ++n) {
+      const double angle = 0.4 + 2 * pi * n / 12;
+      fibers.fibers.push_back(dem::placed(fibers.chain, {{0.0165 * std::cos(angle), -4e-3, 0.0165 * std::sin(angle)},
+                                                         y, {0.1, -0.05, 0.02}}));
+    }
+  }
+
+  dem::Assembly assembly(double step, bool accounted = false, int threads = 1) const {
+    return {{fibers}, around, {.step = step, .threads = threads, .account_energy = accounted}};
+  }
+};
+
+}  // namespace
+
+/// Impulses of all walls and the weight's are the change of momentum, in every interval.
+BOOST_AUTO_TEST_CASE(impulses_of_walls_are_the_change_of_momentum) {
+  const Mill mill;
+  dem::Assembly assembly = mill.assembly(4e-6);
+  const double m = 12 * mass_of(mill.fibers.chain.fiber);
+  V before = momentum(assembly);
+  double then = 0, largest = 0;
+  std::vector<double> seen(mill.around.walls.size(), 0);
+  for (int n = 0; n < 40; ++n) {
+    assembly.march(n % 3 == 0 ? 611 : 257);
+    const double T = assembly.time() - then;
+    V impulse = (m * T) * mill.around.gravity;
+    double size = norm(impulse);
+    const auto samples = assembly.wall_samples();
+    for (std::size_t w = 0; w < samples.size(); ++w) {
+      impulse = impulse - T * samples[w].mean.force;
+      size += T * samples[w].force_peak;
+      seen[w] = std::max(seen[w], samples[w].force_peak);
+      BOOST_TEST(norm(samples[w].mean.force) <= samples[w].force_peak * (1 + 1e-12));
+      BOOST_TEST(norm(samples[w].mean.moment) <= samples[w].moment_peak * (1 + 1e-12));
+    }
+    const V now = momentum(assembly);
+    const double off = norm(now - before - impulse) / (size + m * 0.3);
+    largest = std::max(largest, off);
+    before = now, then = assembly.time();
+    assembly.begin_wall_interval();
+  }
+  BOOST_TEST_MESSAGE("impulses off by " << largest << " of their sizes");
+  BOOST_TEST(largest < 1e-12);
+  for (const double force : seen) BOOST_TEST(force > 0.0);  // every wall was touched
+}
+
+/// What is given by walls that turn, swing and are driven closes the energy: its error falls as the square of
+/// the step.
+BOOST_AUTO_TEST_CASE(energy_with_moving_walls_is_of_second_order) {
+  double off[2], given = 0;
+  for (int n = 0; n < 2; ++n) {
+    const Mill mill;
+    dem::Assembly assembly = mill.assembly(n == 0 ? 2e-6 : 1e-6, true);
+    const double begin = total(assembly.energy());
+    const int steps = n == 0 ? 10000 : 20000;
+    assembly.march(steps);
+    const dem::EnergyBalance now = assembly.energy();
+    double of_walls = 0;
+    for (const dem::WallSample& sample : assembly.wall_samples()) of_walls += sample.work;
+    within(of_walls / now.wall_work, 1, 1e-12, "sum of the walls' work");
+    given = std::abs(now.wall_work) + std::abs(now.contact_tangential);
+    off[n] = (total(now) - begin) / given;
+    BOOST_TEST_MESSAGE("total energy off by " << off[n] << " of what walls gave");
+  }
+  BOOST_TEST(std::abs(off[0]) < 2e-3);
+  BOOST_TEST(std::abs(off[1]) < 0.5 * std::abs(off[0]));
+}
+
+/// In a turning drum a fiber that rolls comes to rest where mu_r R F_n holds its weight's moment:
+/// m g sin(theta) arm = mu_r R m g cos(theta).
+BOOST_AUTO_TEST_CASE(what_rolls_in_a_drum_rests_at_the_angle_of_rolling_friction) {
+  const dem::Fiber fiber = fiber_with(4);
+  const double R = dem::sphere_radius(fiber), drum = 0.0231, mu_r = 0.21;
+  dem::Domain around;
+  around.gravity = {0, 0, -g};
+  around.contacts = {.restitution = 0.1, .friction = 0.9, .rolling_friction = mu_r};
+  dem::Wall wall{dem::Cylinder{{0, 0, 0.01}, {0, 1, 0}, drum}};
+  wall.motion.about = dem::WallAxis{{0, 0.3, 0.01}, {0, 1, 0}};
+  wall.motion.angular_velocity = -2.3;  // its bottom goes along +x
+  around.walls = {wall};
+  dem::Assembly assembly({alone(fiber, {0.2 * drum, 0, 0.01 - 0.97 * (drum - R)}, {0, 1, 0})}, around,
+                         {.step = 5e-6});
+  assembly.march(300000);
+  double angle = 0, depth = 0;
+  const int samples = 200;
+  for (int n = 0; n < samples; ++n) {
+    assembly.march(500);
+    const V at = middle(assembly) - V{0, middle(assembly)[1], 0.01};
+    angle += std::atan2(at[0], -at[2]) / samples;
+    depth += (R - (drum - norm(at))) / samples;
+  }
+  const double expected = std::atan(mu_r * R / (R - depth));
+  BOOST_TEST_MESSAGE("drum: " << angle << " rad, statics " << expected);
+  within(angle / expected, 1, 2e-3, "angle");
+}
+
+/// A fiber across the drum's axis cannot roll: it slides where both ends' friction holds it. Statics of a chord:
+/// N1, N2 along the radii, mu N1, mu N2 across them, the weight; the moment about the drum's axis is
+/// mu (N1 + N2) radius = m g d sin(theta).
+BOOST_AUTO_TEST_CASE(what_cannot_roll_in_a_drum_rests_at_the_angle_of_friction) {
+  dem::Fiber fiber = fiber_with(1, 2.6e7);
+  const double R = dem::sphere_radius(fiber), drum = 0.0231, mu = 0.43;
+  dem::Domain around;
+  around.gravity = {0, 0, -g};
+  around.contacts = {.restitution = 0.1, .friction = mu};
+  dem::Wall wall{dem::Cylinder{{}, {0, 1, 0}, drum}};
+  wall.motion.about = dem::WallAxis{{}, {0, 1, 0}};
+  wall.motion.angular_velocity = -2.3;
+  around.walls = {wall};
+  const double path = drum - R, half = R, alpha = std::asin(half / path), d = path * std::cos(alpha);
+  dem::Assembly assembly({alone(fiber, {-half, 0, -d}, {1, 0, 0})}, around, {.step = 2e-6});
+  assembly.march(500000);
+  double angle = 0;
+  const int samples = 200;
+  for (int n = 0; n < samples; ++n) {
+    assembly.march(500);
+    const V at = middle(assembly);
+    angle += std::atan2(at[0], -at[2]) / samples;
+  }
+  // unknown N1, N2 of a weight 1 at angle theta; residual: the moment
+  const auto residual = [&](double theta) {
+    const double a = theta - alpha, b = theta + alpha;
+    // along x and z: N (-sin, cos) + mu N (cos, sin) at angle a from the bottom
+    const double ax = -std::sin(a) + mu * std::cos(a), az = std::cos(a) + mu * std::sin(a),
+                 bx = -std::sin(b) + mu * std::cos(b), bz = std::cos(b) + mu * std::sin(b);
+    const double det = ax * bz - bx * az, N1 = -bx / det, N2 = ax / det;
+    return mu * (N1 + N2) * drum - d * std::sin(theta);
+  };
+  double low = 0, high = 1.2;
+  for (int n = 0; n < 60; ++n) (residual(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+  BOOST_TEST_MESSAGE("drum: " << angle << " rad, statics " << low << ", atan mu " << std::atan(mu));
+  within(angle / low, 1, 2e-3, "angle");
+}
+
+namespace {
+
+/// Times of the first impacts of a body that falls on a plate z = A (sin(w t + phase) - sin phase), restitution e.
+std::vector<double> impacts(double height, double A, double f, double phase, double e, int count) {
+  const double w = 2 * pi * f;
+  double t0 = 0, z0 = height, v0 = 0;
+  std::vector<double> all;
+  while (static_cast<int>(all.size()) < count) {
+    const auto gap = [&](double t) {
+      const double s = t - t0;
+      return z0 + v0 * s - 0.5 * g * s * s - A * (std::sin(w * t + phase) - std::sin(phase));
+    };
+    double a = t0 + 1e-6, h = 1e-5;
+    while (gap(a + h) > 0) a += h;
+    double b = a + h;
+    for (int n = 0; n < 60; ++n) (gap(0.5 * (a + b)) > 0 ? a : b) = 0.5 * (a + b);
+    const double plate = A * w * std::cos(w * b + phase), v = v0 - g * (b - t0);
+    z0 = z0 + v0 * (b - t0) - 0.5 * g * (b - t0) * (b - t0);
+    v0 = plate - e * (v - plate), t0 = b;
+    all.push_back(b);
+  }
+  return all;
+}
+
+/// Middles of the first contacts with the plate.
+std::vector<double> contacts_of(double youngs_modulus, double height, const dem::WallOscillation& swing, double e,
+                                int count) {
+  const dem::Fiber fiber = fiber_with(1, youngs_modulus);
+  dem::Domain around;
+  around.gravity = {0, 0, -g};
+  around.contacts = {.restitution = e, .friction = 0.2};
+  dem::Wall plate{dem::Plane{{}, {0, 0, 1}}};
+  plate.motion.oscillation = swing;
+  around.walls = {plate};
+  const double R = dem::sphere_radius(fiber), dt = 4e-6 * std::sqrt(1e6 / youngs_modulus);
+  dem::Assembly assembly({alone(fiber, {0, 0, R + height}, {1, 0, 0})}, around, {.step = dt});
+  std::vector<double> all;
+  while (static_cast<int>(all.size()) < count) {
+    while (assembly.touching() == 0) assembly.march(1);
+    const double begin = assembly.time();
+    while (assembly.touching() > 0) assembly.march(1);
+    all.push_back(0.5 * (begin + assembly.time()));
+  }
+  return all;
+}
+
+}  // namespace
+
+/// A shaker: the soft sphere's impacts come to those of a hard one as it gets harder, in proportion to how long
+/// they last, E^(-2/5).
+BOOST_AUTO_TEST_CASE(a_bouncing_fiber_on_a_shaker_follows_its_events) {
+  const dem::WallOscillation swing{.axis = {0, 0, 1}, .amplitude = 6e-4, .frequency = 23, .phase = 0.7};
+  const double height = 4.1e-3, e = 0.6;
+  const int count = 4;
+  const std::vector<double> hard = impacts(height, swing.amplitude, swing.frequency, swing.phase, e, count);
+  double off[2][4];
+  for (int n = 0; n < 2; ++n) {
+    const std::vector<double> soft = contacts_of(n == 0 ? 1e6 : 32e6, height, swing, e, count);
+    for (int i = 0; i < count; ++i) off[n][i] = soft[i] - hard[i];
+  }
+  for (int i = 0; i < count; ++i) {
+    BOOST_TEST_MESSAGE("impact " << i << " at " << hard[i] << " s, off by " << off[0][i] << ", " << off[1][i]);
+    BOOST_TEST(std::abs(off[1][i]) < 0.01 * hard[i]);
+    BOOST_TEST(std::abs(off[1][i]) < 0.5 * std::abs(off[0][i]));  // 32^(-2/5) = 0.25
+  }
+}
+
+/// A driven plate on a fiber comes to rest where it carries the force, and the floor the weight too.
+BOOST_AUTO_TEST_CASE(a_driven_plate_rests_at_the_force_it_carries) {
+  const dem::Fiber fiber = fiber_with(3);
+  const double R = dem::sphere_radius(fiber), force = 0.0137, W = mass_of(fiber) * g;
+  dem::Domain around;
+  around.gravity = {0, 0, -g};
+  around.contacts = {.restitution = 0.3, .friction = 0.4};
+  dem::Wall lid{dem::Plane{{0, 0, 2.2 * R}, {0, 0, -1}}};
+  lid.motion.drive = dem::WallDrive{.axis = {0, 0, -1}, .mass = 3e-4, .force = force, .damping = 0.1};
+  around.walls = {{dem::Plane{{}, {0, 0, 1}}}, lid};
+  dem::Assembly assembly({alone(fiber, {0, 0, R}, {1, 0, 0})}, around, {.step = 4e-6});
+  assembly.march(250000);
+  assembly.begin_wall_interval();
+  assembly.march(1000);
+  const auto samples = assembly.wall_samples();
+  within(samples[1].mean.force[2] / force, 1, 1e-6, "on the plate");
+  within(samples[0].mean.force[2] / -(force + W), 1, 1e-6, "on the floor");
+  // Hertz: four spheres share it
+  const double E = 2.6e6 / (1 - 0.17 * 0.17), k = 4.0 / 3 * E * std::sqrt(R);
+  const double top = std::pow(force / 4 / k, 2.0 / 3), bottom = std::pow((force + W) / 4 / k, 2.0 / 3);
+  within((2 * R - samples[1].center[2]) / (top + bottom), 1, 2e-3, "height of the plate");
+}
+
+/// The list keeps up with walls that turn: every sphere in a wall is one of its contacts.
+BOOST_AUTO_TEST_CASE(no_sphere_at_a_turning_wall_is_missed) {
+  Mill mill;
+  mill.around.walls[3].motion.angular_velocity = -150;
+  dem::Assembly assembly = mill.assembly(3e-6);
+  std::int64_t seen = 0;
+  for (int n = 0; n < 60; ++n) {
+    assembly.march(97);
+    std::int64_t expected = 0, found = 0;
+    const dem::PlacedSpheres all = assembly.placed();
+    for (const dem::Wall& wall : assembly.walls()) {
+      for (std::size_t i = 0; i < all.radius.size(); ++i)
+        expected += gap_to(wall, all.position[i], assembly.time()) < all.radius[i] ? 1 : 0;
+    }
+    for (const auto& contact : assembly.contacts()) found += is_facet(contact.key.second) ? 1 : 0;
+    BOOST_TEST(found == expected);
+    seen += found;
+  }
+  BOOST_TEST(seen > 100);
+}
+
+/// A run restored amid an interval, walls turning and driven, goes on to the bit; so does one on two threads.
+BOOST_AUTO_TEST_CASE(restored_runs_with_moving_walls_go_on_to_the_bit) {
+  const Mill mill;
+  dem::Assembly whole = mill.assembly(3e-6, true), other = mill.assembly(3e-6, true, 2);
+  whole.march(3000);
+  whole.begin_wall_interval();
+  whole.march(700);
+  other.restore(whole.saved());
+  for (dem::Assembly* assembly : {&whole, &other}) assembly->march(1300);
+  const auto a = whole.wall_samples(), b = other.wall_samples();
+  for (std::size_t w = 0; w < a.size(); ++w) {
+    for (int c = 0; c < 3; ++c) {
+      BOOST_TEST(a[w].mean.force[c] == b[w].mean.force[c]);
+      BOOST_TEST(a[w].mean.moment[c] == b[w].mean.moment[c]);
+      BOOST_TEST(a[w].center[c] == b[w].center[c]);
+    }
+    BOOST_TEST(a[w].force_peak == b[w].force_peak);
+    BOOST_TEST(a[w].work == b[w].work);
+  }
+  const dem::PlacedSpheres x = whole.placed(), y = other.placed();
+  for (std::size_t i = 0; i < x.position.size(); ++i) {
+    for (int c = 0; c < 3; ++c) BOOST_TEST_REQUIRE(x.position[i][c] == y.position[i][c]);
+  }
+  BOOST_TEST(norm(a[2].center - mill.around.walls[2].shape.point()) > 1e-5);  // the lid has moved
+}
+
+BOOST_AUTO_TEST_SUITE_END()
