@@ -64,9 +64,9 @@ struct Mill {
     around.wall_youngs_modulus = 5e6;
     const V y{0, 1, 0};
     dem::Wall drum{dem::Cylinder{{}, y, 0.02}}, left{dem::Plane{{0, -0.012, 0}, y}},
-        lid{dem::Plane{{0, 0.012, 0}, -y}}, paddle{dem::BoxObstacle{{0, 0, -0.006}, {2e-3, 6e-3, 4e-3}, {1, 0, 0}, y}},
-        funnel{dem::Cone{{0, 0, 0.012}, {0, 0, -1}, 6e-3, 9e-3, 3e-3, 4e-4}},
-        ball{dem::Sphere{{-0.012, 0, 0}, 3e-3, -1}};
+        lid{dem::Plane{{0, 0.012, 0}, -y}}, paddle{dem::BoxObstacle{{0, 0, -4.5e-3}, {1.5e-3, 6e-3, 2.5e-3}, {1, 0, 0}, y}},
+        funnel{dem::Cone{{0, 0, 14.5e-3}, {0, 0, -1}, 4e-3, 7e-3, 3e-3, 2e-4}},
+        ball{dem::Sphere{{-12.5e-3, 0, 0}, 2.5e-3, -1}};
     drum.motion.about = left.motion.about = paddle.motion.about = dem::WallAxis{{}, y};
     drum.motion.angular_velocity = left.motion.angular_velocity = 21;
     paddle.motion.angular_velocity = -9;
@@ -76,7 +76,7 @@ struct Mill {
     const dem::Fiber fiber = fiber_with(5);
     fibers.chain = dem::straight_chain<3>(fiber);
     for (int n = 0; n < 12; ++n) {
-      const double angle = 0.4 + 2 * pi * n / 12;
+      const double angle = 0.25 + 2 * pi * n / 12;
       fibers.fibers.push_back(dem::placed(fibers.chain, {{0.0165 * std::cos(angle), -4e-3, 0.0165 * std::sin(angle)},
                                                          y, {0.1, -0.05, 0.02}}));
     }
