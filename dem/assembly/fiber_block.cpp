@@ -12,7 +12,7 @@
 namespace fiberchain::dem {
 namespace {
 
-using Sphere = MovingSphere<double, 3>;
+using Moving = MovingSphere<double, 3>;
 
 /// Lanes of `dissipated_`: three sums a lane.
 constexpr int taken_numbers = 3;
@@ -212,10 +212,10 @@ void FiberBlock::to_this_moment(const GroupKind& kind, const SphereStorage& rows
     kind.kernel->half_kick(snapshot_view(kind, rows, loads, gradient, snapshot), false);
 }
 
-Sphere FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const {
+Moving FiberBlock::sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane, int index) const {
   const std::size_t width = kind.kernel->width;
-  Sphere sphere{};
-  snapshot.spheres.get(sphere, index * numbers_of<Sphere> * width + lane, width);
+  Moving sphere{};
+  snapshot.spheres.get(sphere, index * numbers_of<Moving> * width + lane, width);
   return sphere;
 }
 
@@ -226,7 +226,7 @@ void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loa
   if (together) kind.kernel->half_kick(snapshot_view(kind, rows, loads, gradient, now), true);
   for (int lane = 0; lane < lanes_; ++lane) {
     for (int i = 0; i < kind.spheres(); ++i) {
-      Sphere s = sphere(kind, now, lane, i);
+      Moving s = sphere(kind, now, lane, i);
       if (!together) move_half_step(s, kind.half_of(i), EndLoad<double, 3>{}, A, true);
       double* own = rows.velocity_row(first_[lane] + i);
       for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];

@@ -62,7 +62,7 @@ struct CourseFileKeys {
   std::optional<Vec<double, 3>> point, axis;
 };
 
-KeyTable<CourseFileKeys> course_keys() {
+KeyTable<CourseFileKeys> course_file_keys() {
   KeyTable<CourseFileKeys> table;
   table
       .word("file", &CourseFileKeys::file, "path",
@@ -156,7 +156,7 @@ void declare_wall_motion(KeyTable<Wall>& table) {
           },
           "it goes to and fro")
       .otherwise("none");
-  table.mapping("course", course_keys(), &store_course, "it goes as a table says").otherwise("none");
+  table.mapping("course", course_file_keys(), &store_course, "it goes as a table says").otherwise("none");
   table
       .mapping(
           "drive", drive_keys(),
