@@ -64,10 +64,11 @@ struct Mill {
     around.wall_youngs_modulus = 5e6;
     const V y{0, 1, 0};
     dem::Wall drum{dem::Cylinder{{}, y, 0.02}}, left{dem::Plane{{0, -0.012, 0}, y}},
-        lid{dem::Plane{{0, 0.012, 0}, -y}}, paddle{dem::BoxObstacle{{0, 0, -4.5e-3}, {1.5e-3, 6e-3, 2.5e-3}, {1, 0, 0}, y}},
+        lid{dem::Plane{{0, 0.012, 0}, -y}}, paddle{dem::BoxObstacle{{0, 0, -15e-3}, {1e-3, 6e-3, 1.5e-3}, {1, 0, 0}, y}},
         funnel{dem::Cone{{0, 0, 14.5e-3}, {0, 0, -1}, 4e-3, 7e-3, 3e-3, 2e-4}},
         ball{dem::Sphere{{-12.5e-3, 0, 0}, 2.5e-3, -1}};
-    drum.motion.about = left.motion.about = paddle.motion.about = dem::WallAxis{{}, y};
+    drum.motion.about = left.motion.about = dem::WallAxis{{}, y};
+    paddle.motion.about = dem::WallAxis{paddle.shape.point(), y};
     drum.motion.angular_velocity = left.motion.angular_velocity = 21;
     paddle.motion.angular_velocity = -9;
     funnel.motion.oscillation = dem::WallOscillation{{0.6, 0, 0.8}, 4e-4, 70, 0.3, 0.01};
@@ -98,7 +99,7 @@ BOOST_AUTO_TEST_CASE(impulses_of_walls_are_the_change_of_momentum) {
   double then = 0, largest = 0;
   std::vector<double> seen(mill.around.walls.size(), 0);
   for (int n = 0; n < 40; ++n) {
-    assembly.march(n % 3 == 0 ? 611 : 257);
+    assembly.march(n % 3 == 0 ? 1811 : 957);
     const double T = assembly.time() - then;
     V impulse = (m * T) * mill.around.gravity;
     double size = norm(impulse);
@@ -118,12 +119,12 @@ BOOST_AUTO_TEST_CASE(impulses_of_walls_are_the_change_of_momentum) {
   }
   BOOST_TEST_MESSAGE("impulses off by " << largest << " of their sizes");
   BOOST_TEST(largest < 1e-12);
-  for (const double force : seen) BOOST_TEST(force > 0.0);  // every wall was touched
+  for (std::size_t w = 0; w < seen.size(); ++w)
+    BOOST_TEST(seen[w] > 0.0, "wall " << w << " was not touched");
 }
 
-/// What is given by walls that turn, swing and are driven closes the energy: its error falls as the square of
-/// the step.
-BOOST_AUTO_TEST_CASE(energy_with_moving_walls_is_of_second_order) {
+/// What is given by walls that turn, swing and are driven closes the energy, impacts and all.
+BOOST_AUTO_TEST_CASE(energy_with_moving_walls_closes) {
   double off[2], given = 0;
   for (int n = 0; n < 2; ++n) {
     const Mill mill;
@@ -139,8 +140,62 @@ BOOST_AUTO_TEST_CASE(energy_with_moving_walls_is_of_second_order) {
     off[n] = (total(now) - begin) / given;
     BOOST_TEST_MESSAGE("total energy off by " << off[n] << " of what walls gave");
   }
-  BOOST_TEST(std::abs(off[0]) < 2e-3);
+  BOOST_TEST(std::abs(off[0]) < 1e-4);
   BOOST_TEST(std::abs(off[1]) < 0.5 * std::abs(off[0]));
+}
+
+namespace {
+
+struct Angle {
+  double mean, depth;  ///< from the bottom [rad], of the middle's sphere in the wall [m]
+};
+
+/// Where a fiber's middle is in a drum about y through `center`, over so many steps. Coulomb's friction takes
+/// nothing from its swings about the place of rest: they are averaged out by a window without ends (Hann).
+Angle angle_in_drum(dem::Assembly& assembly, const V& center, double drum, int samples) {
+  Angle sum{};
+  const double R = dem::sphere_radius(assembly.chain(0).fiber);
+  for (int n = 0; n < samples; ++n) {
+    assembly.march(500);
+    V at = middle(assembly) - center;
+    at[1] = 0;
+    const double weight = (1 - std::cos(2 * pi * (n + 0.5) / samples)) / samples;
+    sum.mean += weight * std::atan2(at[0], -at[2]);
+    sum.depth += weight * (R - (drum - norm(at)));
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// Without impacts: a fiber stays on a drum that swings about its axis and goes up and down.
+BOOST_AUTO_TEST_CASE(work_of_a_swinging_drum_is_of_second_order) {
+  double off[3];
+  for (int n = 0; n < 3; ++n) {
+    const dem::Fiber fiber = fiber_with(4);
+    const double R = dem::sphere_radius(fiber), drum = 0.0231, T = 0.048;
+    dem::Domain around;
+    around.gravity = {0, 0, -g};
+    around.contacts = {.restitution = 0.8, .friction = 0.9};
+    dem::Wall wall{dem::Cylinder{{}, {0, 1, 0}, drum}};
+    wall.motion.about = dem::WallAxis{{}, {0, 1, 0}};
+    wall.motion.course = dem::WallCourse{{1, 0, 0}, dem::monotone_cubic({0, T / 3, T}, {0, 2e-3, -1e-3}),
+                                         dem::monotone_cubic({0, T / 2, T}, {0, 0.3, -0.2})};
+    wall.motion.oscillation = dem::WallOscillation{{0, 0, 1}, 5e-5, 60, 0.5 * pi};
+    around.walls = {wall};
+    const double E = 2.6e6 / (1 - 0.17 * 0.17), k = 4.0 / 3 * E * std::sqrt(R),
+                 rest = std::pow(dem::sphere_mass(fiber) * g / k, 2.0 / 3), step = 1.6e-5 / (1 << n);
+    dem::Assembly assembly({alone(fiber, {0, 0, -(drum - R + 1.5 * rest)}, {0, 1, 0})}, around,
+                           {.step = step, .account_energy = true});
+    const double begin = total(assembly.energy());
+    assembly.march(static_cast<std::int64_t>(std::round(T / step)));
+    BOOST_TEST(assembly.touching() == 5);
+    const dem::EnergyBalance now = assembly.energy();
+    off[n] = (total(now) - begin) / std::abs(now.wall_work);
+    BOOST_TEST_MESSAGE("swinging drum at " << step << " s: off by " << off[n] << " of the work");
+  }
+  BOOST_TEST(std::abs(off[0]) < 1e-2);
+  for (int n = 0; n < 2; ++n) within(off[n] / off[n + 1], 4, 0.4, "order 2");
 }
 
 /// In a turning drum a fiber that rolls comes to rest where mu_r R F_n holds its weight's moment:
@@ -157,15 +212,8 @@ BOOST_AUTO_TEST_CASE(what_rolls_in_a_drum_rests_at_the_angle_of_rolling_friction
   around.walls = {wall};
   dem::Assembly assembly({alone(fiber, {0.2 * drum, 0, 0.01 - 0.97 * (drum - R)}, {0, 1, 0})}, around,
                          {.step = 5e-6});
-  assembly.march(300000);
-  double angle = 0, depth = 0;
-  const int samples = 200;
-  for (int n = 0; n < samples; ++n) {
-    assembly.march(500);
-    const V at = middle(assembly) - V{0, middle(assembly)[1], 0.01};
-    angle += std::atan2(at[0], -at[2]) / samples;
-    depth += (R - (drum - norm(at))) / samples;
-  }
+  assembly.march(200000);
+  const auto [angle, depth] = angle_in_drum(assembly, {0, 0, 0.01}, drum, 800);
   const double expected = std::atan(mu_r * R / (R - depth));
   BOOST_TEST_MESSAGE("drum: " << angle << " rad, statics " << expected);
   within(angle / expected, 1, 2e-3, "angle");
@@ -185,15 +233,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_roll_in_a_drum_rests_at_the_angle_of_friction) 
   wall.motion.angular_velocity = -2.3;
   around.walls = {wall};
   const double path = drum - R, half = R, alpha = std::asin(half / path), d = path * std::cos(alpha);
-  dem::Assembly assembly({alone(fiber, {-half, 0, -d}, {1, 0, 0})}, around, {.step = 2e-6});
-  assembly.march(500000);
-  double angle = 0;
-  const int samples = 200;
-  for (int n = 0; n < samples; ++n) {
-    assembly.march(500);
-    const V at = middle(assembly);
-    angle += std::atan2(at[0], -at[2]) / samples;
-  }
+  const double start = 0.38;
+  const V along{std::cos(start), 0, std::sin(start)}, out{std::sin(start), 0, -std::cos(start)};
+  dem::Assembly assembly({alone(fiber, d * out - half * along, along)}, around, {.step = 2e-6});
+  assembly.march(200000);
+  const double angle = angle_in_drum(assembly, {}, drum, 1600).mean;
   // unknown N1, N2 of a weight 1 at angle theta; residual: the moment
   const auto residual = [&](double theta) {
     const double a = theta - alpha, b = theta + alpha;
@@ -305,7 +349,7 @@ BOOST_AUTO_TEST_CASE(no_sphere_at_a_turning_wall_is_missed) {
   mill.around.walls[3].motion.angular_velocity = -150;
   dem::Assembly assembly = mill.assembly(3e-6);
   std::int64_t seen = 0;
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < 400; ++n) {
     assembly.march(97);
     std::int64_t expected = 0, found = 0;
     const dem::PlacedSpheres all = assembly.placed();
