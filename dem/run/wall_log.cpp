@@ -3,16 +3,6 @@
 #include <string>
 
 namespace fiberchain::dem {
-namespace {
-
-const char* const kAlong[] = {"x", "y", "z"};
-
-void put_vector(NamedRow& row, const std::string& name, const Vec<double, 3>& v) {
-  for (int c = 0; c < 3; ++c) row.emplace_back(name + "_" + kAlong[c], v[c]);
-}
-
-}  // namespace
-
 Table wall_log_table() {
   return Table({"step", "simulated_time", "wall", "wall_shape", "wall_force_x", "wall_force_y", "wall_force_z",
                 "wall_moment_x", "wall_moment_y", "wall_moment_z", "wall_force_peak", "wall_moment_peak",
@@ -24,16 +14,23 @@ Table wall_log_rows(const Assembly& assembly) {
   const std::vector<WallSample> samples = assembly.wall_samples();
   for (std::size_t w = 0; w < samples.size(); ++w) {
     const WallSample& sample = samples[w];
-    NamedRow row = {{"step", assembly.steps()},
-                    {"simulated_time", assembly.time()},
-                    {"wall", static_cast<std::int64_t>(w) + 1},
-                    {"wall_shape", std::string(assembly.walls()[w].shape.type().name)},
-                    {"wall_force_peak", sample.force_peak},
-                    {"wall_moment_peak", sample.moment_peak},
-                    {"wall_work", sample.work}};
-    put_vector(row, "wall_force", sample.mean.force);
-    put_vector(row, "wall_moment", sample.mean.moment);
-    put_vector(row, "wall_center", sample.center);
+    const Vec<double, 3>&force = sample.mean.force, &moment = sample.mean.moment, &center = sample.center;
+    const NamedRow row = {{"step", assembly.steps()},
+                          {"simulated_time", assembly.time()},
+                          {"wall", static_cast<std::int64_t>(w) + 1},
+                          {"wall_shape", std::string(assembly.walls()[w].shape.type().name)},
+                          {"wall_force_x", force[0]},
+                          {"wall_force_y", force[1]},
+                          {"wall_force_z", force[2]},
+                          {"wall_moment_x", moment[0]},
+                          {"wall_moment_y", moment[1]},
+                          {"wall_moment_z", moment[2]},
+                          {"wall_force_peak", sample.force_peak},
+                          {"wall_moment_peak", sample.moment_peak},
+                          {"wall_work", sample.work},
+                          {"wall_center_x", center[0]},
+                          {"wall_center_y", center[1]},
+                          {"wall_center_z", center[2]}};
     table.append(row);
   }
   return table;
