@@ -150,7 +150,7 @@ class Assembly {
   std::vector<WallSample> wall_samples() const;
   void begin_wall_interval();
   const std::vector<Wall>& walls() const;  ///< those that are driven stand where they are now
-  std::int64_t sort_count() const;             ///< how often fibers have been sorted in space since the start
+  std::int64_t sort_count() const;         ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;
   AssemblySample sample() const;              ///< the same and the bending, in one pass
   StepTimes times() const;                    ///< since the start; zero unless asked for

@@ -155,8 +155,8 @@ std::string Assembly::State::place_of(std::int64_t sphere) const {
 }
 
 void Assembly::State::fail(std::int64_t sphere, std::int64_t from) const {
-  const bool walls_come = std::ranges::any_of(
-      domain.walls, [](const Wall& w) { return w.active_from > 0 || !is_at_rest(w); });
+  const bool walls_come =
+      std::ranges::any_of(domain.walls, [](const Wall& w) { return w.active_from > 0 || !is_at_rest(w); });
   throw Diverged(
       fmt::format("the run blew up: {} between steps {} and {} (dt = {:.6g} s, t = {:.6g} s); likely cause: "
                   "a step too long "

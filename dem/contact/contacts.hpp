@@ -145,7 +145,7 @@ class Contacts {
     std::vector<WallNeighbors> walls;
     std::vector<WallLoad> wall_loads;  ///< of each now
     std::vector<double> wall_brought;  ///< work of each as it came or went, waiting for end_forces() [J]
-    ContactHistories histories;  ///< of the pairs and at the walls
+    ContactHistories histories;        ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
     std::vector<HaloForce> halo;
     std::vector<std::vector<std::int32_t>> halo_of_part;  ///< numbers in halo, by the part they are for
@@ -217,7 +217,8 @@ class Contacts {
   double reference_time_ = 0;
   std::vector<WallPose> reference_poses_;  ///< of the walls when the list was built
   std::vector<double> reference_shifts_;   ///< of those that are driven [m]
-  std::vector<double> turn_reach_;  ///< of each: distance of spheres from where it turns; 0 unless visibly [m]
+  std::vector<double>
+      turn_reach_;  ///< of each: distance of spheres from where it turns; 0 unless visibly [m]
   std::vector<WallRecord> records_;
   std::vector<Part> parts_;
   std::vector<UpdateScratch> scratch_;  ///< one a thread

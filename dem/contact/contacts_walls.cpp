@@ -115,7 +115,8 @@ void Contacts::measure_turn_reach() {
   turn_reach_.assign(domain_.walls.size(), 0);
   for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
     if (!turns_visibly(domain_.walls[w])) continue;
-    const Vec<double, 3> center = reference_poses_[w].center_now(), axis = domain_.walls[w].motion.about->axis;
+    const Vec<double, 3> center = reference_poses_[w].center_now(),
+                         axis = domain_.walls[w].motion.about->axis;
     for (const Vec<double, 3>& place : neighbors_.reference_positions())
       turn_reach_[w] = std::max(turn_reach_[w], norm(cross(place - center, axis)));
   }

@@ -22,11 +22,11 @@ struct WallRecord {
 
 /// Of a wall in an interval that ends now.
 struct WallSample {
-  WallLoad mean;         ///< impulse over the time
-  double force_peak;     ///< size of the largest force at any step [N]
-  double moment_peak;    ///< likewise [N m]
-  double work;           ///< done on fibers since the start [J]
-  Vec<double, 3> center; ///< about which moments are [m]
+  WallLoad mean;          ///< impulse over the time
+  double force_peak;      ///< size of the largest force at any step [N]
+  double moment_peak;     ///< likewise [N m]
+  double work;            ///< done on fibers since the start [J]
+  Vec<double, 3> center;  ///< about which moments are [m]
 };
 
 }  // namespace fiberchain::dem

@@ -56,8 +56,8 @@ double MonotoneCubic::largest_rate() const {
 MonotoneCubic monotone_cubic(std::vector<double> time, std::vector<double> value) {
   std::vector<double> rate(time.size(), 0);
   for (std::size_t n = 1; n + 1 < time.size(); ++n) {
-    const double h0 = time[n] - time[n - 1], h1 = time[n + 1] - time[n],
-                 s0 = (value[n] - value[n - 1]) / h0, s1 = (value[n + 1] - value[n]) / h1;
+    const double h0 = time[n] - time[n - 1], h1 = time[n + 1] - time[n], s0 = (value[n] - value[n - 1]) / h0,
+                 s1 = (value[n + 1] - value[n]) / h1;
     if (!(s0 * s1 > 0)) continue;
     const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
     rate[n] = (w0 + w1) / (w0 / s0 + w1 / s1);

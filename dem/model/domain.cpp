@@ -56,8 +56,7 @@ WallVelocity velocity_at(const Wall& wall, double time) {
   if (motion.course) v = v + motion.course->place.rate_at(time) * motion.course->axis;
   if (motion.drive) v = v + motion.drive->speed * motion.drive->axis;
   if (motion.about) {
-    const double rate =
-        motion.angular_velocity + (motion.course ? motion.course->angle.rate_at(time) : 0);
+    const double rate = motion.angular_velocity + (motion.course ? motion.course->angle.rate_at(time) : 0);
     all.spin = rate * motion.about->axis;
   }
   return all;

@@ -23,9 +23,9 @@ struct WallOscillation {
   double phase = 0;       ///< [rad]
   double ramp = 0;        ///< [s]
 
-  double at(double time) const;            ///< s [m]
-  double rate_at(double time) const;       ///< ds/dt [m/s]
-  double largest_rate() const;             ///< a bound [m/s]
+  double at(double time) const;       ///< s [m]
+  double rate_at(double time) const;  ///< ds/dt [m/s]
+  double largest_rate() const;        ///< a bound [m/s]
 };
 
 /// Places and angles at given times.

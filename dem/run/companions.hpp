@@ -16,7 +16,7 @@ namespace fiberchain::dem {
 /// What they are opened for.
 struct CompanionsOf {
   RunFiles files;
-  Table log;  ///< empty, with its columns
+  Table log;          ///< empty, with its columns
   Table wall_log;     ///< likewise
   std::size_t walls;  ///< how many; rows of that of each step
   Provenance provenance;

@@ -4,9 +4,9 @@
 
 namespace fiberchain::dem {
 Table wall_log_table() {
-  return Table({"step", "simulated_time", "wall", "wall_shape", "wall_force_x", "wall_force_y", "wall_force_z",
-                "wall_moment_x", "wall_moment_y", "wall_moment_z", "wall_force_peak", "wall_moment_peak",
-                "wall_work", "wall_center_x", "wall_center_y", "wall_center_z"});
+  return Table({"step", "simulated_time", "wall", "wall_shape", "wall_force_x", "wall_force_y",
+                "wall_force_z", "wall_moment_x", "wall_moment_y", "wall_moment_z", "wall_force_peak",
+                "wall_moment_peak", "wall_work", "wall_center_x", "wall_center_y", "wall_center_z"});
 }
 
 Table wall_log_rows(const Assembly& assembly) {

@@ -30,8 +30,8 @@ void check_walls(const PackingScene& scene, const PackingFiberKind& kind, std::s
     for (std::size_t w = 0; w < scene.domain.walls.size(); ++w) {
       const double gap = distance_to(scene.domain.walls[w], poses[i].position, 0);
       if (radius - gap < refused_from * radius) continue;
-      const std::string wall =
-          fmt::format("wall {} (walls of the box first, then planes, cylinders, spheres, obstacles, cones)", w + 1);
+      const std::string wall = fmt::format(
+          "wall {} (walls of the box first, then planes, cylinders, spheres, obstacles, cones)", w + 1);
       if (gap <= 0) {
         throw InvalidInput(
             fmt::format("{}its center is {:.4g} m behind {}", sphere_of(kind, fiber, i), -gap, wall));

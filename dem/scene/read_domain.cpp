@@ -83,8 +83,7 @@ std::optional<double> floor_below(const std::vector<Wall>& walls, int axis, doub
     if (!plane || plane->normal[axis] != 1 || plane->point[axis] > spheres) continue;
     const double position = plane->point[axis];
     if (wall.active_from <= 0) at_start = std::max(at_start.value_or(position), position);
-    const bool for_good =
-        wall.active_until == std::numeric_limits<double>::infinity() && is_at_rest(wall);
+    const bool for_good = wall.active_until == std::numeric_limits<double>::infinity() && is_at_rest(wall);
     if (for_good) stays = std::max(stays.value_or(position), position);
   }
   return stays ? stays : at_start;

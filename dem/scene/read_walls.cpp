@@ -105,8 +105,9 @@ KeyTable<Wall> cylinder_keys() {
 KeyTable<Wall> sphere_keys() {
   KeyTable<Wall> table(Wall{Sphere{}});
   const auto sphere = [](Wall& wall) -> Sphere& { return *wall.shape.get_if<Sphere>(); };
-  table.vector(
-           "center", "m", [=](Wall & wall) -> auto& { return sphere(wall).point; }, "center")
+  table
+      .vector(
+          "center", "m", [=](Wall & wall) -> auto& { return sphere(wall).point; }, "center")
       .required();
   table
       .quantity(
@@ -121,11 +122,13 @@ KeyTable<Wall> sphere_keys() {
 KeyTable<Wall> obstacle_keys() {
   KeyTable<Wall> table(Wall{BoxObstacle{.along = {1, 0, 0}, .across = {0, 1, 0}}});
   const auto box = [](Wall& wall) -> BoxObstacle& { return *wall.shape.get_if<BoxObstacle>(); };
-  table.vector(
-           "center", "m", [=](Wall & wall) -> auto& { return box(wall).point; }, "center")
+  table
+      .vector(
+          "center", "m", [=](Wall & wall) -> auto& { return box(wall).point; }, "center")
       .required();
-  table.vector(
-           "sides", "m", [=](Wall & wall) -> auto& { return box(wall).half; }, "lengths of its sides, above 0")
+  table
+      .vector(
+          "sides", "m", [=](Wall & wall) -> auto& { return box(wall).half; }, "lengths of its sides, above 0")
       .required();
   table
       .direction(

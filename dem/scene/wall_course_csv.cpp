@@ -28,8 +28,7 @@ std::vector<std::size_t> course_header(const CsvReader& reader, const std::vecto
     const std::string_view field = trimmed(text);
     const auto* const found = std::ranges::find(course_columns, field);
     if (found == course_columns.end()) {
-      reader.fail(
-          fmt::format("column '{}' is unknown; columns are time, place and angle", printable(field)));
+      reader.fail(fmt::format("column '{}' is unknown; columns are time, place and angle", printable(field)));
     }
     const auto column = static_cast<std::size_t>(found - course_columns.begin());
     if (std::ranges::find(columns, column) != columns.end())

@@ -1,5 +1,5 @@
-// Nearest points of wall shapes against the least distance of their surface's own points, turned walls against
-// shapes where they stand, and how walls move.
+// Nearest points of wall shapes against the least distance of their surface's own points, turned walls
+// against shapes where they stand, and how walls move.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -106,16 +106,13 @@ BOOST_AUTO_TEST_CASE(nearest_points_are_the_nearest_of_the_surface) {
   const V at{0.013, -0.027, 0.041};
   const double R = 0.0173;
   for (const double side : {1.0, -1.0}) {
-    check_nearest(
-        dem::Sphere{at, R, side},
-        {[&](double u, double v) {
-          return at + round(f, R * std::sin(pi * u), v) + R * std::cos(pi * u) * f.z;
-        }},
-        R, [&](const V& x) { return side * (R - norm(x)) < 0; });
-    check_nearest(
-        dem::Cylinder{at, f.z, R, side},
-        {[&](double u, double v) { return at + round(f, R, v) + (6 * R * (u - 0.5)) * f.z; }}, R,
-        [&](const V& x) { return side * (R - norm(x - dot(x, f.z) * f.z)) < 0; });
+    check_nearest(dem::Sphere{at, R, side}, {[&](double u, double v) {
+                    return at + round(f, R * std::sin(pi * u), v) + R * std::cos(pi * u) * f.z;
+                  }},
+                  R, [&](const V& x) { return side * (R - norm(x)) < 0; });
+    check_nearest(dem::Cylinder{at, f.z, R, side},
+                  {[&](double u, double v) { return at + round(f, R, v) + (6 * R * (u - 0.5)) * f.z; }}, R,
+                  [&](const V& x) { return side * (R - norm(x - dot(x, f.z) * f.z)) < 0; });
   }
   const V half{0.4 * R, 1.1 * R, 0.7 * R};
   std::vector<Patch> faces;
@@ -136,13 +133,11 @@ BOOST_AUTO_TEST_CASE(nearest_points_are_the_nearest_of_the_surface) {
   const double sizes[][3] = {{1.3, 1.1, 0.35}, {0.9, 0.6, 0.6}, {1.2, 0, 0.8}, {0, 0.4, 1.1}};
   for (const auto& s : sizes) {
     const double L = R * s[0], a = R * s[1], b = R * s[2];
-    check_nearest(dem::Cone{at, f.z, L, a, b},
-                  {[&](double u, double v) {
+    check_nearest(dem::Cone{at, f.z, L, a, b}, {[&](double u, double v) {
                     const double part = std::clamp(u, 0.0, 1.0);
                     return at + round(f, a + part * (b - a), v) + part * L * f.z;
                   }},
-                  R,
-                  [](const V&) { return false; });
+                  R, [](const V&) { return false; });
     const double half_shell = 0.031 * R;
     const dem::Cone thick{at, f.z, L, a, b, half_shell}, thin{at, f.z, L, a, b};
     const V from = R * V{0.3, 0.8, -0.2};
@@ -150,8 +145,8 @@ BOOST_AUTO_TEST_CASE(nearest_points_are_the_nearest_of_the_surface) {
   }
 }
 
-/// Around faces, edges and corners the normal turns no faster than around a point at this distance, and the gap
-/// changes by no more than the way.
+/// Around faces, edges and corners the normal turns no faster than around a point at this distance, and the
+/// gap changes by no more than the way.
 BOOST_AUTO_TEST_CASE(a_box_is_one_surface_with_a_normal_that_turns_steadily) {
   const Frame f = odd_frame();
   const dem::BoxObstacle box{{}, {0.011, 0.007, 0.019}, f.x, f.y};

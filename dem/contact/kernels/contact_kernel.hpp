@@ -65,8 +65,8 @@ struct HaloForce {
 
 /// A wall as it is now, and the spheres of a part near it.
 struct WallView {
-  int shape_index;  ///< of its shape in the kernels' list
-  double shape[wall_shape_size];            ///< numbers of its shape
+  int shape_index;                         ///< of its shape in the kernels' list
+  double shape[wall_shape_size];           ///< numbers of its shape
   double center[3], velocity[3], spin[3];  ///< of its motion half a step before, about a center now
   const std::int32_t* slots;
   std::int32_t count;        ///< padded to whole vectors
@@ -88,9 +88,9 @@ struct ContactTask {
   std::int32_t halo_count;
   std::int64_t contacts;  ///< counted
   ContactAccount<double> account;
-  ContactAccount<double> power;  ///< of this moment [W]
+  ContactAccount<double> power;          ///< of this moment [W]
   double wall_force[3], wall_moment[3];  ///< on the wall, about its center: summed
-  double deepest;                ///< largest overlap over the (smaller) radius so far
+  double deepest;                        ///< largest overlap over the (smaller) radius so far
 };
 
 /// Spheres in some order, with lanes_beyond behind them.

@@ -47,8 +47,8 @@ TouchingPair<Real> pair_at_wall(const WallLanes<Real>& at, const VelocitySpin<Re
   TouchingPair<Real> pair;
   pair.normal = at.nearest.direction;
   pair.overlap = select(at.nearest.distance < at.reach, at.radius - at.nearest.distance, Real(1e-300));
-  pair.velocity = plus_cross(wall.velocity, wall.spin, at.arm) - v -
-                  cross(at.nearest.distance * w, at.nearest.direction);
+  pair.velocity =
+      plus_cross(wall.velocity, wall.spin, at.arm) - v - cross(at.nearest.distance * w, at.nearest.direction);
   pair.spin = wall.spin - w;
   pair.mean_spin = Real(0.5) * (w + wall.spin);
   return pair;
@@ -92,8 +92,7 @@ LoadRows<Real> wall_loads(const ContactView& view, const WallView& wall, const W
   [[maybe_unused]] const auto before = history;
   const ContactAction<Real> action = Law::template act<P.rolling>(p, pair, Real(view.step), history);
   store_struct<contact_history_size, Law::template History, Real>(history, history_rows);
-  if constexpr (P.accounted)
-    account_wall<Law>(view, at, p, pair, before, history, action, task);
+  if constexpr (P.accounted) account_wall<Law>(view, at, p, pair, before, history, action, task);
   load_wall(at, action, load);
   LoadRows<Real> loads;
   to_rows(action.force, at.nearest.distance * cross(at.nearest.direction, action.force) + action.moment,
@@ -129,7 +128,8 @@ template <class Law, ContactPhysics P, class Shapes, class Real>
 FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wall, ContactTask& task) {
   constexpr int lanes = lane_count<Real>;
   const NearestOfShape<Real> nearest = Shapes::list[wall.shape_index];
-  const WallMotionLanes<Real> motion{broadcast_vector<Real>(wall.velocity), broadcast_vector<Real>(wall.spin)};
+  const WallMotionLanes<Real> motion{broadcast_vector<Real>(wall.velocity),
+                                     broadcast_vector<Real>(wall.spin)};
   const Vec<Real, 3> center = broadcast_vector<Real>(wall.center);
   WallLoadLanes<Real> load;
   Real deepest(0.0);

@@ -17,9 +17,9 @@ namespace fiberchain::dem {
 /// Numbers a shape may consist of.
 inline constexpr int wall_shape_size = 12;
 
-/// Numbers only, of which `point` [m] moves with the wall; nearest() takes points relative to it, turn() turns
-/// the shape about it, is_round_about() says whether it looks the same turned about a line. Its gap is a
-/// distance: from one point to another it changes by no more than the way between them.
+/// Numbers only, of which `point` [m] moves with the wall; nearest() takes points relative to it, turn()
+/// turns the shape about it, is_round_about() says whether it looks the same turned about a line. Its gap is
+/// a distance: from one point to another it changes by no more than the way between them.
 template <class Shape>
 concept WallGeometry = std::is_trivially_copyable_v<Shape> &&
                            sizeof(Shape) <= wall_shape_size * sizeof(double) &&
@@ -27,7 +27,7 @@ concept WallGeometry = std::is_trivially_copyable_v<Shape> &&
   { shape.nearest(from) } -> std::same_as<NearestPoint<double>>;
   { shape.is_invariant_along(axis) } -> std::same_as<bool>;
   { shape.is_round_about(from, from) } -> std::same_as<bool>;
-  { [](Shape s, const Quaternion<double>& by) { s.turn(by); } };
+  {[](Shape s, const Quaternion<double>& by) { s.turn(by); }};
   { shape.point[axis] } -> std::convertible_to<double>;
   { Shape::name } -> std::convertible_to<std::string_view>;
 };

@@ -18,7 +18,8 @@ inline constexpr Column packing[] = {
     {"time_left", number, "s", "wall-clock time until the last step at that rate"},
 
     // What fibers do to walls.
-    {"wall", integer, "1", "number of the wall: those of the box first, then planes and so on, as in the scene"},
+    {"wall", integer, "1",
+     "number of the wall: those of the box first, then planes and so on, as in the scene"},
     {"wall_shape", text, "", "shape of the wall"},
     {"wall_force_x", number, "N", "force of the fibers on the wall, mean since the sample before"},
     {"wall_force_y", number, "N", "likewise"},
@@ -28,7 +29,8 @@ inline constexpr Column packing[] = {
     {"wall_moment_z", number, "N m", "likewise"},
     {"wall_force_peak", number, "N", "size of the largest force of a step since the sample before"},
     {"wall_moment_peak", number, "N m", "likewise of the moment"},
-    {"wall_work", number, "J", "done by the wall on fibers since the start, what it stores as it comes included"},
+    {"wall_work", number, "J",
+     "done by the wall on fibers since the start, what it stores as it comes included"},
     {"wall_center_x", number, "m", "where the wall turns or, of others, its point, now"},
     {"wall_center_y", number, "m", "likewise"},
     {"wall_center_z", number, "m", "likewise"},
