@@ -18,8 +18,8 @@
 #include "dem/run/processor_time.hpp"
 #include "dem/run/schedule.hpp"
 #include "dem/run/session_words.hpp"
-#include "dem/scene/carry_over.hpp"
 #include "dem/run/wall_log.hpp"
+#include "dem/scene/carry_over.hpp"
 #include "dem/scene/expected_impact.hpp"
 #include "dem/scene/scene_keys.hpp"
 

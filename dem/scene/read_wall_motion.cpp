@@ -68,6 +68,7 @@ KeyTable<CourseFileKeys> course_file_keys() {
       .word("file", &CourseFileKeys::file, "path",
             "CSV file beside the scene: `time` [s] and `place` [m], `angle` [rad] or both, times rising; "
             "between them smooth (velocity continuous, beyond no value), at rest before and after")
+      .content_counts()
       .required();
   table.direction("direction", &CourseFileKeys::direction, "of places").otherwise("required with places");
   table.vector("point", "m", &CourseFileKeys::point, "a point of the axis that angles are about")

@@ -120,7 +120,7 @@ KeyTable<Wall> sphere_keys() {
 }
 
 KeyTable<Wall> obstacle_keys() {
-  KeyTable<Wall> table(Wall{BoxObstacle{.along = {1, 0, 0}, .across = {0, 1, 0}}});
+  KeyTable<Wall> table(Wall{BoxObstacle{.point = {}, .half = {}, .along = {1, 0, 0}, .across = {0, 1, 0}}});
   const auto box = [](Wall& wall) -> BoxObstacle& { return *wall.shape.get_if<BoxObstacle>(); };
   table
       .vector(

@@ -67,7 +67,8 @@ struct Fault {
 std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.text; }
 
 const Fault kFaults[] = {
-    {"mass: 0 kg\n", "t:1: mass: '0 kg' is out of range; allowed: a number above 0, in kg"},
+    {"mass: 0 kg\n",
+     "t:1: mass: '0 kg' is out of range; allowed: a number at least 1e-18 and at most 1e+15, in kg"},
     {"mass: 1\nshape: rod\n", "t:1: key 'aspect' is missing"},
     {"mass: 1\naspect: 3\n", "t:2: aspect: is of use only with shape: rod"},
     {"number: 12\n", "t:1: number: '12' is not allowed; allowed: a whole number at least 1 and at most 9"},
@@ -105,8 +106,8 @@ BOOST_DATA_TEST_CASE(faults_are_told_by_the_declaration, boost::unit_test::data:
 BOOST_AUTO_TEST_CASE(a_declaration_documents_its_key) {
   const std::vector<dem::KeyDeclaration> keys = thing_keys().declarations();
   BOOST_REQUIRE_EQUAL(keys.size(), 6u);
-  BOOST_TEST(
-      (keys[0].unit == "kg" && keys[0].allowed == "above 0" && keys[0].otherwise == "2" && !keys[0].must));
+  BOOST_TEST((keys[0].unit == "kg" && keys[0].allowed == "at least 1e-18 and at most 1e+15" &&
+              keys[0].otherwise == "2" && !keys[0].must));
   BOOST_TEST((keys[1].allowed == "`ball`, `rod`" && keys[1].otherwise == "ball"));
   BOOST_TEST((keys[2].must && keys[2].meaning == "length over diameter; only with shape: rod"));
   BOOST_TEST(keys[3].otherwise == "with `number`; without both it is one");
