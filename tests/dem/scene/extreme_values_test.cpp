@@ -158,6 +158,8 @@ bool is_about(const std::string& error, const std::string& key) {
   if (!error.starts_with("s.yaml:") || error.find_first_not_of("0123456789", at) == at) return false;
   at = error.find(": ", at) + 2;
   const std::string own = without_list_numbers(error.substr(at, error.find(": ", at) - at));
+  // of two sides in one direction the second is told
+  if (key.ends_with(".along") && own == key.substr(0, key.rfind('.')) + ".across") return true;
   return own.starts_with(key) || key.starts_with(own + ".");
 }
 
@@ -178,7 +180,7 @@ void collect(const std::vector<dem::KeyDeclaration>& keys, const std::string& pa
 
 /// Neither a direction, whose length does not matter, nor an angle.
 bool has_size(const std::string& key) {
-  for (const char* end : {"direction", "normal", "axis"})
+  for (const char* end : {"direction", "normal", "axis", "along", "across"})
     if (key.ends_with(end)) return false;
   return true;
 }
