@@ -1,6 +1,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
+#include "reference/beam_march.hpp"
 #include "reference/damped_beam.hpp"
 #include "reference/errors.hpp"
 #include "reference/legendre_beam.hpp"
@@ -14,18 +15,13 @@ using ModalState = Eigen::Map<const VectorXd>;
 
 constexpr double kLargestNumber = std::numeric_limits<double>::max();
 
-/// Deflections w = int theta at the nodes, with the roots of their weights: mass = factor^T factor.
-MatrixXd mass_factor(const detail::LegendreBeam& beam) {
-  return beam.weights.cwiseSqrt().asDiagonal() * beam.integral * beam.phi;
-}
-
 /// Slope w_s = sum q_k phi_k: M q'' + (retardation K + viscous M) q' + K q = 0. ModalState: q, q', energy
 /// dissipated.
 struct Discretization {
   Discretization(const BeamDamping& damping_value, int modes) : damping(damping_value) {
     const detail::LegendreBeam raw = detail::legendre_beam(modes, modes + 2);
-    beam = detail::in_modal_coordinates(raw, mass_factor(raw));
-    const MatrixXd factor = mass_factor(beam);
+    beam = detail::in_modal_coordinates(raw, detail::mass_factor(raw));
+    const MatrixXd factor = detail::mass_factor(beam);
     mass = factor.transpose() * factor;
     restoring = mass.llt().solve(MatrixXd(beam.stiffness.asDiagonal()));
     tip = beam.phi.transpose() * beam.weights;
@@ -94,25 +90,7 @@ BeamHistory damped_beam_cvode(const BeamDamping& damping, const Release& release
   require_between("release amount", release.amount, -kLargestNumber, kLargestNumber);
   require_times(times);
   const Discretization beam(damping, resolution.modes);
-  const VectorXd start = beam.start(release);
-  const auto size = start.size();
-  const auto view = [size](std::span<const double> state) { return ModalState(state.data(), size); };
-  detail::Cvode cvode(
-      resolution.method,
-      [&](double, std::span<const double> state, std::span<double> derivative) {
-        beam.rhs(view(state), {derivative.data(), size});
-      },
-      [&](double, std::span<const double> state, std::span<double> jacobian) {
-        beam.jacobian(view(state), {jacobian.data(), size, size});
-      },
-      0, {start.data(), static_cast<std::size_t>(size)}, resolution.tolerances, "damped beam by CVODE");
-  BeamHistory history;
-  for (const double time : times) {
-    const std::span<const double> start_state(start.data(), static_cast<std::size_t>(size));
-    history.samples.push_back(beam.sample(time, view(time == 0 ? start_state : cvode.advance(time))));
-  }
-  history.statistics = cvode.statistics();
-  return history;
+  return detail::march_beam(beam, beam.start(release), times, resolution, "damped beam by CVODE");
 }
 
 }  // namespace fiberchain::reference

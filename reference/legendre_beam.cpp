@@ -78,4 +78,8 @@ LegendreBeam in_modal_coordinates(const LegendreBeam& beam, const Eigen::MatrixX
   return modal;
 }
 
+Eigen::MatrixXd mass_factor(const LegendreBeam& beam) {
+  return beam.weights.cwiseSqrt().asDiagonal() * beam.integral * beam.phi;
+}
+
 }  // namespace fiberchain::reference::detail

@@ -26,4 +26,7 @@ LegendreBeam legendre_beam(int modes, int nodes);
 /// these coordinates the fast motions do not disturb the slow ones by rounding.
 LegendreBeam in_modal_coordinates(const LegendreBeam& beam, const Eigen::MatrixXd& factor);
 
+/// sqrt(weights) w at the nodes, w = int theta ds: the mass matrix is factor^T factor.
+Eigen::MatrixXd mass_factor(const LegendreBeam& beam);
+
 }  // namespace fiberchain::reference::detail

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
+#include "reference/beam_march.hpp"
 #include "reference/errors.hpp"
 #include "reference/legendre_beam.hpp"
 
@@ -12,18 +13,13 @@ namespace {
 using BeamVector = Eigen::VectorXd;
 using BeamState = Eigen::Map<const Eigen::VectorXd>;
 
-/// sqrt(weights) w at the nodes, w = int theta ds: mass = factor^T factor.
-Eigen::MatrixXd deflection_factor(const detail::LegendreBeam& beam) {
-  return beam.weights.cwiseSqrt().asDiagonal() * beam.integral * beam.phi;
-}
-
 /// In coordinates q of the elastic modes, unit masses and stiffnesses omega^2:
 /// q'' = -omega^2 (q + retardation q' + sum g_j x_j) - viscous q', x_j' = q' - x_j/tau_j.
 /// State: q, q', x_1 ... x_J, energy dissipated.
 struct ModalMaxwellBeam {
   ModalMaxwellBeam(const ViscoelasticDamping& damping_value, int modes) : damping(damping_value) {
     const detail::LegendreBeam raw = detail::legendre_beam(modes, modes + 2);
-    const detail::LegendreBeam beam = detail::in_modal_coordinates(raw, deflection_factor(raw));
+    const detail::LegendreBeam beam = detail::in_modal_coordinates(raw, detail::mass_factor(raw));
     stiffness = beam.stiffness;
     tip = beam.phi.transpose() * beam.weights;
     tip_angle = beam.phi_tip;
@@ -126,25 +122,7 @@ BeamHistory viscoelastic_beam(const ViscoelasticDamping& damping, const HeldShap
   validate_release(damping, shape, resolution.modes);
   require_times(times);
   const ModalMaxwellBeam beam(damping, resolution.modes);
-  const BeamVector start = beam.start(shape);
-  const auto size = start.size();
-  const auto view = [size](std::span<const double> state) { return BeamState(state.data(), size); };
-  const std::span<const double> start_state(start.data(), static_cast<std::size_t>(size));
-  detail::Cvode cvode(
-      resolution.method,
-      [&](double, std::span<const double> state, std::span<double> derivative) {
-        beam.rhs(view(state), {derivative.data(), size});
-      },
-      [&](double, std::span<const double> state, std::span<double> jacobian) {
-        beam.jacobian(view(state), {jacobian.data(), size, size});
-      },
-      0, start_state, resolution.tolerances, "viscoelastic beam by CVODE");
-  BeamHistory history;
-  for (const double time : times) {
-    history.samples.push_back(beam.sample(time, view(time == 0 ? start_state : cvode.advance(time))));
-  }
-  history.statistics = cvode.statistics();
-  return history;
+  return detail::march_beam(beam, beam.start(shape), times, resolution, "viscoelastic beam by CVODE");
 }
 
 }  // namespace fiberchain::reference

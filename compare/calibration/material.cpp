@@ -46,12 +46,6 @@ void choose_band(MaterialCase& asked) {
       dem::FrequencyBand{beam_frequency(asked.fiber, 1) / 3, 3 * beam_frequency(asked.fiber, material_modes)};
 }
 
-reference::PronySeries terms_of(const dem::PronySeries& series) {
-  reference::PronySeries terms;
-  for (const dem::MaxwellBranch& branch : series) terms.push_back({branch.strength, branch.time});
-  return terms;
-}
-
 /// What thermoelasticity adds to k(s), exactly.
 reference::ComplexModulus thermal_part(const MaterialAnswer& answer) {
   const dem::Fiber& fiber = answer.asked.fiber;
@@ -82,7 +76,7 @@ Continuum continuum_of(const MaterialAnswer& answer) {
   dem::PronySeries flat = relaxation.youngs_modulus;
   const dem::PronySeries& given = answer.asked.damping.spectrum.bending;
   flat.insert(flat.end(), given.begin(), given.end());
-  parts.flat = reference::complex_modulus(terms_of(flat));
+  parts.flat = reference::complex_modulus(prony_terms(flat));
   parts.thermal = thermal ? thermal_part(answer) : [](std::complex<double>) {
     return reference::ModulusValue{0, 0};
   };

@@ -109,9 +109,7 @@ std::vector<Measured> wires(const ValidationInput& in) {
 Measured rise(double loss) {
   const dem::FrequencyBand band{7, 7e3};
   const dem::FlatLoss flat = dem::flat_loss(loss, band, 5);
-  reference::PronySeries series;
-  for (const dem::MaxwellBranch& branch : flat.series) series.push_back({branch.strength, branch.time});
-  const auto modulus = reference::complex_modulus(series);
+  const auto modulus = reference::complex_modulus(prony_terms(flat.series));
   const auto tangent = [&](double w) { return reference::loss_factor(modulus, w); };
   return {
       .value = flat.rise,

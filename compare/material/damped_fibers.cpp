@@ -6,7 +6,7 @@
 #include "compare/measure/bond_spectra_of.hpp"
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/study/errors.hpp"
-#include "dem/material/flat_loss.hpp"
+#include "dem/material/material_damping.hpp"
 
 namespace fiberchain::compare {
 
@@ -29,25 +29,15 @@ dem::Fiber metal_wire(const MetalValues& metal, double diameter, int aspect_rati
 
 dem::Fiber with_flat_loss(const dem::Fiber& elastic, double loss_factor, dem::FrequencyBand band,
                           double frequency) {
-  dem::Fiber fiber = elastic;
-  const dem::PronySeries series = dem::flat_loss(loss_factor, band).series;
-  const double relaxed = dem::relaxed_part(series, frequency);
-  fiber.material.across = dem::contact_elasticity(elastic.material);
-  fiber.material.youngs_modulus *= relaxed;
-  fiber.material.shear_modulus *= relaxed;
-  fiber.branches = dem::maxwell_branches({series, series, {}}, fiber.bond_model);
-  return fiber;
+  dem::MaterialDamping damping;
+  damping.loss_factor = loss_factor, damping.band = band, damping.modulus_frequency = frequency;
+  return dem::with_damping(elastic, damping).fiber;
 }
 
-dem::Fiber with_thermoelasticity(const dem::Fiber& elastic, const MetalValues& metal, double highest,
-                                 double tolerance) {
-  dem::Fiber fiber = elastic;
-  const double strength = dem::relaxation_strength(metal.thermal, metal.youngs_modulus, metal.density);
-  const double diffusivity = dem::thermal_diffusivity(metal.thermal, metal.density);
-  const dem::PronySeries series =
-      dem::thermoelastic_branches(strength, diffusivity, dem::sphere_radius(elastic), highest, tolerance);
-  fiber.branches = dem::maxwell_branches({{}, {}, series}, fiber.bond_model);
-  return fiber;
+dem::Fiber with_thermoelasticity(const dem::Fiber& elastic, const MetalValues& metal, double highest) {
+  dem::MaterialDamping damping;
+  damping.thermoelastic = metal.thermal, damping.highest_frequency = highest;
+  return dem::with_damping(elastic, damping).fiber;
 }
 
 dem::Fiber with_viscous_damping(const dem::Fiber& elastic, double damping) {

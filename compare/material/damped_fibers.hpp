@@ -24,9 +24,8 @@ dem::Fiber metal_wire(const MetalValues& metal, double diameter, int aspect_rati
 dem::Fiber with_flat_loss(const dem::Fiber& elastic, double loss_factor, dem::FrequencyBand band,
                           double frequency);
 
-/// The fiber with the branches of thermoelasticity in bending, to a tolerance up to `highest` [Hz].
-dem::Fiber with_thermoelasticity(const dem::Fiber& elastic, const MetalValues& metal, double highest,
-                                 double tolerance = 0.01);
+/// The fiber with the branches of thermoelasticity in bending, to 1 % up to `highest` [Hz].
+dem::Fiber with_thermoelasticity(const dem::Fiber& elastic, const MetalValues& metal, double highest);
 
 /// The fiber with the paper's dashpots, xi_b so that the first bending mode has this damping ratio. Throws
 /// InputError where there is none.

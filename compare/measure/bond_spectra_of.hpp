@@ -5,6 +5,9 @@
 
 namespace fiberchain::compare {
 
+/// A spectrum as the reference has it.
+reference::PronySeries prony_terms(const dem::PronySeries& series);
+
 /// The branches of a fiber's bonds as the reference has them, beside linear_chain_of() of the same fiber.
 reference::BondSpectra bond_spectra_of(const dem::Fiber& fiber);
 

@@ -10,25 +10,15 @@
 #include "dem/assembly/assembly.hpp"
 #include "dem/contact/contact_law.hpp"
 #include "dem/insertion/placement.hpp"
+#include "tests/dem/walls_in_motion.hpp"
 
 BOOST_AUTO_TEST_SUITE(wall_forces_test)
 
 namespace dem = fiberchain::dem;
 using V = dem::Vec<double, 3>;
+using namespace walls_in_motion;
 
 namespace {
-
-constexpr double g = 9.81, pi = std::numbers::pi;
-
-void within(double value, double expected, double tolerance, const std::string& what) {
-  BOOST_TEST(std::abs(value - expected) <= tolerance, what << ": " << value << ", expected " << expected);
-}
-
-dem::Fiber fiber_with(int aspect_ratio, double youngs_modulus = 2.6e6) {
-  dem::Fiber fiber{dem::isotropic_material(youngs_modulus, 0.17, 1130), 1.66e-3, aspect_ratio};
-  fiber.bond_damping = 0.2;
-  return fiber;
-}
 
 V momentum(const dem::Assembly& assembly) {
   V sum{};
