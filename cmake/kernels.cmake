@@ -1,7 +1,7 @@
 # fiberchain_add_kernels(TARGET SOURCE...): compiles each kernel source once for every instruction set and adds the copies to
 # the target; which one runs is chosen at run time (dem/simd/instruction_set.hpp). tests/dem checks that the wide copies define
 # no symbol that another file could be linked to.
-set(FIBERCHAIN_INSTRUCTION_SETS scalar sse2 avx2 avx512)
+set(FIBERCHAIN_INSTRUCTION_SETS scalar avx2 avx512)
 if(FIBERCHAIN_SANITIZE)
   # The scalar copy is the same source; the wide ones would take the compiler minutes.
   set(FIBERCHAIN_INSTRUCTION_SETS scalar)
@@ -13,7 +13,6 @@ function(fiberchain_add_kernels target)
   # Products and sums are fused where the processor can, half the arithmetic of the loop: the wide copies agree with the others
   # to round-off, not to the bit. GCC 12 warns of its own AVX-512 header.
   set(options_scalar)
-  set(options_sse2)
   set(options_avx2 -mavx2 -mfma -ffp-contract=fast)
   set(options_avx512 -mavx512f -ffp-contract=fast -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
   foreach(set IN LISTS FIBERCHAIN_INSTRUCTION_SETS)

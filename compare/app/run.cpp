@@ -160,7 +160,7 @@ Command run_command() {
            {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},
            {"--force", "", "packings: begin anew, in place of a run in the directory", OptionKind::flag},
            {"--instruction-set", "NAME",
-            "packings: inner loops of scalar, sse2, avx2 or avx512 [a resumed run's own, else the widest "
+            "packings: inner loops of scalar, avx2 or avx512 [a resumed run's own, else the widest "
             "here]"}}),
       .run = &run_scene_file};
 }

@@ -15,10 +15,6 @@ template <>
 struct PackOf<InstructionSet::scalar> {
   using Real = double;
 };
-template <>
-struct PackOf<InstructionSet::sse2> {
-  using Real = xsimd::batch<double, xsimd::sse2>;
-};
 #ifdef __AVX2__
 template <>
 struct PackOf<InstructionSet::avx2> {

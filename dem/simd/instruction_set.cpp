@@ -32,8 +32,6 @@ std::string_view name(InstructionSet set) {
       return "avx512";
     case InstructionSet::avx2:
       return "avx2";
-    case InstructionSet::sse2:
-      return "sse2";
     default:
       return "scalar";
   }

@@ -8,11 +8,11 @@
 // runs.
 namespace fiberchain::dem {
 
-enum class InstructionSet { scalar, sse2, avx2, avx512 };
+enum class InstructionSet { scalar, avx2, avx512 };
 
 /// From narrow to wide.
-inline constexpr InstructionSet instruction_sets[] = {InstructionSet::scalar, InstructionSet::sse2,
-                                                      InstructionSet::avx2, InstructionSet::avx512};
+inline constexpr InstructionSet instruction_sets[] = {InstructionSet::scalar, InstructionSet::avx2,
+                                                      InstructionSet::avx512};
 
 std::string_view name(InstructionSet set);
 
@@ -37,8 +37,6 @@ const auto& kernel_of(InstructionSet set, std::ptrdiff_t index) {
       return Family<InstructionSet::avx512>::table()[index];
     case InstructionSet::avx2:
       return Family<InstructionSet::avx2>::table()[index];
-    case InstructionSet::sse2:
-      return Family<InstructionSet::sse2>::table()[index];
     default:
       break;
   }

@@ -30,7 +30,7 @@ void one_chain_in_every_width(dem::BondForm form, double damping, const dem::Flo
   dem::FlowOptions options;
   options.form = form;
   const auto wide = end_state(flow, {110 * t_b, 250 * t_b}, options);
-  for (const auto set : {dem::InstructionSet::scalar, dem::InstructionSet::sse2}) {
+  for (const auto set : dem::available_instruction_sets()) {
     options.instruction_set = set;
     const auto other = end_state(flow, {110 * t_b, 250 * t_b}, options);
     BOOST_TEST(flowing::distance(wide, other, fiber) < 1e-11);

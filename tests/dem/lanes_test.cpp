@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_is_not_built) {
       dem::straight_chain<2>({marching::odd_fiber(1, 0).material, 0.01, 7})};
   BOOST_CHECK_THROW(
       marching::block_of(different, {true, false}, {2, dem::BondForm::total, false, false, false},
-                         dem::InstructionSet::sse2),
+                         dem::best_instruction_set()),
       dem::InvalidInput);
 }
 

@@ -54,7 +54,7 @@ inline constexpr Column benchmark[] = {
     {"saving_least", number, "1", "least saving of these scenes"},
     {"saving_largest", number, "1", "largest saving of these scenes"},
     {"physics", text, "", "dimension, form of the bond law and features of an inner loop"},
-    {"instruction_set", text, "", "scalar, sse2, avx2 or avx512"},
+    {"instruction_set", text, "", "scalar, avx2 or avx512"},
     {"bond_step_ns", number, "ns",
      "time of a step over bonds and lanes, all lanes full, chains of 11 spheres"},
     {"bond_step_target_ns", number, "ns", "largest bond_step_ns wanted"},
