@@ -37,6 +37,29 @@ FrictionImpact friction_impact(const ObliqueMotion& before, double approach, dou
   return {{before.tangential - impulse, before.surface_spin - (slip_per_impulse - 1) * impulse}, slides};
 }
 
+std::array<PlanarMotion, 2> sliding_impact(const ElasticBody& first, const ElasticBody& second,
+                                           double friction, double restitution,
+                                           const PlanarMotion& first_motion,
+                                           const PlanarMotion& second_motion) {
+  const double approach = first_motion.velocity[0] - second_motion.velocity[0];
+  const double turning = std::isinf(second.radius) ? 0 : second.radius * second_motion.spin;
+  const double slip =
+      second_motion.velocity[1] - turning - first_motion.velocity[1] - first.radius * first_motion.spin;
+  require_positive("speed of approach", approach);
+  require_positive("slip", std::abs(slip));
+  require_between("friction", friction, 0, largest);
+  require_between("restitution", restitution, 0, 1);
+  const double across = (1 + restitution) * approach / (1 / first.mass + 1 / second.mass);
+  const double along = std::copysign(friction * across, slip);  // on the first
+  const auto pushed = [&](PlanarMotion motion, const ElasticBody& body, double sign) {
+    motion.velocity[0] -= sign * across / body.mass;
+    motion.velocity[1] += sign * along / body.mass;
+    if (!std::isinf(body.radius)) motion.spin += (slip_per_impulse - 1) * along / (body.mass * body.radius);
+    return motion;
+  };
+  return {pushed(first_motion, first, 1), pushed(second_motion, second, -1)};
+}
+
 SphereOnSlope sphere_on_slope(double angle, double friction, double gravity) {
   require_between("angle", angle, 0, std::numbers::pi / 2);
   require_between("friction", friction, 0, largest);

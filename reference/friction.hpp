@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reference/two_spheres.hpp"
+
 namespace fiberchain::reference {
 
 // Coulomb friction on rigid spheres: closed forms by impulse and momentum.
@@ -26,6 +28,16 @@ FrictionImpact friction_impact(const ObliqueMotion& before, double approach, dou
 
 /// Tangential restitution of the slip when it slides through: 1 - 7/2 mu (1 + e) v_n / slip.
 double sliding_slip_restitution(double slip, double approach, double friction, double restitution);
+
+/// Motions after a contact of two bodies (the second may be a wall) that slides through: the impulse m* (1 +
+/// e) v_n along the line of centers, mu times that across. Arms are the radii, as of bodies that do not
+/// deform; those of spheres that overlap are shorter by it. Throws InvalidArgument unless the bodies
+/// approach, slip, mu >= 0 and 0 <= e
+/// <= 1.
+std::array<PlanarMotion, 2> sliding_impact(const ElasticBody& first, const ElasticBody& second,
+                                           double friction, double restitution,
+                                           const PlanarMotion& first_motion,
+                                           const PlanarMotion& second_motion);
 
 /// A solid sphere released at rest on a plane inclined by `angle` [rad].
 struct SphereOnSlope {

@@ -3,6 +3,7 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
 #include "compare/bench/feature_costs.hpp"
+#include "compare/bench/mesh.hpp"
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/sizes.hpp"
@@ -31,6 +32,7 @@ enum class Case {
   threads,
   sizes,
   stiff,
+  mesh,
   stiff_packing
 };
 using Cases = std::vector<Case>;
@@ -127,6 +129,12 @@ void add_packing(Report& report, const dem::PackingScene& scene, const BenchOpti
              times);
 }
 
+void add_mesh(Report& report, const dem::PackingScene& scene, const BenchOptions& options) {
+  const dem::Table times = compare::mesh_time_table(compare::mesh_times(scene, options));
+  report.add("bench-mesh", "A sphere-step of a packing in a box of planes and in one of triangles", times,
+             times);
+}
+
 void add_threads(Report& report, const BenchOptions& options) {
   std::vector<compare::NamedScene> scenes;
   for (const char* name : {"crossed-layers", "packing"}) scenes.push_back({name, ready_scene(name)});
@@ -165,8 +173,8 @@ void add_stiff_packing(Report& report, const BenchOptions& options, int jobs) {
 
 int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  Cases cases{Case::statics, Case::damping, Case::history, Case::flow,  Case::feature_costs,
-              Case::kernels, Case::packing, Case::threads, Case::sizes, Case::stiff};
+  Cases cases{Case::statics, Case::damping, Case::history, Case::flow,  Case::feature_costs, Case::kernels,
+              Case::packing, Case::threads, Case::sizes,   Case::stiff, Case::mesh};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -178,20 +186,22 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"threads", Case::threads},
                       {"sizes", Case::sizes},
                       {"stiff", Case::stiff},
+                      {"mesh", Case::mesh},
                       {"stiff-packing", Case::stiff_packing}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   std::optional<dem::PackingScene> packing, steel;  // read now: a bench does not end for want of it
-  if (has(cases, Case::packing)) packing = ready_scene("crossed-layers");
+  if (has(cases, Case::packing) || has(cases, Case::mesh)) packing = ready_scene("crossed-layers");
   if (has(cases, Case::stiff)) steel = ready_scene("steel-wool");
   const auto directory = open_output(output, context);
   Report report;
   add_problems(report, problems_of(cases, options, context));
   add_loops(report, cases, options);
-  if (packing) add_packing(report, *packing, options);
+  if (has(cases, Case::packing)) add_packing(report, *packing, options);
   if (has(cases, Case::threads)) add_threads(report, options);
   if (has(cases, Case::sizes)) add_sizes(report, options);
   if (steel) add_stiff(report, *steel, options);
+  if (has(cases, Case::mesh)) add_mesh(report, *packing, options);
   if (has(cases, Case::stiff_packing)) add_stiff_packing(report, options, output.jobs);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
@@ -211,7 +221,8 @@ Command bench_command() {
       .options =
           {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
            {"--case", "LIST",
-            "static, damping, history, skips, kernels, flow, packing, threads, sizes, stiff [all of these], "
+            "static, damping, history, skips, kernels, flow, packing, threads, sizes, stiff, mesh [all of "
+            "these], "
             "stiff-packing (18 packings in full, half an hour of one core)"},
            {"--jobs", "N", "packings side by side in stiff-packing [all cores]", OptionKind::text,
             "--threads"},

@@ -56,10 +56,11 @@ int run_check(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const std::filesystem::path path = arguments.text("SCENE");
   const dem::SceneText text = dem::read_scene_text(path);
-  const dem::Table table =
-      dem::located(text, [&] { return compare::scene_check_table(dem::parse_scene(text), output.jobs); });
+  const dem::Scene scene = dem::located(text, [&] { return compare::scene_to_check(text); });
+  const dem::Table table = dem::located(text, [&] { return compare::scene_check_table(scene, output.jobs); });
   context.provenance = dem::with_scene(context.provenance, path, text.text);
   warn_of_values(text, context);
+  tell_of_meshes(scene, context);
   if (output.json) {
     context.out << dem::to_text(dem::to_json(table, context.provenance));
   } else {

@@ -7,6 +7,8 @@
 #include "compare/study/jobs.hpp"
 #include "compare/study/json.hpp"
 #include "compare/study/markdown.hpp"
+#include "dem/mesh/mesh_shape.hpp"
+#include "dem/mesh/mesh_topology.hpp"
 #include "dem/record/csv.hpp"
 #include "dem/scene/implausible_values.hpp"
 
@@ -96,6 +98,17 @@ std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, co
 
 void warn_of_values(const dem::SceneText& text, const Context& context) {
   for (const std::string& warning : dem::implausible_values(text)) context.log->warn("warning: {}", warning);
+}
+
+void tell_of_meshes(const dem::Scene& scene, const Context& context) {
+  const auto* packing = std::get_if<dem::PackingScene>(&scene);
+  if (packing == nullptr) return;
+  for (const dem::Wall& wall : packing->domain.walls) {
+    const dem::MeshShape* shape = dem::mesh_in(wall);
+    if (shape == nullptr) continue;
+    for (const std::string& note : dem::notes_on(*shape->mesh, shape->sides == dem::MeshSides::one))
+      context.log->info("note: {}: {}", shape->mesh->name, note);
+  }
 }
 
 void warn_without_gnuplot(const Context& context) {

@@ -11,6 +11,7 @@
 #include "compare/figures/figure.hpp"
 #include "dem/record/output.hpp"
 #include "dem/record/table.hpp"
+#include "dem/scene/scene.hpp"
 #include "dem/scene/scene_text.hpp"
 
 namespace fiberchain::app {
@@ -39,6 +40,9 @@ std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, co
 
 /// A warning for every value of a scene that no material or fiber has.
 void warn_of_values(const dem::SceneText& text, const Context& context);
+
+/// A line for all that is odd about the meshes of a scene: open, inside-out, crossing themselves.
+void tell_of_meshes(const dem::Scene& scene, const Context& context);
 
 /// A warning if gnuplot is not installed.
 void warn_without_gnuplot(const Context& context);

@@ -130,6 +130,7 @@ int run_scene_file(const Arguments& arguments, Context& context) {
   context.provenance.settings = dem::in_words(text.settings);
   const dem::Scene scene = dem::parse_scene(text);
   warn_of_values(text, context);
+  tell_of_meshes(scene, context);
   for (const std::string& line : compare::damping_lines(scene)) context.log->info(line);
   try {
     return dem::located(text, [&] { return run_scene(text, scene, arguments, context); });

@@ -82,7 +82,8 @@ Command validate_command() {
           "Verdicts on published claims follow from the measured values: holds, holds only if (the row's\n"
           "condition), disputed. Exit status 1 if a measured value is not as expected.",
       .options = with_output(
-          {{"--part", "LIST", "beams, static, damping, friction, materials, stability, flow, packing [all]"},
+          {{"--part", "LIST",
+            "beams, static, damping, friction, contact, materials, stability, flow, packing [all]"},
            {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),
       .run = &run_validate};
 }

@@ -67,14 +67,16 @@ int gnuplot_status(std::FILE* input, std::FILE* output, std::FILE* errors) {
 
 }  // namespace
 
-bool has_gnuplot() {
+bool is_on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream places(path ? path : "/bin:/usr/bin");
   for (std::string place; std::getline(places, place, ':');) {
-    if (::access(((place.empty() ? "." : place) + "/gnuplot").c_str(), X_OK) == 0) return true;
+    if (::access(((place.empty() ? "." : place) + "/" + program).c_str(), X_OK) == 0) return true;
   }
   return false;
 }
+
+bool has_gnuplot() { return is_on_path("gnuplot"); }
 
 std::string run_gnuplot(const std::string& script) {
   const File input = temporary_file();

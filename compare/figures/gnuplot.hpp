@@ -4,6 +4,9 @@
 
 namespace fiberchain::compare {
 
+/// Whether there is a program of this name on the PATH.
+bool is_on_path(const std::string& program);
+
 /// Whether there is a program gnuplot on the PATH.
 bool has_gnuplot();
 

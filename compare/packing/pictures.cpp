@@ -16,16 +16,6 @@ struct StageFrames {
   std::vector<dem::TrajectoryFrame> frames;
 };
 
-/// The room up to the highest fiber that any picture shows.
-void lower_the_top(std::vector<dem::TrajectoryFrame>& frames) {
-  double top = 0;
-  for (const dem::TrajectoryFrame& frame : frames) {
-    for (std::size_t i = 0; i < frame.position.size(); ++i)
-      top = std::max(top, frame.position[i][2] + frame.radius[i]);
-  }
-  for (dem::TrajectoryFrame& frame : frames) frame.high[2] = top;
-}
-
 StageFrames stage_frames(const PackingRun& run) {
   StageFrames stages;
   char letter = 'a';
@@ -37,7 +27,6 @@ StageFrames stage_frames(const PackingRun& run) {
     }
     ++letter;
   }
-  lower_the_top(stages.frames);
   return stages;
 }
 
@@ -46,8 +35,11 @@ StageFrames stage_frames(const PackingRun& run) {
 std::vector<dem::OutputFile> stage_pictures(const PackingRun& run, int threads,
                                             const dem::Provenance& provenance) {
   const auto [letters, frames] = stage_frames(run);
-  PictureOptions options{
-      .range = shade_range(frames, Shade::vertical_speed), .width = 1600, .height = 1000, .threads = threads};
+  PictureOptions options{.width = 1600, .height = 1000, .threads = threads};
+  if (!frames.empty()) {
+    options.range = shade_range(frames, shade_named(options.shade));
+    options.shown = shown_bounds(frames, options.walls);
+  }
   std::vector<dem::OutputFile> files;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     files.push_back({fmt::format("fig-11-{}.png", letters[n]), draw(frames[n], options, provenance).png});

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compare/figures/figure_metadata.hpp"
@@ -11,25 +10,6 @@
 
 namespace fiberchain::compare {
 namespace {
-
-/// viridis, from low to high; also in gnuplot's words
-constexpr std::array<Color, 8> kScale = {{{0.267f, 0.004f, 0.329f},
-                                          {0.275f, 0.196f, 0.494f},
-                                          {0.212f, 0.361f, 0.553f},
-                                          {0.153f, 0.498f, 0.557f},
-                                          {0.122f, 0.631f, 0.529f},
-                                          {0.290f, 0.757f, 0.427f},
-                                          {0.627f, 0.855f, 0.224f},
-                                          {0.992f, 0.906f, 0.145f}}};
-
-Color color_at(double place) {
-  const double x = std::clamp(place, 0.0, 1.0) * (kScale.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(x), kScale.size() - 2);
-  const auto part = static_cast<float>(x - static_cast<double>(below));
-  const Color &a = kScale[below], &b = kScale[below + 1];
-  return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green),
-          a.blue + part * (b.blue - a.blue)};
-}
 
 /// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn.
 std::vector<Rod> rods_of(const dem::TrajectoryFrame& frame, const std::vector<double>& values,
@@ -46,10 +26,6 @@ std::vector<Rod> rods_of(const dem::TrajectoryFrame& frame, const std::vector<do
   return rods;
 }
 
-std::string label_of(Shade shade) {
-  return shade == Shade::vertical_speed ? "vertical velocity (m/s)" : "bending angle of the bonds (rad)";
-}
-
 /// An image, the part of the picture that it takes, and words in its upper right corner.
 struct Tile {
   Image image;
@@ -57,46 +33,128 @@ struct Tile {
   std::string words;
 };
 
-/// Share of the width that images have: the color scale stands beside them.
-constexpr double kImages = 6.0 / 7;
+/// What all tiles of a picture share: the color scale and its place beside the images [pixels].
+struct Sheet {
+  const PictureOptions& options;
+  const Shade& shade;
+  std::pair<double, double> range;
+  std::size_t below = 0, above = 0;
+  ScaleTicks ticks;
+  std::string label;
+  double letter;  ///< height of a letter
+  double scale;   ///< width of the color scale with its words
+};
 
-int image_width(const PictureOptions& options) {
-  return std::max(static_cast<int>(kImages * options.width), 1);
+/// Letters as large as goes with the height of an image.
+double letter_height(const PictureOptions& options, int rows) {
+  return 16 * 1.3 * std::min(options.height / rows / 800.0, options.width / 1000.0);
 }
 
-Image trace(const dem::TrajectoryFrame& frame, const PictureOptions& options,
-            const std::pair<double, double>& range, int width, int height) {
-  Solids solids{rods_of(frame, shade_of(frame, options.shade), range), {}, frame.low, frame.high};
-  for (int i = 0; i < kColors; ++i) solids.palette.push_back(color_at((i + 0.5) / kColors));
-  return ray_trace(solids, options.view, width, height, options.threads);
+std::string label_of(const Shade& shade, int exponent) {
+  std::string unit = shade.unit;
+  if (exponent != 0) unit = fmt::format("10^{{{}}}{}{}", exponent, unit.empty() ? "" : " ", unit);
+  return unit.empty() ? shade.label : fmt::format("{} ({})", shade.label, unit);
+}
+
+/// Wide enough for the bar, the longest number and the label that stands upright.
+double scale_width(const ScaleTicks& ticks, double letter) {
+  std::size_t longest = 0;
+  for (const ScaleTick& tick : ticks.ticks) longest = std::max(longest, tick.words.size());
+  return letter * (1.6 + 1.2 + 0.68 * static_cast<double>(longest) + 2.6);
+}
+
+Sheet sheet_of(std::span<const dem::TrajectoryFrame> frames, const PictureOptions& options, int rows) {
+  const Shade& shade = shade_named(options.shade);
+  Sheet sheet{.options = options,
+              .shade = shade,
+              .range = options.range ? *options.range : shade_range(frames, shade),
+              .ticks = {},
+              .label = {},
+              .letter = letter_height(options, rows),
+              .scale = 0};
+  for (const dem::TrajectoryFrame& frame : frames) {
+    for (const double value : shade.values(frame))
+      sheet.below += value<sheet.range.first, sheet.above += value> sheet.range.second;
+  }
+  sheet.ticks = ticks_of(sheet.range);
+  sheet.label = label_of(shade, sheet.ticks.exponent);
+  sheet.scale = std::min(scale_width(sheet.ticks, sheet.letter), options.width / 2.0);
+  return sheet;
+}
+
+/// Width of all images beside each other [pixels].
+int image_width(const Sheet& sheet) {
+  return std::max(static_cast<int>(sheet.options.width - sheet.scale), 1);
+}
+
+Image trace(const dem::TrajectoryFrame& frame, const Sheet& sheet, const Bounds& shown, int width,
+            int height) {
+  Scenery scenery = scenery_of(frame, sheet.options.walls, shown);
+  Solids solids{.rods = rods_of(frame, sheet.shade.values(frame), sheet.range),
+                .palette = palette(sheet.range, sheet.shade.is_signed),
+                .low = shown.low,
+                .high = shown.high,
+                .box = scenery.edges.empty() || frame.periodic[0] || frame.periodic[1] || frame.periodic[2],
+                .facets = std::move(scenery.facets),
+                .floor = std::move(scenery.floor),
+                .edges = std::move(scenery.edges)};
+  return ray_trace(solids, sheet.options.view, width, height, sheet.options.threads);
 }
 
 std::string time_words(const dem::TrajectoryFrame& frame) { return fmt::format("t = {:.4g} s", frame.time); }
 
-/// Letters as large as goes with the height of an image and the room beside it for the numbers of the scale.
-double font_scale(const PictureOptions& options, int rows) {
-  return 1.3 * std::min(options.height / rows / 800.0, options.width / 1000.0);
+/// Of the color bar, in parts of the picture.
+constexpr double kBarLow = 0.12, kBarHigh = 0.82;
+
+/// Its left side and width, likewise.
+std::pair<double, double> bar_place(const Sheet& sheet) {
+  return {1 - (sheet.scale - 0.6 * sheet.letter) / sheet.options.width,
+          1.2 * sheet.letter / sheet.options.width};
+}
+
+/// A triangle behind an end of the bar, in its color: there are values beyond it.
+std::string end_mark(const Sheet& sheet, int number, double left, double right, bool at_top) {
+  const std::vector<Color> colors = palette(sheet.range, sheet.shade.is_signed);
+  const Color& color = at_top ? colors.back() : colors.front();
+  const auto byte = [](float part) { return static_cast<int>(std::lround(255 * part)); };
+  const double base = at_top ? kBarHigh : kBarLow,
+               height = 1.1 * (right - left) * sheet.options.width / sheet.options.height;
+  return fmt::format(
+      "set object {} polygon from screen {},{} to screen {},{} to screen {},{} to screen {},{} front "
+      "fillcolor rgb "
+      "'#{:02x}{:02x}{:02x}' fillstyle solid 1 border lc rgb 'black'\n",
+      number, left, base, right, base, (left + right) / 2, at_top ? base + height : base - height, left, base,
+      byte(color.red), byte(color.green), byte(color.blue));
 }
 
 /// Gnuplot's commands for the whole picture: its size and its color scale.
-std::string sheet_commands(const PictureOptions& options, const std::pair<double, double>& range, int rows) {
-  std::vector<std::string> colors;
-  for (std::size_t i = 0; i < kScale.size(); ++i)
-    colors.push_back(fmt::format("{} {} {} {}", i, kScale[i].red, kScale[i].green, kScale[i].blue));
-  return fmt::format(
+std::string sheet_commands(const Sheet& sheet) {
+  const PictureOptions& options = sheet.options;
+  std::vector<std::string> colors, ticks;
+  for (const Color& color : palette(sheet.range, sheet.shade.is_signed))
+    colors.push_back(fmt::format("{} {} {} {}", colors.size(), color.red, color.green, color.blue));
+  for (const ScaleTick& tick : sheet.ticks.ticks)
+    ticks.push_back(fmt::format("'{}' {}", tick.words, tick.value));
+  const auto [bar_left, bar_width] = bar_place(sheet);
+  std::string text = fmt::format(
       "set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,12' fontscale {} background rgb 'white'\n"
-      "set output\nset multiplot\nunset border\nunset tics\nset cbtics\nset format cb '%.3g'\n"
+      "set output\nset multiplot\nunset border\nunset tics\nset cbtics ({}) offset -0.5,0\n"
       "set palette defined ({})\nset palette maxcolors {}\nset cbrange [{}:{}]\n"
-      "set label 2 '{}' at screen 0.985,0.47 center rotate by 90 front\n",
-      options.width, options.height, font_scale(options, rows), fmt::join(colors, ", "), kColors, range.first,
-      range.second, label_of(options.shade));
+      "set label 2 '{}' at screen {},{} center rotate by 90 front\n",
+      options.width, options.height, sheet.letter / 16, fmt::join(ticks, ", "), fmt::join(colors, ", "),
+      kColors, sheet.range.first, sheet.range.second, sheet.label, 1 - 0.9 * sheet.letter / options.width,
+      (kBarLow + kBarHigh) / 2);
+  if (sheet.below > 0) text += end_mark(sheet, 1, bar_left, bar_left + bar_width, false);
+  if (sheet.above > 0) text += end_mark(sheet, 2, bar_left, bar_left + bar_width, true);
+  return text;
 }
 
 /// And for one image in it, with the image itself.
-std::string tile_commands(const Tile& tile, bool with_scale) {
-  const std::string scale =
-      with_scale ? fmt::format("set colorbox user origin {},0.12 size 0.02,0.7\n", kImages + 0.005)
-                 : "unset colorbox\n";
+std::string tile_commands(const Tile& tile, const Sheet& sheet, bool with_scale) {
+  const auto [left, width] = bar_place(sheet);
+  const std::string scale = with_scale ? fmt::format("set colorbox user origin {},{} size {},{}\n", left,
+                                                     kBarLow, width, kBarHigh - kBarLow)
+                                       : "unset colorbox\n";
   return scale +
          fmt::format(
              "set lmargin at screen {}\nset bmargin at screen {}\nset rmargin at screen {}\nset tmargin at "
@@ -112,79 +170,35 @@ std::string tile_commands(const Tile& tile, bool with_scale) {
 
 }  // namespace
 
-int palette_place(double value, const std::pair<double, double>& range) {
-  const double low = range.first / 2;  // halves: the difference of two doubles can be more than one holds
-  const double place = (value / 2 - low) / (range.second / 2 - low);
-  if (!(place > 0)) return 0;
-  return place < 1 ? static_cast<int>(place * kColors) : kColors - 1;
-}
-
-std::vector<double> shade_of(const dem::TrajectoryFrame& frame, Shade shade) {
-  std::vector<double> values(frame.position.size(), 0);
-  if (shade == Shade::vertical_speed) {
-    std::ranges::transform(frame.velocity, values.begin(), [](const Point& v) { return v[2]; });
-    return values;
-  }
-  std::vector<int> bonds(values.size(), 0);
-  for (const dem::FrameBond& bond : frame.bonds) {
-    for (const auto i : {static_cast<std::size_t>(bond.first), static_cast<std::size_t>(bond.first) + 1}) {
-      values[i] += bond.bending_angle;
-      ++bonds[i];
-    }
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] /= std::max(bonds[i], 1);
-  return values;
-}
-
-std::pair<double, double> range_of(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  if (values.empty()) return {0, 1};
-  std::ranges::sort(values);
-  const std::size_t rare = values.size() / 200;
-  const double low = values[rare], high = values[values.size() - 1 - rare];
-  const double least =
-      1e-3 * std::max({std::abs(low), std::abs(high), 1e-9});  // what hardly differs looks alike
-  return high - low > least ? std::pair{low, high} : std::pair{low - least, high + least};
-}
-
-std::pair<double, double> shade_range(std::span<const dem::TrajectoryFrame> frames, Shade shade) {
-  std::vector<double> values;
-  for (const dem::TrajectoryFrame& frame : frames) {
-    const std::vector<double> more = shade_of(frame, shade);
-    values.insert(values.end(), more.begin(), more.end());
-  }
-  return range_of(std::move(values));
-}
-
 Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options,
              const dem::Provenance& provenance) {
-  const auto range = options.range ? *options.range : shade_range({&frame, 1}, options.shade);
-  const Tile tile{trace(frame, options, range, image_width(options), options.height),
-                  0,
-                  0,
-                  kImages,
-                  1,
-                  time_words(frame)};
-  return {with_png_metadata(run_gnuplot(sheet_commands(options, range, 1) + tile_commands(tile, true)),
-                            provenance),
-          range};
+  const Sheet sheet = sheet_of({&frame, 1}, options, 1);
+  const Bounds shown = options.shown ? *options.shown : shown_bounds({&frame, 1}, options.walls);
+  const int width = image_width(sheet);
+  const Tile tile{trace(frame, sheet, shown, width, options.height), 0, 0,
+                  static_cast<double>(width) / options.width,        1, time_words(frame)};
+  return {
+      with_png_metadata(run_gnuplot(sheet_commands(sheet) + tile_commands(tile, sheet, true)), provenance),
+      sheet.range, sheet.below, sheet.above};
 }
 
 Picture draw_sheet(const std::vector<dem::TrajectoryFrame>& frames, const PictureOptions& options,
                    const dem::Provenance& provenance) {
   constexpr int columns = 2;
-  const auto range = options.range ? *options.range : shade_range(frames, options.shade);
   const int count = static_cast<int>(frames.size()), rows = std::max((count + columns - 1) / columns, 1);
-  const double width = kImages / columns, height = 1.0 / rows;
-  std::string text = sheet_commands(options, range, rows);
+  const Sheet sheet = sheet_of(frames, options, rows);
+  const Bounds shown = options.shown ? *options.shown : shown_bounds(frames, options.walls);
+  const int all_width = image_width(sheet);
+  const double width = static_cast<double>(all_width) / options.width / columns, height = 1.0 / rows;
+  std::string text = sheet_commands(sheet);
   for (int n = 0; n < count; ++n) {
     const double left = n % columns * width, top = 1 - n / columns * height;
     text += tile_commands(
-        {trace(frames[n], options, range, image_width(options) / columns, options.height / rows), left,
-         top - height, left + width, top, fmt::format("({:c}) {}", 'a' + n, time_words(frames[n]))},
-        n + 1 == count);
+        {trace(frames[n], sheet, shown, all_width / columns, options.height / rows), left, top - height,
+         left + width, top, fmt::format("({:c}) {}", 'a' + n, time_words(frames[n]))},
+        sheet, n + 1 == count);
   }
-  return {with_png_metadata(run_gnuplot(text), provenance), range};
+  return {with_png_metadata(run_gnuplot(text), provenance), sheet.range, sheet.below, sheet.above};
 }
 
 }  // namespace fiberchain::compare

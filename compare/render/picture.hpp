@@ -6,50 +6,34 @@
 #include <utility>
 #include <vector>
 
+#include "compare/render/color_scale.hpp"
 #include "compare/render/ray_trace.hpp"
+#include "compare/render/scenery.hpp"
+#include "compare/render/shade.hpp"
 #include "dem/record/provenance.hpp"
 #include "dem/trajectory/frame.hpp"
 
 /// Pictures of many fibers as the paper's Fig 11.
 namespace fiberchain::compare {
 
-/// What the color of a fiber tells.
-enum class Shade {
-  vertical_speed,  ///< z component of the velocity [m/s]
-  bending_angle    ///< of the bonds, at a sphere the mean of its two [rad]
-};
-
 struct PictureOptions {
-  Shade shade = Shade::vertical_speed;
+  std::string shade = "vertical_speed";  ///< what the color of a fiber tells
   std::optional<std::pair<double, double>> range =
-      std::nullopt;  ///< of the color scale; without it, from the data
+      std::nullopt;                            ///< of the color scale; without it, from the data
+  std::optional<Bounds> shown = std::nullopt;  ///< without it, around what is there
+  std::vector<dem::WallSurface> walls = {};
   View view = {};
   int width = 1280, height = 800;  ///< [pixels]
   int threads = 1;
 };
 
-/// A number for each sphere of the frame.
-std::vector<double> shade_of(const dem::TrajectoryFrame& frame, Shade shade);
-
-inline constexpr int kColors = 64;
-
-/// Color of a value, 0 for the lowest to kColors - 1: what is beyond the scale has the color of its end, NaN
-/// the lowest.
-int palette_place(double value, const std::pair<double, double>& range);
-
-/// Ends of the color scale: those of the data without its lowest and highest half percent, which show in the
-/// end colors.
-std::pair<double, double> range_of(std::vector<double> values);
-
-/// Those of all these frames.
-std::pair<double, double> shade_range(std::span<const dem::TrajectoryFrame> frames, Shade shade);
-
 struct Picture {
   std::string png;
-  std::pair<double, double> range;  ///< of the color scale
+  std::pair<double, double> range;   ///< of the color scale
+  std::size_t below = 0, above = 0;  ///< spheres beyond its ends, which marks at them tell of
 };
 
-/// The frame as PNG: fibers, box, color scale with its unit, time; provenance as tEXt chunks.
+/// The frame as PNG: fibers, walls, box, color scale with its unit, time; provenance as tEXt chunks.
 /// @throws FigureError if gnuplot, which sets the texts, is missing or refuses
 Picture draw(const dem::TrajectoryFrame& frame, const PictureOptions& options,
              const dem::Provenance& provenance);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <thread>
 
 namespace fiberchain::compare {
 namespace {
@@ -70,15 +71,16 @@ Camera camera_of(const Solids& solids, const View& view, double aspect) {
   return camera;
 }
 
-void* texture(SceneHandle scene, const Color& color, double ambient, double diffuse, double specular) {
+void* texture(SceneHandle scene, const Color& color, double ambient, double diffuse, double specular,
+              double opacity = 1) {
   apitexture all{};
   all.texturefunc = RT_TEXTURE_CONSTANT;
   all.col = rt_color(color.red, color.green, color.blue);
-  all.shadowcast = 1;
+  all.shadowcast = opacity == 1 ? 1 : 0;
   all.ambient = ambient;
   all.diffuse = diffuse;
   all.specular = specular;
-  all.opacity = 1;
+  all.opacity = opacity;
   void* made = rt_texture(scene, &all);
   return made;
 }
@@ -100,21 +102,44 @@ void add_rods(SceneHandle scene, const Solids& solids) {
   }
 }
 
-/// Edges of the box as thin bars, and its floor.
+void add_triangles(SceneHandle scene, void* look, const std::vector<std::array<Point, 3>>& triangles,
+                   const Point& shift) {
+  for (const auto& t : triangles)
+    rt_tri(scene, look, vector(t[0] + shift), vector(t[1] + shift), vector(t[2] + shift));
+}
+
+/// Edges of the box as thin bars, and its floor where nothing else is one.
 void add_box(SceneHandle scene, const Solids& solids) {
   const std::vector<Point> all = corners(solids);
   const double thin = 0.0012 * norm(solids.high - solids.low);
   void* const bar = texture(scene, {0.45f, 0.45f, 0.45f}, 0.8, 0.2, 0);
-  for (unsigned i = 0; i < 8; ++i) {
+  for (unsigned i = 0; solids.box && i < 8; ++i) {
     for (unsigned k = 1; k < 8; k *= 2) {
       if (!(i & k)) rt_fcylinder(scene, bar, vector(all[i]), vector(all[i | k] - all[i]), thin);
     }
   }
   void* const floor = texture(scene, {0.93f, 0.93f, 0.93f}, 0.45, 0.55, 0);
-  Point below[4];
-  for (unsigned i = 0; i < 4; ++i) below[i] = all[i] - Point{0, 0, thin};
-  rt_tri(scene, floor, vector(below[0]), vector(below[1]), vector(below[3]));
-  rt_tri(scene, floor, vector(below[0]), vector(below[3]), vector(below[2]));
+  const Point below{0, 0, -thin};
+  add_triangles(scene, floor, solids.floor, below);
+  if (solids.facets.empty() && solids.floor.empty())
+    add_triangles(scene, floor, {{all[0], all[1], all[3]}, {all[0], all[3], all[2]}}, below);
+}
+
+/// Walls as panes in frames. Tachyon adds a pane's own light to what comes through it.
+void add_walls(SceneHandle scene, const Solids& solids) {
+  void* const pane = texture(scene, {0.40f, 0.52f, 0.70f}, 0.09, 0.06, 0, 0.14);
+  add_triangles(scene, pane, solids.facets, {});
+  const double thin = 0.0016 * norm(solids.high - solids.low);
+  void* const bar = texture(scene, {0.25f, 0.30f, 0.38f}, 0.8, 0.2, 0);
+  for (const auto& [from, to] : solids.edges) {
+    if (norm(to - from) > 0) rt_fcylinder(scene, bar, vector(from), vector(to - from), thin);
+  }
+}
+
+/// With more threads than processors Tachyon's wait for each other without end.
+int usable_threads(int asked) {
+  const auto there = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(asked, 1, std::max(there, 1));
 }
 
 /// From above, over the camera's left shoulder.
@@ -157,7 +182,7 @@ Image ray_trace(const Solids& solids, const View& view, int width, int height, i
   const double aspect = static_cast<double>(width) / height;
   const Camera camera = camera_of(solids, view, aspect);
   rt_verbose(scene, 0);
-  rt_set_numthreads(scene, threads);
+  rt_set_numthreads(scene, usable_threads(threads));
   rt_resolution(scene, width, height);
   rt_aspectratio(scene, 1);
   rt_aa_maxsamples(scene, kSamples);
@@ -168,11 +193,12 @@ Image ray_trace(const Solids& solids, const View& view, int width, int height, i
   rt_boundmode(scene, RT_BOUNDING_ENABLED);
   rt_image_clamp(scene);
   rt_camera_projection(scene, RT_PROJECTION_PERSPECTIVE);
-  rt_camera_raydepth(scene, 3);
+  rt_camera_raydepth(scene, 24);  // panes behind each other
   rt_camera_position(scene, vector(camera.place), vector(camera.forward), vector(camera.up));
   rt_camera_zoom(scene, 0.5 / std::tan(kVerticalField / 2));  // at zoom 1 the view is as high as far
   add_rods(scene, solids);
   add_box(scene, solids);
+  add_walls(scene, solids);
   add_lights(scene, camera);
   rt_renderscene(scene);
   turn_over(image);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +26,11 @@ struct Rod {
 struct Solids {
   std::vector<Rod> rods;
   std::vector<Color> palette;
-  Point low, high;  ///< box that is shown by its edges and a floor
+  Point low, high;                                ///< box that is in the picture
+  bool box = true;                                ///< its edges are shown
+  std::vector<std::array<Point, 3>> facets = {};  ///< seen through
+  std::vector<std::array<Point, 3>> floor = {};   ///< not seen through; without any the box has one
+  std::vector<std::array<Point, 2>> edges = {};   ///< of what the facets show
 };
 
 /// Where the camera stands, seen from the middle of the box. Its distance is chosen so that the whole box is
@@ -41,7 +46,7 @@ struct Image {
   std::vector<std::uint8_t> rgb;
 };
 
-/// @param threads that share the work
+/// @param threads that share the work; no more than the machine has are used
 Image ray_trace(const Solids& solids, const View& view, int width, int height, int threads);
 
 }  // namespace fiberchain::compare

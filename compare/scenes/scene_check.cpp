@@ -14,6 +14,7 @@
 #include "dem/flow/flow_batch.hpp"
 #include "dem/run/memory.hpp"
 #include "dem/run/packing_estimate.hpp"
+#include "dem/run/start_from.hpp"
 #include "dem/scene/expected_impact.hpp"
 
 namespace fiberchain::compare {
@@ -177,6 +178,12 @@ dem::Table check(const dem::PackingScene& scene, int threads) {
 }
 
 }  // namespace
+
+dem::Scene scene_to_check(const dem::SceneText& text) {
+  dem::Scene scene = dem::parse_scene(text);
+  if (auto* packing = std::get_if<dem::PackingScene>(&scene)) *packing = dem::with_start_file(text, *packing);
+  return scene;
+}
 
 dem::Table scene_check_table(const dem::Scene& scene, int threads) {
   return std::visit([&](const auto& one) { return check(one, threads); }, scene);

@@ -57,6 +57,9 @@ const Checks& damping_checks();
 /// Rolling friction: the paper's statements on Fig 10; the incremental form's stretch.
 const Checks& friction_checks();
 
+/// Contacts alone: impacts by Chung & Ooi's tests, adhesion.
+const Checks& contact_checks();
+
 /// Materials: the paper's statement on damping in a complex domain, chains in time against complex moduli.
 const Checks& material_checks();
 
@@ -68,6 +71,9 @@ const Checks& flow_checks();
 
 /// Packings: the paper's statements on Figs 11 and 12, energy, half the step.
 const Checks& packing_checks();
+
+/// Beds under a plate: van Wyk's exponent.
+const Checks& press_checks();
 
 /// A subject of the matrix, which has a file of claims and a table of measures.
 struct ValidationSubject {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
 
@@ -38,7 +39,15 @@ void check_places(const std::vector<FiberGroup>& groups, const std::vector<Wall>
       for (std::size_t i = 0; i < group.fibers[f].poses.size(); ++i) {
         for (std::size_t w = 0; w < walls.size(); ++w) {
           const Wall& wall = walls[w];
-          if (!is_active(wall, time) || gap_to(wall, group.fibers[f].poses[i].position, time) > 0) continue;
+          const Vec<double, 3>& place = group.fibers[f].poses[i].position;
+          if (!is_active(wall, time)) continue;
+          if (i > 0 && passes_through(wall, group.fibers[f].poses[i - 1].position, place, time)) {
+            throw InvalidInput(
+                fmt::format("fiber {} is not allowed there: it goes through wall {} before its "
+                            "sphere {}",
+                            f, w, i));
+          }
+          if (gap_to(wall, place, time) > 0) continue;
           throw InvalidInput(fmt::format(
               "sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
         }
@@ -86,6 +95,36 @@ void check_stiff(const std::vector<FiberGroup>& groups, const AssemblyOptions& o
   }
 }
 
+/// Contacts by the numbers of their spheres in place of rows, the lower one first.
+std::vector<ContactState> by_numbers(const Assembly::State& s, std::vector<ContactState> all) {
+  for (ContactState& contact : all) {
+    contact.key.first.number = s.number_of(contact.key.first.number);
+    if (!is_sphere(contact.key.second)) continue;
+    contact.key.second.number = s.number_of(contact.key.second.number);
+    if (contact.key.first.number < contact.key.second.number) continue;
+    std::swap(contact.key.first, contact.key.second);
+    contact.normal = -contact.normal;
+    contact.force = -contact.force;
+  }
+  std::ranges::stable_sort(all, {}, &ContactState::key);
+  return all;
+}
+
+/// What is built with grips.
+void check_held(const std::vector<FiberGroup>& groups, const Domain& domain, const AssemblyOptions& options) {
+  if (options.grips.empty()) return;
+  if (domain.fluid) throw InvalidKey("held", "held spheres are not built together with a fluid");
+  for (const Grip& grip : options.grips) {
+    for (const SphereAddress& at : grip.spheres) {
+      if (at.group < 0 || at.group >= std::ssize(groups)) continue;  // HeldSpheres tells
+      if (groups[at.group].chain.fiber.rolling_friction > 0 && options.rolling == Rolling::set_valued)
+        throw InvalidKey("held",
+                         "held spheres are not built together with rolling friction of the bonds that is "
+                         "solved within the step; motion.rolling: explicit_sign is");
+    }
+  }
+}
+
 double stored(const EnergyBalance& energy) { return sum_of(energy, EnergyRole::stored); }
 
 }  // namespace
@@ -96,6 +135,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   check_stiff(groups, options);
   check_fluid(domain);
   check_periodic_invariance(domain);
+  check_held(groups, domain, options);
   if (options.threads < 1)
     throw InvalidInput(fmt::format("threads = {} is not allowed: 1 or more", options.threads));
   if (options.account_energy && packing_law(options).intact_place >= 0) {
@@ -115,10 +155,15 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   state_ = std::make_unique<State>(std::move(domain), std::move(options), step);
   State& s = *state_;
   if (!s.options.placed_anywhere) check_places(groups, s.contacts.walls(), s.time());
+  s.held = HeldSpheres(s.options.grips, groups, step);
   s.add(groups);
+  if (s.held.any()) s.held.grasp(s);
   s.touch();
   s.contacts.begin_accounts();
+  if (s.held.any()) s.held.before_start(s);
   s.start_blocks(0);
+  if (s.held.any()) s.held.start(s);
+  s.held.begin_accounts(s);
 }
 
 Assembly::~Assembly() = default;
@@ -140,7 +185,7 @@ void Assembly::insert(FiberGroup group) {
   if (s.options.account_energy) s.inserted += stored(s.sample().energy) - before;
 }
 
-void Assembly::march(std::int64_t steps) { state_->march(steps); }
+void Assembly::march(std::int64_t steps, ContactForces at_end) { state_->march(steps, at_end); }
 double Assembly::step() const { return state_->step; }
 Integrator Assembly::integrator() const { return state_->options.integrator; }
 std::int64_t Assembly::steps() const { return state_->steps; }
@@ -185,22 +230,18 @@ double Assembly::largest_turn() const { return state_->largest_turn; }
 double Assembly::longest_path() const { return state_->longest_path / state_->smallest_radius(); }
 std::int64_t Assembly::touching() const { return state_->contacts.touching(); }
 std::vector<ContactState> Assembly::contacts() const {
-  std::vector<ContactState> all = state_->contacts.states(state_->rows, state_->time());
-  for (ContactState& contact : all) {
-    contact.key.first.number = state_->number_of(contact.key.first.number);
-    if (!is_sphere(contact.key.second)) continue;
-    contact.key.second.number = state_->number_of(contact.key.second.number);
-    if (contact.key.first.number < contact.key.second.number) continue;
-    std::swap(contact.key.first, contact.key.second);
-    contact.force = -1.0 * contact.force;
-  }
-  std::ranges::stable_sort(all, {}, &ContactState::key);
-  return all;
+  return by_numbers(*state_, state_->contacts.states(state_->rows, state_->time()));
+}
+std::vector<ContactState> Assembly::contact_forces() const {
+  return state_->last_forces ? by_numbers(*state_, *state_->last_forces) : contacts();
 }
 std::vector<WallSample> Assembly::wall_samples() const {
   return state_->contacts.wall_samples(state_->time());
 }
 void Assembly::begin_wall_interval() { state_->contacts.begin_wall_interval(state_->time()); }
+std::vector<WallSample> Assembly::held_samples() const { return state_->held.samples(*state_); }
+void Assembly::begin_held_interval() { state_->held.begin_interval(*state_); }
+const std::vector<Grip>& Assembly::grips() const { return state_->options.grips; }
 const std::vector<Wall>& Assembly::walls() const { return state_->contacts.walls(); }
 std::int64_t Assembly::sort_count() const { return state_->sort_count; }
 StepTimes Assembly::times() const { return state_->watch.times; }

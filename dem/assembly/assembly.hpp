@@ -16,6 +16,7 @@
 #include "dem/contact/wall_record.hpp"
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/model/domain.hpp"
+#include "dem/model/grip.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/kernels/packing_kernel.hpp"
 #include "dem/motion/physics.hpp"
@@ -51,6 +52,7 @@ struct AssemblyOptions {
   double time_shift = 0;          ///< ... this [s]
   double speed = 0;  ///< that bodies may come to [m/s], for the choice of a step beside those there are
   double restitution_error = usual_restitution_error;  ///< that a chosen step may make
+  std::vector<Grip> grips = {};                        ///< what holds, drives or loads spheres
 };
 
 /// Wall-clock time of the parts of all steps [s].
@@ -83,6 +85,9 @@ struct AssemblySample {
   double overlap_mean() const { return overlapping > 0 ? overlap / static_cast<double>(overlapping) : 0; }
 };
 
+/// Whether contact_forces() has those of a march's last step to round-off.
+enum class ContactForces { not_kept, kept };
+
 class Assembly {
  public:
   /// Throws InvalidInput for what makes no sense or is not built: no fibers, spheres beyond a wall, a fluid
@@ -103,7 +108,7 @@ class Assembly {
   /// Throws Diverged with step, time, fiber, sphere and likely cause when the run blows up, and where bodies
   /// may have passed through each other or a wall: an overlap beyond the smaller radius, a path of a step
   /// beyond half of the smallest.
-  void march(std::int64_t steps);
+  void march(std::int64_t steps, ContactForces at_end = ContactForces::not_kept);
 
   double step() const;  ///< dt [s]
   Integrator integrator() const;
@@ -143,12 +148,20 @@ class Assembly {
   double longest_path() const;     ///< of a sphere in a step over the smallest radius, likewise
   /// Largest turn of a bond in a step [rad] since the start, or more; 0 where bonds are not solved for.
   double largest_turn() const;
-  std::vector<ContactState> contacts() const;  ///< by the numbers of their spheres
+  /// By the numbers of their spheres. Forces are of this moment to first order in the step.
+  std::vector<ContactState> contacts() const;
+  /// The same with the forces of the last step, to round-off those that move spheres and walls, where march()
+  /// has kept them; else as contacts(). They are of the spheres that were there when the march ended.
+  std::vector<ContactState> contact_forces() const;
   /// Forces and moments on each wall over the interval that ends now, which began at the start or at the last
   /// begin_wall_interval(). The mean force times the interval is what the wall's contacts have given it to
   /// round-off.
   std::vector<WallSample> wall_samples() const;
   void begin_wall_interval();
+  /// The same of each grip: what its spheres do to it, moments about their mean place, which is `center`.
+  std::vector<WallSample> held_samples() const;
+  void begin_held_interval();
+  const std::vector<Grip>& grips() const;
   const std::vector<Wall>& walls() const;  ///< those that are driven stand where they are now
   std::int64_t sort_count() const;         ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;

@@ -194,6 +194,12 @@ const std::vector<FieldRule>& fields() {
       {.name = "walls",
        .get = [](State& s, const Places&) -> FieldValues { return s.contacts.wall_records(); },
        .set = [](State& s, const FieldValues& v) { s.contacts.set_wall_records(std::get<Reals>(v).data()); }},
+      {.name = "held",
+       .get = [](State& s, const Places&) -> FieldValues { return s.held.saved(); },
+       .set = [](State& s, const FieldValues& v) { s.held.restore(std::get<Reals>(v).data()); }},
+      {.name = applied_loads_field,
+       .get = [](State& s, const Places&) -> FieldValues { return s.held.applied_loads(s); },
+       .set = [](State&, const FieldValues&) {}},  // of a run that goes on with others
       {.name = "deepest_overlap",
        .get = [](State& s, const Places&) -> FieldValues { return Reals{s.contacts.deepest()}; },
        .set = [](State& s, const FieldValues& v) { s.contacts.set_deepest(std::get<Reals>(v).front()); }},
@@ -274,6 +280,8 @@ void Assembly::restore(const SavedState& saved) {
   check_state(s, saved);
   for (const FieldRule& rule : fields()) rule.set(s, saved.find(rule.name)->second.values);
   s.set_gradient();
+  s.held.locate(s);
+  if (s.held.any()) s.held.grasp(s);
 }
 
 }  // namespace fiberchain::dem

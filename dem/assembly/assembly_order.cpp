@@ -122,6 +122,7 @@ void Assembly::State::move_to(std::vector<FiberOrder> after, const std::vector<s
   ++sort_count;
   contacts.reorder_rows(new_row, rows, time(), pool);
   displacement_budget = 0.5 * contacts.skin();
+  held.locate(*this);
 }
 
 }  // namespace fiberchain::dem

@@ -95,6 +95,7 @@ AssemblySample Assembly::State::sample() {
   energy.contact_tangential = dissipated.sliding;
   energy.contact_rolling = dissipated.rolling;
   energy.wall_work = contacts.wall_work();
+  energy.held_work = options.account_energy ? held.work(*this) : 0;
   energy.inserted = inserted;
   return all;
 }

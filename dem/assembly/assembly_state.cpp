@@ -58,7 +58,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     fibers.push_back(static_cast<int>(group.fibers.size()));
     first_block.push_back(static_cast<int>(blocks.size()));
     order.push_back(order_at_start(group, options.sort_in_space && is_worth_sorting(count), domain));
-    contacts.add(group.chain.fiber, fibers.back());
+    contacts.add(group.chain, fibers.back());
     scratch_size = std::max(scratch_size, kind.kernel->scratch(group.chain.fiber.aspect_ratio));
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
@@ -84,6 +84,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   part_times.assign(contacts.parts().count(), {});
   watch.contacts_before = watch.both_before = 0;
   best_cross_part_fraction = first_new == 0 ? contacts.cross_part_fraction() : 0;
+  held.locate(*this);
   return first_new;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "dem/assembly/assembly.hpp"
 #include "dem/assembly/fiber_block.hpp"
 #include "dem/assembly/fiber_order.hpp"
+#include "dem/assembly/held_spheres.hpp"
 #include "dem/contact/contacts.hpp"
 #include "dem/parallel/thread_pool.hpp"
 #include "dem/parallel/wavefront_schedule.hpp"
@@ -87,7 +89,9 @@ struct Assembly::State {
   WavefrontSchedule wavefront{0};
   double displacement_budget = 0;  ///< displacement left before the Verlet criterion must be checked [m]
   StopWatch watch;
-  double inserted = 0;  ///< energy supplied with inserted fibers [J]
+  double inserted = 0;                                   ///< energy supplied with inserted fibers [J]
+  std::optional<std::vector<ContactState>> last_forces;  ///< by rows, where the last march has kept them
+  HeldSpheres held;                                      ///< by grips
 
   State(Domain around, AssemblyOptions how, double dt)
       : domain(std::move(around)),
@@ -131,6 +135,8 @@ struct Assembly::State {
   void set_gradient();
   void rebuild_neighbor_list();
   void touch();
+  /// The same, and keeps the forces of each contact.
+  void touch_and_keep();
   /// Sorts fibers in space where they have mixed. No loads are waiting.
   void sort_where_mixed();
   /// Fibers to the places of this order, bonds, contacts and their histories with them.
@@ -139,14 +145,14 @@ struct Assembly::State {
   std::vector<std::int32_t> rows_in(const std::vector<FiberOrder>& after) const;
   /// Those of a group as they lie now.
   FiberOrder order_now(int group) const;
-  void march(std::int64_t count);
+  void march(std::int64_t count, ContactForces at_end);
   AssemblySample sample();
   std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"
   std::int64_t fastest_sphere() const;
   double smallest_radius() const;  ///< [m]
 
  private:
-  bool march_some(int count);
+  bool march_some(int count, ContactForces at_end);
   Partition partition_of_blocks();
   void move();
   void touch_and_move();

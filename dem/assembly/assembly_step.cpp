@@ -54,7 +54,7 @@ void Assembly::State::rebuild_neighbor_list() {
 bool Assembly::State::update_neighbor_list() {
   const double longest = *std::ranges::max_element(paths);
   longest_path = std::max(longest_path, longest + step * contacts.fastest_wall(time()));
-  contacts.add_displacements(paths);
+  contacts.add_displacements(paths, time());
   displacement_budget -= longest;
   if (contacts.walls_moved_far(time())) {
     rebuild_neighbor_list();
@@ -105,6 +105,11 @@ double Assembly::State::step_block(std::size_t number, LoadRange own_loads, Lane
   const GroupKind& kind = kinds[block.group()];
   const std::int64_t ahead = rows_ahead(block.end(kind));
   if (options.account_energy) block.account(kind, rows, own_scratch);
+  if (held.in_block(number)) {
+    held.before_step(*this, number);
+    const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
+    return std::max(fastest, held.after_step(*this, number));
+  }
   if (!options.account_energy || !domain.fluid)
     return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
@@ -125,6 +130,10 @@ void Assembly::State::move_part(int part, int thread) {
 void Assembly::State::has_moved() {
   ++steps;
   contacts.move_walls();
+  if (held.any()) {
+    held.end_kick();
+    held.grasp(*this);
+  }
   set_gradient();
 }
 
@@ -138,7 +147,14 @@ void Assembly::State::move() {
 /// Loads of all contacts.
 void Assembly::State::touch() {
   contacts.work_out(rows, time(), loads, pool);
+  for (int k = 0; held.any() && k < contacts.parts().count(); ++k) held.add_loads(k, loads.of(k));
   watch.lap(&StepTimes::contacts);
+}
+
+void Assembly::State::touch_and_keep() {
+  ContactMemory before = contacts.memory();
+  touch();
+  last_forces = contacts.last_forces(std::move(before), rows, time());
 }
 
 /// Both, part by part: a part is moved while its rows are still in the cache from its contacts.
@@ -153,6 +169,7 @@ void Assembly::State::touch_and_move() {
       [&](int k, int thread) {
         const TimedPart timed(watch.on, part_times[k].bonds_and_motion);
         contacts.reduce_halo_forces(k, loads.of(k));
+        if (held.any()) held.add_loads(k, loads.of(k));
         move_part(k, thread);
       });
   contacts.end_forces(now);
@@ -161,7 +178,8 @@ void Assembly::State::touch_and_move() {
 }
 
 /// False where positions are no longer finite.
-bool Assembly::State::march_some(int count) {
+bool Assembly::State::march_some(int count, ContactForces at_end) {
+  last_forces.reset();
   watch.lap(nullptr);
   if (watch.on) pool.measure_idle_times();
   for (int n = 0; n < count; ++n) {
@@ -174,7 +192,7 @@ bool Assembly::State::march_some(int count) {
       return false;
     }
   }
-  touch();
+  at_end == ContactForces::kept ? touch_and_keep() : touch();
   return true;
 }
 
@@ -239,11 +257,11 @@ double Assembly::State::smallest_radius() const {
   return smallest;
 }
 
-void Assembly::State::march(std::int64_t count) {
+void Assembly::State::march(std::int64_t count, ContactForces at_end) {
   for (std::int64_t done = 0; done < count;) {
-    const std::int64_t from = steps;
+    const std::int64_t from = steps, now = std::min<std::int64_t>(steps_between_checks, count - done);
     const bool finite =
-        march_some(static_cast<int>(std::min<std::int64_t>(steps_between_checks, count - done)));
+        march_some(static_cast<int>(now), done + now == count ? at_end : ContactForces::not_kept);
     const std::int64_t sphere = broken();
     if (sphere >= 0 || !finite) fail(std::max<std::int64_t>(sphere, 0), from);
     if (!options.allow_passage) check_passage(from);

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "dem/assembly/assembly_state.hpp"
@@ -75,29 +75,37 @@ SavedContact in_rows(const State& s, const SavedContact& carried) {
   return contact;
 }
 
-/// The wall here that a sphere overlaps as it did one there, by which its history goes on; the same one
-/// first.
-std::optional<std::int64_t> wall_of(const State& s, const SavedContact& contact, double overlap) {
-  const std::int64_t row = contact.key.first.number, walls = std::ssize(s.domain.walls);
-  const auto fits = [&](std::int64_t w) {
+using ContactsNow = std::map<ContactKey, SavedContact>;
+
+/// The contact here with a wall that a sphere overlaps as it did one there, by which its history goes on: the
+/// same wall and feature of a mesh first, then of all the lowest.
+ContactKey wall_contact_like(const ContactsNow& now, const SavedContact& contact, const ContactLaw& law,
+                             double radius) {
+  const double overlap = law.overlap(contact.history);
+  const auto fits = [&](const SavedContact& other) {
     constexpr double close = 1e-6;  // of the radius
-    const Wall& wall = s.domain.walls[w];
-    if (!is_active(wall, s.time())) return false;
-    const double now = s.rows.radius(row) - gap_to(wall, s.rows.position(row), s.time());
-    return std::abs(now - overlap) < close * s.rows.radius(row);
+    return std::abs(law.overlap(other.history) - overlap) < close * radius;
   };
-  const std::int64_t same = contact.key.second.number;
-  if (same < walls && fits(same)) return same;
-  for (std::int64_t w = 0; w < walls; ++w) {
-    if (fits(w)) return w;
+  const auto same = now.find(contact.key);
+  if (same != now.end() && fits(same->second)) return contact.key;
+  ContactKey best = contact.key;
+  bool found = false;
+  const Primitive& sphere = contact.key.first;
+  // walls come before spheres, the last wall first
+  const ContactKey first{sphere, facet_primitive(first_segment), 0};
+  for (auto at = now.lower_bound(first); at != now.end() && at->first.first == sphere; ++at) {
+    const ContactKey& key = at->first;
+    if (!is_facet(key.second)) break;
+    if (!fits(at->second) || (found && key.second == best.second)) continue;
+    best = key, found = true;
   }
-  return std::nullopt;
+  return best;
 }
 
 /// Gives the contacts that are there the histories they had. The spheres whose contacts are not the same.
 std::set<std::int64_t> put_contacts(State& s, const CarriedState& carried, CarriedLosses& losses) {
   const ContactLaw& law = law_of(s.domain.contacts);
-  std::map<ContactKey, SavedContact> now;
+  ContactsNow now;
   std::set<std::int64_t> changed;
   const auto change = [&](const ContactKey& key) {
     changed.insert(key.first.number);
@@ -112,8 +120,8 @@ std::set<std::int64_t> put_contacts(State& s, const CarriedState& carried, Carri
         std::swap(contact.key.first, contact.key.second);
         law.exchange_bodies(contact.history);
       }
-    } else if (const auto wall = wall_of(s, contact, law.overlap(contact.history))) {
-      contact.key.second.number = *wall;
+    } else {
+      contact.key = wall_contact_like(now, contact, law, s.rows.radius(contact.key.first.number));
     }
     const auto found = now.find(contact.key);
     if (found == now.end()) {
@@ -149,6 +157,7 @@ void put_loads(State& s, const CarriedState& carried, const std::set<std::int64_
       }
     }
   }
+  s.held.add_loads(s, changed, loads);
   s.loads.set(loads.data(), loads.size());
 }
 
@@ -188,6 +197,8 @@ CarriedLosses Assembly::take_over(const CarriedState& carried) {
   for (FiberBlock& block : s.blocks) {
     if (block.group() < groups) begin_again(s, reader, block, carried.step);
   }
+  if (s.held.any()) s.held.set_speeds(s);
+  s.held.begin_accounts(s);
   return losses;
 }
 

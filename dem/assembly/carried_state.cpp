@@ -135,6 +135,23 @@ std::vector<SavedContact> saved_contacts_in(const SavedState& saved, const Saved
   return contacts;
 }
 
+/// Takes off the loads of groups what is not of contacts.
+void take_off_applied(CarriedState& state, const SavedState& saved) {
+  if (!saved.contains(applied_loads_field)) return;
+  const SavedReals& applied = values_of<SavedReals>(saved, applied_loads_field);
+  for (std::size_t n = 0; n + applied_load_size <= applied.size(); n += applied_load_size) {
+    auto number = static_cast<std::int64_t>(applied[n]);
+    for (CarriedGroup& group : state.groups) {
+      const std::int64_t spheres = std::ssize(group.loads) / load_size;
+      if (number >= 0 && number < spheres) {
+        for (int c = 0; c < 6; ++c) group.loads[number * load_size + c] -= applied[n + 1 + c];
+        break;
+      }
+      number -= spheres;
+    }
+  }
+}
+
 }  // namespace
 
 void orient_along(ChainState<3>& fiber) {
@@ -185,6 +202,7 @@ CarriedState carried_state(const SavedState& saved) {
     row += layout.fibers * layout.spheres;
     state.groups.push_back(std::move(group));
   }
+  take_off_applied(state, saved);
   state.contacts = saved_contacts_in(saved, all);
   return state;
 }

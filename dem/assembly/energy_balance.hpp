@@ -14,6 +14,7 @@ struct EnergyBalance {
   double scheme;  ///< work on the springs' part of the mass matrix, where bonds are solved for; falls as dt^2
   double fluid;   ///< dissipated by the fluid, negative where it drives
   double wall_work;  ///< supplied by moving walls
+  double held_work;  ///< supplied by what holds, drives and loads spheres
   double inserted;   ///< supplied with inserted fibers
 };
 
@@ -58,6 +59,8 @@ inline constexpr std::array energy_mechanisms = {
                     "taken by the fluid"},
     EnergyMechanism{&EnergyBalance::wall_work, EnergyRole::supplied, "given_walls", "given by walls",
                     "given by walls that move"},
+    EnergyMechanism{&EnergyBalance::held_work, EnergyRole::supplied, "given_held", "given by grips and loads",
+                    "given by what holds, drives and loads spheres"},
     EnergyMechanism{&EnergyBalance::inserted, EnergyRole::supplied, "given_inserted",
                     "given by inserted fibers", "brought by fibers put in later"},
 };

@@ -47,6 +47,11 @@ const ChainState<3>& FiberReader::read(int lane) {
       move_half_step(s, kind_->half_of(i), EndLoad<double, 3>{}, gradient_, false);
     state_.poses[i] = s.pose, state_.velocity[i] = s.velocity, state_.spin[i] = s.spin;
   }
+  const std::ptrdiff_t block = block_ - all_.blocks.data();
+  if (!all_.held.in_block(static_cast<std::size_t>(block))) return state_;
+  spheres_.clear();
+  for (int i = 0; i < kind_->spheres(); ++i) spheres_.push_back(block_->sphere(*kind_, now_, lane, i));
+  all_.held.correct(all_, static_cast<int>(block), lane, spheres_, state_);
   return state_;
 }
 

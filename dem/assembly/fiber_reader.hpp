@@ -34,6 +34,7 @@ class FiberReader {
   BlockSnapshot now_;
   ChainState<3> state_;
   std::vector<BondState> bonds_;
+  std::vector<MovingSphere<double, 3>> spheres_;  ///< of a fiber that is held
 };
 
 /// work(block, reader) for all blocks from `from` to before `to`, on all threads of the assembly, each with

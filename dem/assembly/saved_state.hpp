@@ -29,4 +29,8 @@ using SavedState = std::map<std::string, StateField, std::less<>>;
 using UseField = std::function<void(std::string_view name, const StateField& field)>;
 using EachField = std::function<void(const UseField& use)>;
 
+/// Field of the loads of spheres that are not contacts': number of the sphere, force and moment each.
+inline constexpr std::string_view applied_loads_field = "applied_loads";
+inline constexpr int applied_load_size = 7;
+
 }  // namespace fiberchain::dem

@@ -35,26 +35,27 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
                             const Domain& domain) {
   constexpr double pressed = 0.1;  // overlap over the radius that contacts are expected to stay below
   constexpr int neighbors = 6;     // of a sphere, so pressed
-  const Fiber& fiber = group.chain.fiber;
-  const ContactBody body = sphere_body(fiber, domain.contacts);
+  const ContactBody body = sphere_body(group.chain, domain);
   ContactRates worst{};
   // the law knows spheres between the ends; what it gives acts on end spheres, too
   const auto meet = [&](const ContactBody& other, double lightest) {
     const double overlap = pressed * std::min(body.radius, other.radius);
-    const ContactRates rates = contact_rates(body, other, domain.contacts, overlap, neighbors);
+    const ContactPair pair = contact_pair(domain, body, other);
+    const ContactRates rates = contact_rates(pair.first, pair.second, pair.properties, overlap, neighbors);
     worst = {std::max(worst.stiffness, rates.stiffness / lightest),
              std::max(worst.dashpots, rates.dashpots / lightest)};
   };
-  const double own = end_mass_share(fiber);
+  const double own = end_mass_share(group.chain.fiber);
   for (const FiberGroup& other : groups)
-    meet(sphere_body(other.chain.fiber, domain.contacts), std::min(own, end_mass_share(other.chain.fiber)));
-  if (!domain.walls.empty()) meet(wall_body(domain), own);
+    meet(sphere_body(other.chain, domain), std::min(own, end_mass_share(other.chain.fiber)));
+  for (const ContactBody& wall : wall_bodies(domain)) meet(wall, own);
   return worst;
 }
 
-/// Of fibers now and of walls, and what is expected beside [m/s].
-double largest_speed(const std::vector<FiberGroup>& groups, const Domain& domain, double expected) {
-  double fastest = expected, wall = 0;
+/// Of fibers now, of walls and grips, and what is expected beside [m/s].
+double largest_speed(const std::vector<FiberGroup>& groups, const Domain& domain,
+                     const AssemblyOptions& options) {
+  double fastest = options.speed, wall = 0;
   for (const FiberGroup& group : groups) {
     for (const ChainState<3>& state : group.fibers) {
       for (const auto& v : state.velocity) fastest = std::max(fastest, norm(v));
@@ -69,39 +70,41 @@ double largest_speed(const std::vector<FiberGroup>& groups, const Domain& domain
     }
     wall = std::max(wall, largest_speed(each, reach));
   }
+  for (const Grip& grip : options.grips) {
+    for (const SphereAddress& at : grip.spheres) {
+      if (at.group >= std::ssize(groups) || at.fiber >= std::ssize(groups[at.group].fibers)) continue;
+      const auto& poses = groups[at.group].fibers[at.fiber].poses;
+      if (at.sphere >= std::ssize(poses)) continue;
+      const double reach = distance_from_axis(grip.body, poses[at.sphere].position);
+      wall = std::max(wall, largest_speed(grip.body, reach));
+    }
+  }
   return fastest + wall;
 }
 
-/// Calls use(a, b) with every pair of kinds of bodies that may meet.
-template <class Use>
-void for_pairs_of_bodies(const std::vector<FiberGroup>& groups, const Domain& domain, const Use& use) {
+/// Every pair of kinds of bodies that may meet.
+std::vector<ContactPair> pairs_of_bodies(const std::vector<FiberGroup>& groups, const Domain& domain) {
   std::vector<ContactBody> bodies;
   for (const FiberGroup& group : groups) {
-    const ContactBody body = sphere_body(group.chain.fiber, domain.contacts);
+    const ContactBody body = sphere_body(group.chain, domain);
     if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
   }
-  const std::size_t kinds = bodies.size();
-  if (!domain.walls.empty()) bodies.push_back(wall_body(domain));
-  for (std::size_t a = 0; a < kinds; ++a) {
-    for (std::size_t b = a; b < bodies.size(); ++b) use(bodies[a], bodies[b]);
-  }
+  return contact_pairs(domain, bodies);
 }
 
 /// Largest step up to `high` that keeps the coefficient of restitution of every pair of bodies.
 double restitution_step(const std::vector<FiberGroup>& groups, const Domain& domain, double speed,
                         double allowed, double high) {
-  for_pairs_of_bodies(groups, domain, [&](const ContactBody& a, const ContactBody& b) {
-    high = step_for_restitution(a, b, domain.contacts, speed, allowed, high);
-  });
+  for (const ContactPair& pair : pairs_of_bodies(groups, domain))
+    high = step_for_restitution(pair.first, pair.second, pair.properties, speed, allowed, high);
   return high;
 }
 
 /// Shortest impact of two bodies at `speed` [s].
 double shortest_impact(const std::vector<FiberGroup>& groups, const Domain& domain, double speed) {
   double shortest = std::numeric_limits<double>::infinity();
-  for_pairs_of_bodies(groups, domain, [&](const ContactBody& a, const ContactBody& b) {
-    shortest = std::min(shortest, elastic_impact(a, b, domain.contacts, speed).time);
-  });
+  for (const ContactPair& pair : pairs_of_bodies(groups, domain))
+    shortest = std::min(shortest, elastic_impact(pair.first, pair.second, pair.properties, speed).time);
   return shortest;
 }
 
@@ -124,7 +127,7 @@ void count_stiff_speeds(StepChoice& choice, const std::vector<FiberGroup>& group
 /// The step that is chosen goes no further than the speeds there are and the collisions at them allow.
 void count_speeds(StepChoice& choice, const std::vector<FiberGroup>& groups, const Domain& domain,
                   const AssemblyOptions& options) {
-  choice.speed = largest_speed(groups, domain, options.speed);
+  choice.speed = largest_speed(groups, domain, options);
   if (!(choice.speed > 0)) return;
   double radius = sphere_radius(groups.front().chain.fiber);
   for (const FiberGroup& group : groups) radius = std::min(radius, sphere_radius(group.chain.fiber));
@@ -143,10 +146,10 @@ double restitution_error(const std::vector<FiberGroup>& groups, const Domain& do
                          double step) {
   double worst = 0;
   if (!(speed > 0)) return worst;
-  for_pairs_of_bodies(groups, domain, [&](const ContactBody& a, const ContactBody& b) {
-    const double here = restitution_error(a, b, domain.contacts, speed, step);
+  for (const ContactPair& pair : pairs_of_bodies(groups, domain)) {
+    const double here = restitution_error(pair.first, pair.second, pair.properties, speed, step);
     if (!(here <= worst)) worst = here;
-  });
+  }
   return worst;
 }
 

@@ -17,6 +17,7 @@ struct Chain {
   Fiber fiber;
   Poses<Dim> poses;                               ///< aspect_ratio + 1 spheres, at rest
   std::vector<NaturalEnds<double, Dim>> natural;  ///< a bond's ends at rest; empty: no corners
+  int surface = 0;                                ///< its number in Domain::pairs
 };
 
 /// Stress-free straight chain along x from the origin. Throws InvalidInput for a fiber that makes no sense

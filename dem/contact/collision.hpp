@@ -9,11 +9,16 @@
 namespace fiberchain::dem {
 
 /// Speed after a head-on collision of two free bodies over the speed before, as the leapfrog of a packing
-/// finds it at a step `dt` [s] (laws that act across a gap are not looked at): the bodies close in at `speed`
-/// [m/s] and stand `phase` of a step's path apart at first. Not a number where they do not part.
+/// finds it at a step `dt` [s]: the bodies close in at `speed` [m/s] and stand `phase` of a step's path apart
+/// at first. Not a number where they do not part. Of laws that adhere: the restitution set, off by the square
+/// of what one kick of the largest pull is of their momentum; others that act across a gap are not looked at.
 template <class Law>
 double collision_restitution(const EffectiveBody& body, const ContactProperties& properties, double speed,
                              double dt, double phase) {
+  if constexpr (requires { Law::adheres; }) {
+    const double kick = Law::pull_off(body, properties) * dt / (body.mass * speed);
+    return properties.restitution - kick * kick;
+  }
   if constexpr (Law::acts_beyond_touch) return properties.restitution;
   constexpr int most_steps = 100000;
   const auto parameters = Law::parameters(body, properties, dt);

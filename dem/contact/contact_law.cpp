@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
@@ -33,6 +34,12 @@ const ContactLaw& contact_law(std::string_view name) {
   throw InvalidInput(fmt::format("contact law = {} is not allowed; allowed: {}", name, names));
 }
 
+std::vector<std::pair<std::string, const ContactLaw*>> contact_law_words() {
+  std::vector<std::pair<std::string, const ContactLaw*>> words;
+  for (const ContactLaw* law : all_laws()) words.emplace_back(law->name, law);
+  return words;
+}
+
 const ContactLaw& law_of(const ContactProperties& properties) {
   return properties.law != nullptr ? *properties.law : *all_laws().front();
 }
@@ -44,6 +51,16 @@ void check(const ContactProperties& properties) {
   };
   require("friction", properties.friction);
   require("rolling_friction", properties.rolling_friction);
+  require("work_of_adhesion", properties.work_of_adhesion);
+  const ContactLaw& law = law_of(properties);
+  if (law.adheres && properties.work_of_adhesion == 0)
+    throw InvalidInput(
+        fmt::format("work_of_adhesion = 0 is not allowed with contact law {}: it must be above 0", law.name));
+  if (!law.adheres && properties.work_of_adhesion > 0)
+    throw InvalidInput(fmt::format(
+        "work_of_adhesion = {} is not allowed with contact law {}, which does not adhere; laws that do: "
+        "jkr, dmt",
+        properties.work_of_adhesion, law.name));
   const double E = properties.youngs_modulus.value_or(1), nu = properties.poisson_ratio.value_or(0);
   if (!(E > 0 && std::isfinite(E)))
     throw InvalidInput(fmt::format("contact modulus = {} is not allowed: it must be finite and above 0", E));
@@ -53,6 +70,7 @@ void check(const ContactProperties& properties) {
 }
 
 int shape_index(const ContactLaw& law, const Wall& wall) {
+  if (mesh_in(wall) != nullptr) return static_cast<int>(law.shapes.size());
   const auto found = std::ranges::find(law.shapes, &wall.shape.type());
   if (found == law.shapes.end()) {
     throw InvalidInput(

@@ -2,8 +2,11 @@
 
 #include <cstring>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "dem/contact/collision.hpp"
 #include "dem/contact/contact_body.hpp"
@@ -30,11 +33,13 @@ struct ContactLaw {
                           const double* history);  ///< without the tangential spring [J]
   double (*closing_power)(const double* parameters, const double* history);  ///< [W]
   void (*exchange_bodies)(double* history);  ///< the history as if the second body were the first
-  /// Of this moment: the history stays.
-  ContactAction<double> (*act)(const double* parameters, const TouchingPair<double>&, const double* history);
+  /// Over a step [s] behind this history, which stays; over none: of the moment that the history is of.
+  ContactAction<double> (*act)(const double* parameters, const TouchingPair<double>&, double step,
+                               const double* history);
   const ContactKernel& (*kernel)(const ContactPhysics&, InstructionSet);
   std::span<const WallShapeType* const>
-      shapes;  ///< that its wall loops are compiled for, in the order of ContactKernel::walls
+      shapes;            ///< that its wall loops are compiled for, in the order of ContactKernel::walls
+  bool adheres = false;  ///< and wants a work of adhesion
 };
 
 /// A value of numbers only, from and to them.
@@ -56,6 +61,7 @@ template <class Shapes>
 struct WallShapeTypes;
 template <template <class> class... Shapes>
 struct WallShapeTypes<ShapeList<Shapes...>> {
+  static_assert((NumberShape<Shapes<double>> && ...), "the loops take a shape as wall_shape_size numbers");
   static constexpr const WallShapeType* list[] = {&wall_shape_type<Shapes<double>>...};
 };
 
@@ -90,10 +96,10 @@ struct ContactLawOf {
   static void exchange_bodies(double* history) {
     to_numbers(Law::exchanged(from_numbers<History>(history)), history);
   }
-  static ContactAction<double> act(const double* parameters, const TouchingPair<double>& pair,
+  static ContactAction<double> act(const double* parameters, const TouchingPair<double>& pair, double step,
                                    const double* history) {
     History now = from_numbers<History>(history);
-    return Law::template act<true>(from_numbers<Parameters>(parameters), pair, 0.0, now);
+    return Law::template act<true>(from_numbers<Parameters>(parameters), pair, step, now);
   }
   static const ContactKernel& kernel(const ContactPhysics& physics, InstructionSet set) {
     return kernel_of<ContactKernelFamily<Laws, Shapes>::template Of>(
@@ -116,7 +122,11 @@ inline constexpr ContactLaw contact_law_of{
     .exchange_bodies = ContactLawOf<Law, Laws, Shapes>::exchange_bodies,
     .act = ContactLawOf<Law, Laws, Shapes>::act,
     .kernel = ContactLawOf<Law, Laws, Shapes>::kernel,
-    .shapes = WallShapeTypes<Shapes>::list};
+    .shapes = WallShapeTypes<Shapes>::list,
+    .adheres = requires {Law::adheres;
+}  // namespace fiberchain::dem
+}
+;
 
 /// The law of this name among ContactLaws. Throws InvalidInput where there is none.
 const ContactLaw& contact_law(std::string_view name);
@@ -124,12 +134,15 @@ const ContactLaw& contact_law(std::string_view name);
 /// The law of these properties: the first of ContactLaws where none is named.
 const ContactLaw& law_of(const ContactProperties& properties);
 
-/// Throws InvalidInput for friction that is negative or not finite, and for an elasticity that no material
-/// has.
+/// The names of ContactLaws with their laws.
+std::vector<std::pair<std::string, const ContactLaw*>> contact_law_words();
+
+/// Throws InvalidInput for friction that is negative or not finite, for an elasticity that no material has,
+/// for a law that adheres without a work of adhesion, or a work of adhesion without such a law.
 void check(const ContactProperties& properties);
 
-/// Number of a wall's shape among those of the law's loops. Throws InvalidInput where they are not compiled
-/// for it.
+/// Number of a wall's shape among those of the law's loops; behind them all of a mesh. Throws InvalidInput
+/// where they are not compiled for it.
 int shape_index(const ContactLaw& law, const Wall& wall);
 
 }  // namespace fiberchain::dem

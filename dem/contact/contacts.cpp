@@ -19,23 +19,22 @@ Contacts::Contacts(const Domain& domain, const ContactOptions& options, double s
       instruction_set_(options.instruction_set),
       step_(step) {
   check(domain.contacts);
+  for (const Wall& wall : domain.walls) check(with(domain.contacts, wall.contacts));
+  for (const SurfacePair& pair : domain.pairs) check(with(domain.contacts, pair.contacts));
   for (const Wall& wall : domain.walls) shapes_.push_back(shape_index(law_, wall));
   records_.resize(domain.walls.size());
 }
 
 double Contacts::law_reach(const std::vector<ContactBody>& bodies) const {
   double reach = 0;
-  for (const ContactBody& body : bodies) {
-    for (const ContactBody& other : bodies)
-      reach = std::max(reach, law_.reach(effective_body(body, other), domain_.contacts));
-    reach = std::max(reach, law_.reach(effective_body(body, wall_body(domain_)), domain_.contacts));
-  }
+  for (const ContactPair& pair : contact_pairs(domain_, bodies))
+    reach = std::max(reach, law_.reach(pair.together(), pair.properties));
   return reach;
 }
 
 void Contacts::check_periods(const std::vector<FiberGroup>& more) const {
   std::vector<ContactBody> bodies = bodies_;
-  for (const FiberGroup& group : more) bodies.push_back(sphere_body(group.chain.fiber, domain_.contacts));
+  for (const FiberGroup& group : more) bodies.push_back(sphere_body(group.chain, domain_));
   const auto [least, largest] = std::ranges::minmax(bodies, {}, &ContactBody::radius);
   check_minimum_image(domain_.period, 2 * largest.radius + kSkin * least.radius + law_reach(bodies));
 }
@@ -49,8 +48,8 @@ int Contacts::kind_of(const ContactBody& body) {
   return static_cast<int>(found - bodies_.begin());
 }
 
-void Contacts::add(const Fiber& fiber, int count) {
-  const int kind = kind_of(sphere_body(fiber, domain_.contacts)), n = fiber.aspect_ratio + 1;
+void Contacts::add(const Chain<3>& chain, int count) {
+  const int kind = kind_of(sphere_body(chain, domain_)), n = chain.fiber.aspect_ratio + 1;
   std::int32_t number = fiber_.empty() ? 0 : fiber_.back() + 1;
   for (int f = 0; f < count; ++f, ++number) {
     fiber_.insert(fiber_.end(), n, number);
@@ -67,6 +66,7 @@ void Contacts::cut(int count) {
   parts_ = std::vector<Part>(count);
   for (Part& part : parts_) {
     part.walls.resize(domain_.walls.size());
+    part.meshes.resize(domain_.walls.size());
     part.wall_loads.resize(domain_.walls.size());
     part.wall_brought.resize(domain_.walls.size());
     part.halo_of_part.resize(count);
@@ -91,12 +91,14 @@ void Contacts::set_parameters() {
   wall_parameters_.clear();
   const auto append = [&](std::vector<double>& table, const ContactBody& body, const ContactBody& other) {
     table.resize(table.size() + law_.parameters_size);
-    law_.parameters(effective_body(body, other), domain_.contacts, step_,
-                    &*table.end() - law_.parameters_size);
+    const ContactPair pair = contact_pair(domain_, body, other);
+    law_.parameters(pair.together(), pair.properties, step_, &*table.end() - law_.parameters_size);
   };
   for (const ContactBody& body : bodies_) {
     for (const ContactBody& other : bodies_) append(pair_parameters_, body, other);
-    append(wall_parameters_, body, wall_body(domain_));
+  }
+  for (const Wall& wall : domain_.walls) {
+    for (const ContactBody& body : bodies_) append(wall_parameters_, body, wall_body(domain_, wall));
   }
   law_reach_ = law_reach(bodies_);
   skin_ = kSkin * *std::ranges::min_element(radius_);
@@ -106,8 +108,7 @@ void Contacts::begin(SphereStorage& rows, Partition parts, double time, ThreadPo
   const std::vector<SavedContact> contacts = saved();
   set_parameters();
   const bool periodic = std::ranges::any_of(domain_.period.c, [](double p) { return p > 0; });
-  kernel_ = &law_.kernel({bodies_.size() == 1, periodic, domain_.contacts.rolling_friction > 0, accounted_},
-                         instruction_set_);
+  kernel_ = &law_.kernel({bodies_.size() == 1, periodic, rolls(domain_), accounted_}, instruction_set_);
   cut(parts.count());
   neighbors_ =
       NeighborList({radius_, fiber_, domain_.period}, skin_ + law_reach_, std::move(parts), *kernel_);

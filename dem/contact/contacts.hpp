@@ -9,6 +9,7 @@
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/contact_state.hpp"
 #include "dem/contact/inner_pairs.hpp"
+#include "dem/contact/mesh_neighbors.hpp"
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/pair_list.hpp"
 #include "dem/contact/wall_neighbors.hpp"
@@ -39,6 +40,12 @@ struct ContactSums {
   std::int64_t overlapping = 0;  ///< contacts whose bodies do: not those of laws that act across a gap
 };
 
+/// What forces start from: histories of contacts, walls whose velocities are of half a step before.
+struct ContactMemory {
+  std::vector<SavedContact> contacts;
+  std::vector<Wall> walls;
+};
+
 class Contacts {
  public:
   Contacts(const Domain& domain, const ContactOptions& options, double step);
@@ -46,7 +53,7 @@ class Contacts {
   /// Throws InvalidInput where periods are too short for these fibers beside those there.
   void check_periods(const std::vector<FiberGroup>& more) const;
   /// More fibers, after those that are there.
-  void add(const Fiber& fiber, int count);
+  void add(const Chain<3>& chain, int count);
   /// Once all have been added: cuts the spheres into parts and builds their neighbor list. Contacts keep
   /// their histories.
   void begin(SphereStorage& rows, Partition parts, double time, ThreadPool& pool);
@@ -73,8 +80,9 @@ class Contacts {
   /// When the next neighbor list is built at saved positions.
   void set_reference_time(double time) { reference_time_ = time; }
 
-  /// Spheres of each part move on by no more than `paths` [m] before the next work_out().
-  void add_displacements(const std::vector<double>& paths);
+  /// Spheres of each part have moved on by no more than `paths` [m] since the last work_out(), walls up to
+  /// this time.
+  void add_displacements(const std::vector<double>& paths, double time);
   const Partition& parts() const { return neighbors_.parts(); }
 
   /// The parts whose spheres the contacts of each part read and load.
@@ -104,7 +112,14 @@ class Contacts {
   void begin_accounts();
   ContactSums sums() const;  ///< now
 
+  /// Forces of the moment, to first order in the step: those of the step extrapolate velocities from the one
+  /// before.
   std::vector<ContactState> states(const SphereStorage& rows, double time) const;
+  /// What the next forces start from: to be had before work_out().
+  ContactMemory memory() const { return {saved(), domain_.walls}; }
+  /// Forces as the last work_out() had them, to round-off: the law once more for each contact, behind what
+  /// the memory `before` it holds.
+  std::vector<ContactState> last_forces(ContactMemory before, const SphereStorage& rows, double time) const;
   /// Where each contact's history is, part by part in the order of their keys, which those that give
   /// contacts one after the other follow.
   std::vector<ContactPlace> places() const;
@@ -143,9 +158,11 @@ class Contacts {
     PairList pairs;
     InnerPairList inner;
     std::vector<WallNeighbors> walls;
-    std::vector<WallLoad> wall_loads;  ///< of each now
-    std::vector<double> wall_brought;  ///< work of each as it came or went, waiting for end_forces() [J]
-    ContactHistories histories;        ///< of the pairs and at the walls
+    std::vector<WallLoad> wall_loads;   ///< of each now
+    std::vector<double> wall_brought;   ///< work of each as it came or went, waiting for end_forces() [J]
+    std::vector<MeshNeighbors> meshes;  ///< of walls that are meshes, by the walls' numbers
+    double path = 0;                    ///< sum of add_displacements() [m]
+    ContactHistories histories;         ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
     std::vector<HaloForce> halo;
     std::vector<std::vector<std::int32_t>> halo_of_part;  ///< numbers in halo, by the part they are for
@@ -157,6 +174,7 @@ class Contacts {
   struct UpdateScratch {
     PairList pairs;
     WallNeighbors wall;
+    MeshNeighbors mesh;
   };
 
   /// Fills the rows behind those of the spheres, for the lanes that pad vectors.
@@ -170,28 +188,39 @@ class Contacts {
   /// Neighbor pairs and wall neighbors of all parts, of one part.
   void update_parts(ThreadPool& pool);
   void update_part(int part, UpdateScratch& scratch);
+  void update_wall(int part, std::size_t wall, UpdateScratch& scratch);
+  void update_mesh(int part, std::size_t wall, UpdateScratch& scratch);
   /// By the parts that a part's halo forces are for.
   void sort_halo(int part, std::int32_t count);
   /// Numbers of the law's Parameters.
   const double* parameters_of(const SavedContact& contact) const;
+  const double* wall_parameters(std::size_t wall, std::size_t kind) const {
+    return wall_parameters_.data() + (wall * bodies_.size() + kind) * law_.parameters_size;
+  }
   void exchange_bodies(SavedContact& contact) const;
   double energy_of(const SavedContact& contact) const;  ///< stored in its springs [J]
   double smaller_radius(const ContactKey& key) const;   ///< [m]
   /// At which its normal spring is pressed [W]. A kick lasts from half a step before to half a step after.
   double closing_power(const SavedContact& contact) const;
   /// What a wall that has just come stores in contacts at once [J].
-  double brought_by(const WallNeighbors& neighbors, const Part& part) const;
+  double brought_by(const WallNeighbors& neighbors, int wall, const Part& part) const;
   /// A wall that is gone takes what its contacts stored.
   void drop(WallNeighbors& neighbors, int wall, Part& part) const;
   int kind_of(const ContactBody& body);
   /// Largest gap at which any of these bodies and walls act on each other [m].
   double law_reach(const std::vector<ContactBody>& bodies) const;
-  TouchingPair<double> pair_at(const SavedContact& contact, const SphereStorage& rows, double time,
-                               double& arm) const;
+  /// With walls as these.
+  TouchingPair<double> pair_at(const SavedContact& contact, const std::vector<Wall>& walls,
+                               const SphereStorage& rows, double time, double& arm) const;
   ContactView view(Part& part, const SphereStorage& rows);
   WallView wall_view(int wall, WallNeighbors& neighbors, double time) const;
   /// All loads of a part's spheres at the walls.
   void touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task);
+  /// What of the meshes that are there each sphere of a part touches now.
+  void find_mesh_contacts(Part& part, const SphereStorage& rows, double time);
+  /// A contact that is known already, behind those of its part that come before it.
+  void put_mesh_contact(Part& part, const MeshShape& mesh, const SavedContact& contact);
+  void add_mesh_ways(double time);
   /// How far its surface may be, where spheres are, from where it was when the list was built [m].
   double wall_displacement(std::size_t wall, double time) const;
   void measure_turn_reach();
@@ -207,7 +236,7 @@ class Contacts {
   InstructionSet instruction_set_;
   std::vector<ContactBody> bodies_;  ///< of each kind
   std::vector<double> pair_parameters_,
-      wall_parameters_;  ///< of the law, numbers of each pair of kinds, of each kind
+      wall_parameters_;  ///< of the law, numbers of each pair of kinds, of each wall and kind
   std::vector<double> radius_;
   std::vector<std::int32_t> fiber_, kind_of_sphere_;
   double step_;
@@ -219,6 +248,8 @@ class Contacts {
   std::vector<double> reference_shifts_;   ///< of those that are driven [m]
   std::vector<double>
       turn_reach_;  ///< of each: distance of spheres from where it turns; 0 unless visibly [m]
+  std::vector<WallPose> mesh_poses_;  ///< of walls at the last add_displacements(); empty without meshes
+  std::vector<double> mesh_ways_;     ///< bound of what each mesh went since whenever, where spheres are [m]
   std::vector<WallRecord> records_;
   std::vector<Part> parts_;
   std::vector<UpdateScratch> scratch_;  ///< one a thread
@@ -238,10 +269,10 @@ void Contacts::each_place(const Visit& visit) const {
       const WallNeighbors& neighbors = part.walls[w];
       for (std::size_t n = 0; n < neighbors.count; ++n) {
         if (neighbors.contact[n] == 0) continue;
-        visit(ContactPlace{
-            {sphere_primitive(neighbors.slots[n]), facet_primitive(static_cast<std::int64_t>(w))},
-            k,
-            neighbors.contact[n]});
+        visit(ContactPlace{{sphere_primitive(neighbors.slots[n]),
+                            facet_primitive(static_cast<std::int64_t>(w)), neighbors.key_slot(n)},
+                           k,
+                           neighbors.contact[n]});
       }
     }
     ++k;

@@ -65,12 +65,12 @@ double Contacts::closing_power(const SavedContact& c) const {
   return law_.closing_power(parameters_of(c), c.history);
 }
 
-double Contacts::brought_by(const WallNeighbors& neighbors, const Part& part) const {
+double Contacts::brought_by(const WallNeighbors& neighbors, int wall, const Part& part) const {
   double energy = 0;
   for (std::size_t n = 0; n < neighbors.count; ++n) {
     if (neighbors.contact[n] == 0) continue;
-    const SavedContact contact =
-        part.histories.at(neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(0)});
+    const SavedContact contact = part.histories.at(
+        neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
     // tangential springs of the first step come out of the motion
     energy +=
         law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
@@ -87,6 +87,7 @@ void Contacts::drop(WallNeighbors& neighbors, int wall, Part& part) const {
     part.histories.give_back(neighbors.contact[n]);
     neighbors.contact[n] = 0;
   }
+  if (mesh_in(domain_.walls[wall]) != nullptr) neighbors = {};
 }
 
 std::vector<double> Contacts::accumulators() const {

@@ -45,8 +45,9 @@ WallView Contacts::wall_view(int w, WallNeighbors& neighbors, double time) const
   }
   view.slots = neighbors.slots.data();
   view.count = static_cast<std::int32_t>(neighbors.slots.size());
+  view.nearest = neighbors.nearest.data();
   view.contact = neighbors.contact.data();
-  view.parameters = wall_parameters_.data();
+  view.parameters = wall_parameters(w, 0);
   return view;
 }
 
@@ -62,7 +63,7 @@ void Contacts::touch_walls(Part& part, const ContactView& contacts, double time,
       part.wall_loads[w].moment[c] = task.wall_moment[c];
     }
     if (time > 0 && !is_active(domain_.walls[w], time_before))
-      part.wall_brought[w] += brought_by(part.walls[w], part);
+      part.wall_brought[w] += brought_by(part.walls[w], static_cast<int>(w), part);
   }
 }
 
@@ -73,6 +74,7 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
   for (std::size_t w = 0; w < part.walls.size(); ++w) {
     if (!is_active(domain_.walls[w], time)) drop(part.walls[w], static_cast<int>(w), part);
   }
+  if (!mesh_poses_.empty()) find_mesh_contacts(part, rows, time);
   part.histories.reserve(most_new_contacts(part));
   const ContactView contacts = view(part, rows);
   ContactTask task{.inner = part.inner.view(),

@@ -29,7 +29,10 @@ void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, doub
   for (Part& part : parts_) {
     part.histories.reset();
     part.pairs.clear();
-    for (WallNeighbors& neighbors : part.walls) neighbors.count = 0;
+    for (std::size_t w = 0; w < part.walls.size(); ++w) {
+      part.walls[w].count = 0;
+      if (mesh_in(domain_.walls[w]) != nullptr) part.walls[w] = {}, part.meshes[w].clear();
+    }
   }
   reference_time_ = time;
   keep_wall_poses(time);
@@ -61,22 +64,26 @@ void Contacts::update_part(int k, UpdateScratch& scratch) {
   const auto pad = static_cast<std::int32_t>(spheres());
   part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, scratch.pairs);
   part.inner.stale = true;
-  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
-    const WallShape shape = domain_.walls[w].shape.moved(reference_poses_[w]);
-    Vec<double, 3> last{};
-    double gap = -std::numeric_limits<double>::infinity();
-    const auto is_near = [&](std::int32_t i) {
-      const Vec<double, 3>& place = neighbors_.reference_positions()[i];
-      const double reach = radius_[i] + neighbors_.skin();
-      // a gap is a distance: it shrinks by no more than the way from the last sphere looked at
-      if (const double left = gap - reach; left > 0 && dot(place - last, place - last) < left * left)
-        return false;
-      gap = shape.nearest(place).distance, last = place;
-      return gap < reach;
-    };
-    part.walls[w].update(neighbors_.rebuilt(k), is_near, part.histories, kernel_->width, pad + 2,
-                         scratch.wall);
-  }
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w)
+    mesh_in(domain_.walls[w]) != nullptr ? update_mesh(k, w, scratch) : update_wall(k, w, scratch);
+}
+
+void Contacts::update_wall(int k, std::size_t w, UpdateScratch& scratch) {
+  Part& part = parts_[k];
+  const WallShape shape = domain_.walls[w].shape.moved(reference_poses_[w]);
+  Vec<double, 3> last{};
+  double gap = -std::numeric_limits<double>::infinity();
+  const auto is_near = [&](std::int32_t i) {
+    const Vec<double, 3>& place = neighbors_.reference_positions()[i];
+    const double reach = radius_[i] + neighbors_.skin();
+    // a gap is a distance: it shrinks by no more than the way from the last sphere looked at
+    if (const double left = gap - reach; left > 0 && dot(place - last, place - last) < left * left)
+      return false;
+    gap = shape.nearest(place).distance, last = place;
+    return gap < reach;
+  };
+  part.walls[w].update(neighbors_.rebuilt(k), is_near, part.histories, kernel_->width,
+                       static_cast<std::int32_t>(spheres()) + 2, scratch.wall);
 }
 
 double Contacts::inner_cutoff() const { return law_reach_ + kInnerSkin * skin_; }
@@ -91,9 +98,11 @@ void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& row
   if (part.touching.size() < touching) part.touching.resize(touching);
 }
 
-void Contacts::add_displacements(const std::vector<double>& paths) {
+void Contacts::add_displacements(const std::vector<double>& paths, double time) {
+  if (!mesh_poses_.empty()) add_mesh_ways(time);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     InnerPairList& inner = parts_[k].inner;
+    parts_[k].path += paths[k];
     double longest = paths[k];
     for (const int later : reach_.reached(static_cast<int>(k))) longest = std::max(longest, paths[later]);
     inner.displacement_since += paths[k] + longest;

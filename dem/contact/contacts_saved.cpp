@@ -63,7 +63,10 @@ void Contacts::clear() {
     part.inner.stale = true;
     part.histories.reset();
     std::ranges::fill(part.pairs.contact, 0);
-    for (WallNeighbors& neighbors : part.walls) std::ranges::fill(neighbors.contact, 0);
+    for (std::size_t w = 0; w < part.walls.size(); ++w) {
+      std::ranges::fill(part.walls[w].contact, 0);
+      if (mesh_in(domain_.walls[w]) != nullptr) part.walls[w] = {};
+    }
   }
 }
 
@@ -72,6 +75,12 @@ void Contacts::restore(const std::vector<SavedContact>& contacts) {
     const std::int64_t first = contact.key.first.number, second = contact.key.second.number;
     Part& part = parts_[neighbors_.parts().of(static_cast<std::int32_t>(first))];
     part.inner.stale = true;
+    if (is_facet(contact.key.second)) {
+      if (const MeshShape* mesh = mesh_in(domain_.walls[second])) {
+        put_mesh_contact(part, *mesh, contact);
+        continue;
+      }
+    }
     part.histories.reserve(1);
     const auto put = [&](std::int32_t& number) {
       number = part.histories.take();
@@ -96,22 +105,25 @@ void Contacts::restore(const std::vector<SavedContact>& contacts) {
 
 const double* Contacts::parameters_of(const SavedContact& c) const {
   const std::size_t kind = kind_of_sphere_[c.key.first.number], size = law_.parameters_size;
-  if (is_facet(c.key.second)) return wall_parameters_.data() + kind * size;
+  if (is_facet(c.key.second)) return wall_parameters(c.key.second.number, kind);
   return pair_parameters_.data() + (kind * bodies_.size() + kind_of_sphere_[c.key.second.number]) * size;
 }
 
-TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorage& rows, double time,
-                                       double& arm) const {
+TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<Wall>& walls,
+                                       const SphereStorage& rows, double time, double& arm) const {
   const std::int64_t first = c.key.first.number, second = c.key.second.number;
   const Vec<double, 3> x = rows.position(first), v = rows.velocity(first), w = rows.spin(first);
   Vec<double, 3> other_velocity{}, other_spin{};
   TouchingPair<double> pair{};
   double other_arm = 0;
   if (is_facet(c.key.second)) {
-    const Wall& wall = domain_.walls[second];
+    const Wall& wall = walls[second];
     const WallPose pose = pose_at(wall, time);
     const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
-    const NearestPoint<double> nearest = wall.shape.moved(pose).nearest(x);
+    const MeshShape* mesh = mesh_in(wall);
+    const NearestPoint<double> nearest = mesh != nullptr
+                                             ? moved(*mesh, pose).nearest_of_feature(c.key.slot, x)
+                                             : wall.shape.moved(pose).nearest(x);
     pair.normal = nearest.direction;
     arm = nearest.distance;
     other_velocity = motion.velocity + cross(motion.spin, x + arm * pair.normal - pose.center_now());
@@ -127,6 +139,7 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const SphereStorag
   pair.overlap = law_.overlap(c.history);
   pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
   pair.spin = other_spin - w;
+  pair.mean_spin = 0.5 * (w + other_spin);
   return pair;
 }
 
@@ -134,9 +147,27 @@ std::vector<ContactState> Contacts::states(const SphereStorage& rows, double tim
   std::vector<ContactState> all;
   for (const SavedContact& c : saved()) {
     double arm;
-    const TouchingPair<double> pair = pair_at(c, rows, time, arm);
-    const ContactAction<double> action = law_.act(parameters_of(c), pair, c.history);
-    all.push_back({c.key, pair.overlap, rows.position(c.key.first.number) + arm * pair.normal, action.force});
+    const TouchingPair<double> pair = pair_at(c, domain_.walls, rows, time, arm);
+    const ContactAction<double> action = law_.act(parameters_of(c), pair, 0, c.history);
+    all.push_back({c.key, pair.overlap, rows.position(c.key.first.number) + arm * pair.normal, pair.normal,
+                   action.force});
+  }
+  return all;
+}
+
+std::vector<ContactState> Contacts::last_forces(ContactMemory before, const SphereStorage& rows,
+                                                double time) const {
+  std::ranges::sort(before.contacts, {}, &SavedContact::key);
+  std::vector<ContactState> all;
+  for (const SavedContact& now : saved()) {
+    const auto found = std::ranges::lower_bound(before.contacts, now.key, {}, &SavedContact::key);
+    SavedContact last{now.key};  // nothing is remembered of one that has begun
+    if (found != before.contacts.end() && found->key == now.key) last = *found;
+    double arm;
+    const TouchingPair<double> pair = pair_at(now, before.walls, rows, time, arm);
+    const ContactAction<double> action = law_.act(parameters_of(now), pair, step_, last.history);
+    all.push_back({now.key, pair.overlap, rows.position(now.key.first.number) + arm * pair.normal,
+                   pair.normal, action.force});
   }
   return all;
 }

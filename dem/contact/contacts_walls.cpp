@@ -18,6 +18,14 @@ void kick(WallDrive& drive, double load, double step) {
   drive.speed = ((1 - half_drag) * drive.speed + step / drive.mass * (drive.force + load)) / (1 + half_drag);
 }
 
+/// Of what is no farther than `reach` from where a wall turns [m].
+double displacement_between(const WallPose& before, const WallPose& now, double reach) {
+  const double shifted = norm(now.shift - before.shift);
+  if (!now.turned || reach == 0) return shifted;
+  // the chord of the angle between both
+  return shifted + 2 * norm((conjugate(before.turn) * now.turn).v) * reach;
+}
+
 }  // namespace
 
 void Contacts::end_forces(double time) {
@@ -84,11 +92,7 @@ double Contacts::wall_work() const {
 }
 
 double Contacts::wall_displacement(std::size_t w, double time) const {
-  const WallPose now = pose_at(domain_.walls[w], time), &before = reference_poses_[w];
-  const double shifted = norm(now.shift - before.shift);
-  if (!now.turned || turn_reach_[w] == 0) return shifted;
-  // the chord of the angle between both
-  return shifted + 2 * norm((conjugate(before.turn) * now.turn).v) * turn_reach_[w];
+  return displacement_between(reference_poses_[w], pose_at(domain_.walls[w], time), turn_reach_[w]);
 }
 
 bool Contacts::walls_moved_far(double time) const {
@@ -148,12 +152,26 @@ void Contacts::set_wall_records(const double* from) {
   }
 }
 
+void Contacts::add_mesh_ways(double time) {
+  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
+    if (mesh_in(domain_.walls[w]) == nullptr) continue;
+    const WallPose now = pose_at(domain_.walls[w], time);
+    // spheres have gone no farther from where they were listed than the skin
+    const double reach = turn_reach_[w] > 0 ? turn_reach_[w] + skin_ : 0;
+    mesh_ways_[w] += displacement_between(mesh_poses_[w], now, reach);
+    mesh_poses_[w] = now;
+  }
+}
+
 void Contacts::keep_wall_poses(double time) {
   reference_poses_.clear(), reference_shifts_.clear();
   for (const Wall& wall : domain_.walls) {
     reference_poses_.push_back(pose_at(wall, time));
     reference_shifts_.push_back(wall.motion.drive ? wall.motion.drive->shift : 0);
   }
+  if (std::ranges::none_of(domain_.walls, [](const Wall& wall) { return mesh_in(wall) != nullptr; })) return;
+  mesh_poses_ = reference_poses_;
+  mesh_ways_.resize(domain_.walls.size(), 0);
 }
 
 void Contacts::set_drive_shifts(const std::vector<double>& shifts) {

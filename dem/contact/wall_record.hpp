@@ -20,7 +20,7 @@ struct WallRecord {
   double work = 0, power = 0;  ///< done on what it touches since the start, with the kick of now [J]; now [W]
 };
 
-/// Of a wall in an interval that ends now.
+/// Of a wall, or of a grip, in an interval that ends now.
 struct WallSample {
   WallLoad mean;          ///< impulse over the time
   double force_peak;      ///< size of the largest force at any step [N]

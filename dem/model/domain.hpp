@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dem/model/contact_properties.hpp"
@@ -21,6 +22,11 @@ struct Wall {
   double active_until =
       std::numeric_limits<double>::infinity();  ///< [s]; a wall that opens is gone from then on
   WallMotion motion{};                          ///< beside the velocity
+  ContactChoices contacts = {};                 ///< of fibers at it
+  int surface = 0;                              ///< its number in Domain::pairs
+  std::optional<double> youngs_modulus = {};    ///< its own [Pa]; left out: that of all walls
+  std::optional<double> poisson_ratio = {};     ///< likewise
+  std::string name = {};                        ///< in scenes and logs
 };
 
 /// Motion of a rigid body: v + w x (place - center).
@@ -68,10 +74,11 @@ struct Domain {
   std::vector<Wall> walls;
   double wall_youngs_modulus = 0;  ///< [Pa]; 0: rigid walls
   double wall_poisson_ratio = 0.3;
-  Vec<double, 3> period{};     ///< length of the periodic cell along x, y, z [m]; 0: not periodic
-  Vec<double, 3> gravity{};    ///< [m/s^2]
-  std::optional<Fluid> fluid;  ///< free draining only
-  ContactProperties contacts;
+  Vec<double, 3> period{};              ///< length of the periodic cell along x, y, z [m]; 0: not periodic
+  Vec<double, 3> gravity{};             ///< [m/s^2]
+  std::optional<Fluid> fluid;           ///< free draining only
+  ContactProperties contacts;           ///< of all surfaces
+  std::vector<SurfacePair> pairs = {};  ///< what some have of their own
 };
 
 }  // namespace fiberchain::dem

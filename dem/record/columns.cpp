@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dem/record/columns/benchmark.hpp"
+#include "dem/record/columns/contact.hpp"
 #include "dem/record/columns/damping.hpp"
 #include "dem/record/columns/equilibrium.hpp"
 #include "dem/record/columns/fit.hpp"
@@ -12,6 +13,7 @@
 #include "dem/record/columns/material.hpp"
 #include "dem/record/columns/material_study.hpp"
 #include "dem/record/columns/packing.hpp"
+#include "dem/record/columns/press.hpp"
 #include "dem/record/columns/validation.hpp"
 #include "dem/record/errors.hpp"
 
@@ -26,9 +28,9 @@ constexpr auto joined(const Column (&... parts)[n]) {
   return all;
 }
 
-constexpr auto kColumns =
-    joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
-           columns::validation, columns::packing, columns::material, columns::material_study);
+constexpr auto kColumns = joined(columns::equilibrium, columns::damping, columns::flow, columns::fit,
+                                 columns::benchmark, columns::validation, columns::packing, columns::material,
+                                 columns::material_study, columns::press, columns::contact);
 
 }  // namespace
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
+#include <vector>
 
 #include "dem/files/file_error.hpp"
 #include "dem/record/errors.hpp"
@@ -26,14 +28,28 @@ void check_log(const CompanionsOf& run, std::int64_t done) {
   if (last != wanted) fail_at(path, last, wanted);
 }
 
-void check_walls(const CompanionsOf& run, std::int64_t done) {
-  const fs::path path = run.files.walls();
-  const auto last = RunLog::last_step(path, run.wall_log, done, run.walls);
-  const std::int64_t wanted = run.written.log;  // rows of both come together
-  if (last != wanted) fail_at(path, last, wanted);
+/// A log of forces, with as many rows a step.
+struct ForceLog {
+  fs::path path;
+  const Table& table;
+  std::size_t rows;
+  std::optional<RunLog> Companions::*member;
+};
+
+/// Those of walls and of grips, where there are any.
+std::vector<ForceLog> force_logs(const CompanionsOf& run) {
+  std::vector<ForceLog> logs;
+  if (!run.schedule.samples.any()) return logs;
+  if (run.walls > 0) logs.push_back({run.files.walls(), run.wall_log, run.walls, &Companions::walls});
+  if (run.held > 0) logs.push_back({run.files.held(), run.held_log, run.held, &Companions::held});
+  return logs;
 }
 
-bool logs_walls(const CompanionsOf& run) { return run.schedule.samples.any() && run.walls > 0; }
+void check_forces(const CompanionsOf& run, const ForceLog& log, std::int64_t done) {
+  const auto last = RunLog::last_step(log.path, log.table, done, log.rows);
+  const std::int64_t wanted = run.written.log;  // rows of all logs come together
+  if (last != wanted) fail_at(log.path, last, wanted);
+}
 
 /// The last frame, read, goes through all of the file that the next one will touch.
 void check_trajectory(const CompanionsOf& run, std::int64_t done) {
@@ -48,10 +64,11 @@ void check_trajectory(const CompanionsOf& run, std::int64_t done) {
   reader.scalars(kept - 1);
 }
 
+VtkHeader vtk_header(const CompanionsOf& run) { return {entries(run.provenance), run.header.walls}; }
+
 void check_series(const CompanionsOf& run, std::int64_t done) {
   const fs::path path = run.files.at(".pvd");
-  const VtkSeries series =
-      VtkSeries::read(run.files.directory, run.files.name, entries(run.provenance), done);
+  const VtkSeries series = VtkSeries::read(run.files.directory, run.files.name, vtk_header(run), done);
   const std::int64_t wanted = run.written.vtk;
   if (series.last_step() != wanted) fail_at(path, series.last_step(), wanted);
   if (const auto part = series.missing_part())
@@ -109,16 +126,15 @@ auto resumed(const fs::path& path, std::int64_t written, std::int64_t done, cons
 Companions begin_companions(const CompanionsOf& run) {
   Companions all;
   if (run.schedule.samples.any()) all.log.emplace(run.files.log(), run.log, run.provenance);
-  if (logs_walls(run)) all.walls.emplace(run.files.walls(), run.wall_log, run.provenance);
+  for (const ForceLog& log : force_logs(run)) (all.*log.member).emplace(log.path, log.table, run.provenance);
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(run.files.trajectory(), run.header);
-  if (run.vtk) all.vtk = VtkSeries(run.files.directory, run.files.name, entries(run.provenance));
+  if (run.vtk) all.vtk = VtkSeries(run.files.directory, run.files.name, vtk_header(run));
   return all;
 }
 
 Companions resume_companions(const CompanionsOf& run, std::int64_t done, const Say& say) {
   const fs::path log = run.files.log(), trajectory = run.files.trajectory();
-  const Entries from = entries(run.provenance);
   const std::string& name = run.files.name;
   Companions all;
   if (run.schedule.samples.any()) {
@@ -127,12 +143,12 @@ Companions resume_companions(const CompanionsOf& run, std::int64_t done, const S
         [&] { return RunLog::resume(log, run.log, run.provenance, done); },
         [&] { return RunLog(log, run.log, run.provenance); }));
   }
-  if (logs_walls(run)) {
-    const fs::path walls = run.files.walls();
-    all.walls.emplace(resumed(
-        walls, run.written.log, done, say, [&] { check_walls(run, done); },
-        [&] { return RunLog::resume(walls, run.wall_log, run.provenance, done, run.walls); },
-        [&] { return RunLog(walls, run.wall_log, run.provenance); }));
+  for (const ForceLog& forces : force_logs(run)) {
+    (all.*forces.member)
+        .emplace(resumed(
+            forces.path, run.written.log, done, say, [&] { check_forces(run, forces, done); },
+            [&] { return RunLog::resume(forces.path, forces.table, run.provenance, done, forces.rows); },
+            [&] { return RunLog(forces.path, forces.table, run.provenance); }));
   }
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(resumed(
@@ -142,8 +158,8 @@ Companions resume_companions(const CompanionsOf& run, std::int64_t done, const S
   if (!run.vtk) return all;
   all.vtk = resumed(
       run.files.at(".pvd"), run.written.vtk, done, say, [&] { check_series(run, done); },
-      [&] { return VtkSeries::resume(run.files.directory, name, from, done); },
-      [&] { return VtkSeries(run.files.directory, name, from); });
+      [&] { return VtkSeries::resume(run.files.directory, name, vtk_header(run), done); },
+      [&] { return VtkSeries(run.files.directory, name, vtk_header(run)); });
   return all;
 }
 
@@ -153,7 +169,10 @@ void look_at_companions(const CompanionsOf& run, std::int64_t done, const Say& s
     if (!fault.empty()) say(fmt::format("warning: {}", fault));
   };
   if (run.written.log >= 0) tell(run.files.log(), check_log);
-  if (run.written.log >= 0 && logs_walls(run)) tell(run.files.walls(), check_walls);
+  for (const ForceLog& log : force_logs(run)) {
+    if (run.written.log >= 0)
+      tell(log.path, [&](const CompanionsOf& of, std::int64_t step) { check_forces(of, log, step); });
+  }
   if (run.written.trajectory >= 0) tell(run.files.trajectory(), check_trajectory);
   if (run.written.vtk >= 0) tell(run.files.at(".pvd"), check_series);
 }

@@ -19,6 +19,8 @@ struct CompanionsOf {
   Table log;          ///< empty, with its columns
   Table wall_log;     ///< likewise
   std::size_t walls;  ///< how many; rows of that of each step
+  Table held_log;     ///< likewise
+  std::size_t held;   ///< grips, likewise
   Provenance provenance;
   TrajectoryHeader header;
   bool vtk;
@@ -29,7 +31,7 @@ struct CompanionsOf {
 /// Those that the schedule has times for.
 struct Companions {
   std::optional<RunLog> log;
-  std::optional<RunLog> walls;  ///< where there are any
+  std::optional<RunLog> walls, held;  ///< where there are any
   std::optional<TrajectoryWriter> trajectory;
   std::optional<VtkSeries> vtk;
 };

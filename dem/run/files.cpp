@@ -28,11 +28,15 @@ std::vector<fs::path> all_files(const RunFiles& files) {
           files.at(".checkpoint.bad"),
           trajectory,
           journal_of(trajectory),
+          files.at(".h5md"),
           files.at(".xmf"),
           files.log(),
           files.walls(),
+          files.held(),
           files.at(".pvd"),
           files.at("-lines.pvd"),
+          files.at("-contacts.pvd"),
+          files.at("-walls.pvd"),
           files.at(".csv"),
           files.at(".md"),
           files.at("-bending.svg"),
@@ -67,7 +71,8 @@ std::vector<fs::path> files_there(const RunFiles& files) {
   for (const fs::path& path : all_files(files)) {
     if (fs::exists(path)) there.push_back(path);
   }
-  for (const fs::path& path : {files.trajectory(), files.log(), files.walls(), files.at(".pvd")}) {
+  for (const fs::path& path :
+       {files.trajectory(), files.log(), files.walls(), files.held(), files.at(".pvd")}) {
     for (int n = 1; fs::exists(broken_name(path, n)); ++n) there.push_back(broken_name(path, n));
   }
   const std::vector<fs::path> parts = vtk_parts(files.at(""));

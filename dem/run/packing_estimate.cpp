@@ -69,7 +69,8 @@ PackingMemory memory_of(const PackingScene& scene) {
   const double history = kDouble * (contact_history_size + (scene.account_energy ? contact_account_size : 0));
   // with the cells that filling looks up, eight a sphere, and its own positions and radii
   constexpr double state = sizeof(Pose<double, 3>) + 2 * kVector + 9 * kIndex + kVector + kDouble;
-  constexpr double frame = 2 * kVector + kDouble + kIndex + sizeof(FrameBond);
+  const double touching = scene.output.contacts ? assumed_contacts * sizeof(FrameContact) : 0;
+  const double frame = 2 * kVector + kDouble + kIndex + sizeof(FrameBond) + touching;
   return {.spheres = spheres * storage_of(scene),
           .bonds = bonds * bond_of(scene),
           .neighbor_list = spheres * (listed + assumed_pairs * pair),
@@ -93,10 +94,13 @@ PackingFileSizes file_sizes_of(const PackingScene& scene, std::int64_t steps) {
                bond_head = 2 * kDouble;  // radius, fiber, sphere; numbers of the spheres
   const double sphere_frame = kVector + 3 * single,
                bond_frame = 4 * single;  // position, velocity; force, angle
+  // pair, kind; point, normal, force
+  const double contact_frame = scene.output.contacts ? 2 * kDouble + kIndex + kVector + 6 * single : 0;
   // points and lines in base64: position twice, velocity, force, angle, radius, numbers
   constexpr double vtk_sphere = (2 * kVector + 8 * single + 6 * kIndex) * 4 / 3;
   return {.trajectory =
-              spheres * head + bonds * bond_head + frames * (spheres * sphere_frame + bonds * bond_frame),
+              spheres * head + bonds * bond_head +
+              frames * (spheres * (sphere_frame + assumed_contacts * contact_frame) + bonds * bond_frame),
           .checkpoints = 2 * spheres * checkpointed_of(scene),
           .log = (intervals(scene.output.samples) + 1) * number *
                  static_cast<double>(run_log_table(scene).columns().size()),

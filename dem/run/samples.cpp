@@ -36,6 +36,7 @@ std::vector<EnergyMechanism> known_terms(bool accounted) {
 struct FrameEnd {
   std::size_t sphere = 0, bond = 0;
   std::int32_t fiber = 0;
+  std::vector<std::int64_t> group_begin = {};  ///< first sphere of each group of the assembly
 };
 
 /// What does not move of a fiber, and where its rows begin; the rest of them is at rest in one place.
@@ -68,6 +69,7 @@ void put_missing(TrajectoryFrame& frame, const Fiber& fiber, const V& place, Fra
 void put_group(TrajectoryFrame& frame, const Assembly& assembly, int group, FrameEnd& end) {
   const Fiber& fiber = assembly.chain(group).fiber;
   const auto spheres = static_cast<std::size_t>(fiber.aspect_ratio) + 1, bonds = spheres - 1;
+  end.group_begin.push_back(static_cast<std::int64_t>(end.sphere));
   const FrameEnd begin = end;
   for (int f = 0; f < assembly.fibers(group); ++f) put_fiber(frame, fiber, {}, end);
   assembly.visit(group, [&](int f, const ChainState<3>& state, const std::vector<BondState>& states) {
@@ -82,6 +84,34 @@ void put_group(TrajectoryFrame& frame, const Assembly& assembly, int group, Fram
       frame.bonds[bond + i].bending_angle = states[i].bending_angle;
     }
   });
+}
+
+/// The sphere of a frame that an assembly has by this number: groups are as long in both, between them are
+/// fibers that found no room.
+std::int64_t sphere_in_frame(const Assembly& assembly, const FrameEnd& end, std::int64_t number) {
+  int group = assembly.groups() - 1;
+  while (assembly.first_sphere(group, 0) > number) --group;
+  return end.group_begin[static_cast<std::size_t>(group)] + number - assembly.first_sphere(group, 0);
+}
+
+void put_contacts(TrajectoryFrame& frame, const Assembly& assembly, const FrameEnd& end) {
+  frame.has_contacts = true;
+  for (const ContactState& contact : assembly.contact_forces()) {
+    FrameContact row{.first = sphere_in_frame(assembly, end, contact.key.first.number),
+                     .second = contact.key.second.number + 1,
+                     .kind = ContactKind::wall,
+                     .point = contact.point,
+                     .normal = contact.normal,
+                     .force = contact.force};
+    if (is_sphere(contact.key.second)) {
+      row.second = sphere_in_frame(assembly, end, contact.key.second.number);
+      const auto fiber_of = [&](std::int64_t sphere) {
+        return frame.fiber[static_cast<std::size_t>(sphere)];
+      };
+      row.kind = fiber_of(row.first) == fiber_of(row.second) ? ContactKind::same_fiber : ContactKind::fibers;
+    }
+    frame.contacts.push_back(row);
+  }
 }
 
 /// Room for all fibers of the scene, those of batches to come included.
@@ -99,6 +129,9 @@ void resize(TrajectoryFrame& frame, const PackingScene& scene, const Assembly& a
   frame.fiber.resize(spheres), frame.bonds.resize(spheres - fibers);
   frame.absent = 0;
   frame.missing.clear();
+  frame.has_contacts = false;
+  frame.contacts.clear();
+  frame.walls.clear();
 }
 
 }  // namespace
@@ -107,6 +140,17 @@ V upward(const PackingScene& scene) {
   const V& gravity = scene.domain.gravity;
   const double size = norm(gravity);
   return size > 0 ? (-1 / size) * gravity : V{0, 0, 1};
+}
+
+std::vector<WallSurface> wall_surfaces(const PackingScene& scene) {
+  return wall_surfaces(scene.domain.walls, scene.scene_box.low, scene.scene_box.high);
+}
+
+bool walls_stay(const PackingScene& scene, double from, double to) {
+  if (std::isnan(from) || std::isnan(to)) return false;
+  return std::ranges::all_of(scene.domain.walls, [&](const Wall& wall) {
+    return is_at_rest(wall) && is_active(wall, from) == is_active(wall, to);
+  });
 }
 
 RunMoment measure(const Assembly& assembly, const PackingScene& scene, std::vector<double>& room) {
@@ -192,6 +236,8 @@ void fill_frame(const Assembly& assembly, const PackingScene& scene,
       }
     }
   }
+  if (scene.output.contacts) put_contacts(frame, assembly, end);
+  for (const Wall& wall : assembly.walls()) frame.walls.push_back(frame_wall(wall, assembly.time()));
 }
 
 TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,

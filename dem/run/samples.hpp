@@ -4,6 +4,7 @@
 #include "dem/record/table.hpp"
 #include "dem/scene/packing_scene.hpp"
 #include "dem/trajectory/frame.hpp"
+#include "dem/trajectory/wall_surface.hpp"
 
 // A packing at one moment as the log and the trajectory record it.
 namespace fiberchain::dem {
@@ -36,8 +37,14 @@ Table run_log_table(const PackingScene& scene);
 /// A line of it.
 Table run_log_row(const RunMoment& moment, const PackingScene& scene, double step_rate, double time_left);
 
-/// All spheres; those of batches to come are reserved as absent, those that found no room are missing.
-/// `inserted` has the fibers of each group that came after the start.
+/// Of all walls, cut to the scene's box.
+std::vector<WallSurface> wall_surfaces(const PackingScene& scene);
+/// Whether none of them moves, comes or goes from one moment to another; false where one is not a number.
+bool walls_stay(const PackingScene& scene, double from, double to);
+
+/// All spheres, contacts where the scene asks for them, and where walls are. Spheres of batches to come are
+/// reserved as absent, those that found no room are missing. `inserted` has the fibers of each group that
+/// came after the start.
 TrajectoryFrame frame_of(const Assembly& assembly, const PackingScene& scene,
                          const std::vector<std::int64_t>& inserted = {});
 /// The same into a frame before, whose memory is kept.

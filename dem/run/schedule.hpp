@@ -18,6 +18,8 @@ class EvenSteps {
   /// The last at or before this one, where there are any.
   std::int64_t at_or_before(std::int64_t step) const { return at(index_of(step)); }
   bool holds(std::int64_t step) const { return any() && at(index_of(step)) == step; }
+  /// The last before this one; -1 without.
+  std::int64_t before(std::int64_t step) const { return !any() || step <= 0 ? -1 : at(index_of(step - 1)); }
   /// The first after this one, or the run's end.
   std::int64_t after(std::int64_t step) const {
     return !any() || step >= steps_ ? steps_ : at(index_of(step) + 1);

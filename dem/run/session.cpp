@@ -13,6 +13,7 @@
 #include "dem/record/run_status.hpp"
 #include "dem/run/companions.hpp"
 #include "dem/run/filling_watch.hpp"
+#include "dem/run/held_log.hpp"
 #include "dem/run/insertion_queue.hpp"
 #include "dem/run/overlaps.hpp"
 #include "dem/run/processor_time.hpp"
@@ -30,16 +31,22 @@ namespace {
 constexpr std::int64_t kStride = 64;
 
 CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule, const WrittenSteps& written) {
-  return {
-      .files = job.files,
-      .log = run_log_table(job.scene),
-      .wall_log = wall_log_table(),
-      .walls = job.scene.domain.walls.size(),
-      .provenance = job.provenance,
-      .header = {"fiberchain", job.provenance.version, entries(job.provenance), job.scene.batches.number > 1},
-      .vtk = job.scene.output.vtk,
-      .schedule = schedule,
-      .written = written};
+  return {.files = job.files,
+          .log = run_log_table(job.scene),
+          .wall_log = wall_log_table(),
+          .walls = job.scene.domain.walls.size(),
+          .held_log = held_log_table(),
+          .held = job.scene.held.size(),
+          .provenance = job.provenance,
+          .header = {.author = "fiberchain",
+                     .creator_version = job.provenance.version,
+                     .provenance = entries(job.provenance),
+                     .growing = job.scene.batches.number > 1,
+                     .contacts = job.scene.output.contacts,
+                     .walls = wall_surfaces(job.scene)},
+          .vtk = job.scene.output.vtk,
+          .schedule = schedule,
+          .written = written};
 }
 
 /// The files of a run as they grow.
@@ -49,6 +56,7 @@ class RunWriter {
   RunWriter(const PackingJob& job, const RunSchedule& schedule, const RunBegin& begin, std::int64_t done,
             const Say& say)
       : job_(job),
+        schedule_(schedule),
         set_(begin.instruction_set),
         written_(begin.written),
         fingerprint_(scene_fingerprint(job.text, job.scene)),
@@ -62,12 +70,14 @@ class RunWriter {
     written_.log = moment.step;
   }
 
-  void write_walls(const Assembly& assembly) {
+  void write_forces(const Assembly& assembly) {
     if (files_.walls) files_.walls->append(wall_log_rows(assembly));
+    if (files_.held) files_.held->append(held_log_rows(assembly));
   }
 
   void write_frame(const Assembly& assembly, const std::vector<std::int64_t>& inserted) {
     fill_frame(assembly, job_.scene, inserted, frame_);
+    frame_.walls_as_before = walls_stay(job_.scene, time_of_frame_before(assembly), frame_.time);
     const Scalars scalars = {{"contacts", static_cast<double>(assembly.touching())}};
     files_.trajectory->append(frame_, scalars);
     written_.trajectory = frame_.step;
@@ -79,6 +89,7 @@ class RunWriter {
   void write_checkpoint(const Assembly& assembly, const std::vector<std::int64_t>& inserted) const {
     if (files_.log) files_.log->flush();
     if (files_.walls) files_.walls->flush();
+    if (files_.held) files_.held->flush();
     dem::write_checkpoint(job_.files.checkpoint(),
                           {.program = program_of(job_.provenance, set_),
                            .threads = job_.threads,
@@ -97,7 +108,15 @@ class RunWriter {
   }
 
  private:
+  /// Not a number without one: the same for a run that goes on.
+  double time_of_frame_before(const Assembly& assembly) const {
+    const std::int64_t before = schedule_.frames.before(assembly.steps());
+    return before < 0 ? std::nan("")
+                      : assembly.time() - static_cast<double>(assembly.steps() - before) * assembly.step();
+  }
+
   const PackingJob& job_;
+  RunSchedule schedule_;
   InstructionSet set_;
   WrittenSteps written_;
   std::string fingerprint_, keys_;
@@ -165,7 +184,7 @@ class Session {
         return;
       }
       const std::int64_t next = std::min({schedule_.after(now), batches_.next_step(now), now + kStride});
-      if (next > now) march(next - now);
+      if (next > now) march(next - now, next);
       batches_.insert_due(assembly_);
       write_due();
       display.show({next, assembly_.time(), last_.contacts, last_.energy.kinetic, last_.height,
@@ -187,9 +206,10 @@ class Session {
   const RunTimes& times() const { return times_; }
 
  private:
-  void march(std::int64_t steps) {
+  void march(std::int64_t steps, std::int64_t to) {
     const ProcessorTimer timer(times_.march);
-    assembly_.march(steps);
+    const bool kept = job_.scene.output.contacts && schedule_.frames.holds(to);
+    assembly_.march(steps, kept ? ContactForces::kept : ContactForces::not_kept);
   }
 
   /// The checkpoint last: whatever it stands for is written by then. At the start all that the scene wants.
@@ -210,8 +230,9 @@ class Session {
     const ProcessorTimer timer(times_.samples);
     last_ = measure(assembly_, job_.scene, room_);
     writer_.write_line(last_, pace_);
-    writer_.write_walls(assembly_);
+    writer_.write_forces(assembly_);
     assembly_.begin_wall_interval();
+    assembly_.begin_held_interval();
     overlaps_.look_at(last_, watchers_.say);
     if (watchers_.sampled) watchers_.sampled(assembly_);
   }

@@ -153,11 +153,15 @@ RunBegin carried_on(const PackingJob& job, const StartState& from, InstructionSe
   throw InvalidKey("periodic", fmt::format("{}; the periodic sides must be those of start_from", words));
 }
 
-void say_changes(const Checkpoint& checkpoint, const PackingJob& job, const Say& say) {
-  const SceneKeys keys = scene_keys(job.text);
+void check_periods(const Checkpoint& checkpoint, const SceneKeys& keys) {
   for (const KeyChange& change : changes_between(scene_keys_in(checkpoint.keys), keys)) {
     if (change.path.starts_with("periodic")) refuse_periods(in_words(change) + " is not allowed");
   }
+}
+
+void say_changes(const Checkpoint& checkpoint, const PackingJob& job, const Say& say) {
+  const SceneKeys keys = scene_keys(job.text);
+  check_periods(checkpoint, keys);
   const std::string other = other_physics(checkpoint, keys);
   if (!other.empty()) say("with " + other);
 }
@@ -169,6 +173,39 @@ void check_periods(const TrajectoryFrame& frame, const PackingScene& scene) {
     if (std::abs(period - there) > 1e-9 * there)
       refuse_periods(fmt::format("a period of {} m is not allowed where the frame has {} m", period, there));
   }
+}
+
+StartState state_of(const Checkpoint& checkpoint, const StartFile& file) {
+  try {
+    return {carried_state(checkpoint.state), checkpoint.kinds};
+  } catch (const InvalidInput& error) {
+    throw InputError(fmt::format("{}: {}", file.path.string(), error.what()));
+  }
+}
+
+/// The frame that a scene begins with, and its number.
+struct StartFrame {
+  std::int64_t number;
+  TrajectoryFrame frame;
+};
+
+StartFrame frame_of(const PackingScene& scene) {
+  const StartFile& file = *scene.start_from;
+  const TrajectoryReader reader(file.path);
+  const std::int64_t last = reader.frames() - 1, frame = file.frame.value_or(last);
+  if (last < 0 || frame > last) {
+    throw InvalidKey("start_from.frame", fmt::format("frame {} is not allowed: {} has {} frames, from 0 on",
+                                                     frame, file.path.string(), last + 1));
+  }
+  StartFrame start{frame, reader.read(frame)};
+  check_periods(start.frame, scene);
+  return start;
+}
+
+StartState state_of(const TrajectoryFrame& frame, const PackingScene& scene) {
+  StartState start{state_of_frame(frame), {}};
+  start.kinds = kinds_by_shape(scene, start.state);
+  return start;
 }
 
 RunBegin from_checkpoint(const PackingJob& job, const std::vector<InstructionSet>& sets, const Say& say,
@@ -187,29 +224,15 @@ RunBegin from_checkpoint(const PackingJob& job, const std::vector<InstructionSet
         "it was written by another program or for other instructions ({}): the run need not end in "
         "the same bits",
         checkpoint.program));
-  StartState start{{}, checkpoint.kinds};
-  try {
-    start.state = carried_state(checkpoint.state);
-  } catch (const InvalidInput& error) {
-    throw InputError(fmt::format("{}: {}", file.path.string(), error.what()));
-  }
-  return carried_on(job, by_clock(std::move(start), job.scene), sets.front(), say, watch);
+  return carried_on(job, by_clock(state_of(checkpoint, file), job.scene), sets.front(), say, watch);
 }
 
 RunBegin from_frame(const PackingJob& job, const std::vector<InstructionSet>& sets, const Say& say,
                     const InsertionWatch& watch) {
-  const StartFile& file = *job.scene.start_from;
-  const TrajectoryReader reader(file.path);
-  const std::int64_t last = reader.frames() - 1, frame = file.frame.value_or(last);
-  if (last < 0 || frame > last) {
-    throw InvalidKey("start_from.frame", fmt::format("frame {} is not allowed: {} has {} frames, from 0 on",
-                                                     frame, file.path.string(), last + 1));
-  }
-  const TrajectoryFrame read = reader.read(frame);
-  check_periods(read, job.scene);
-  StartState start{state_of_frame(read), {}};
-  start.kinds = kinds_by_shape(job.scene, start.state);
-  say(fmt::format("start_from: frame {} of {}, t = {:.6g} s", frame, file.path.string(), start.state.time));
+  const StartFrame read = frame_of(job.scene);
+  StartState start = state_of(read.frame, job.scene);
+  say(fmt::format("start_from: frame {} of {}, t = {:.6g} s", read.number,
+                  job.scene.start_from->path.string(), start.state.time));
   return carried_on(job, by_clock(std::move(start), job.scene), sets.front(), say, watch);
 }
 
@@ -253,6 +276,32 @@ RunBegin started_from(const PackingJob& job, const std::vector<InstructionSet>& 
     return job.scene.start_from->is_trajectory() ? from_frame(job, sets, say, watch)
                                                  : from_checkpoint(job, sets, say, watch);
   } catch (const ReadError& error) {
+    throw InvalidKey("start_from", error.what());
+  }
+}
+
+PackingScene with_start_file(const SceneText& text, const PackingScene& scene) {
+  if (!scene.start_from) return scene;
+  const StartFile& file = *scene.start_from;
+  try {
+    StartState start;
+    if (file.is_trajectory()) {
+      start = state_of(frame_of(scene).frame, scene);
+    } else {
+      const Checkpoint checkpoint = read_checkpoint(file.path);
+      check_periods(checkpoint, scene_keys(text));
+      start = state_of(checkpoint, file);
+    }
+    start = by_clock(std::move(start), scene);
+    PackingScene carried = carried_over(scene, start.state, start.kinds);
+    const PackingPlan plan = plan_of(carried);
+    if (std::llround(start.state.time / plan.step) >= plan.steps)
+      refuse_end(carried, "the file of start_from", start.state.time);
+    grips_of(carried);
+    return carried;
+  } catch (const ReadError& error) {
+    throw InvalidKey("start_from", error.what());
+  } catch (const InputError& error) {
     throw InvalidKey("start_from", error.what());
   }
 }

@@ -30,4 +30,9 @@ RunBegin continued(const PackingJob& job, const Continued& from, const std::vect
 RunBegin started_from(const PackingJob& job, const std::vector<InstructionSet>& sets, const Say& say,
                       const InsertionWatch& watch);
 
+/// The scene with the fibers that its start_from has, which is read for that; the scene itself where it has
+/// none. A checkpoint of the same physics, with which a run would go on to the bit, is no exception.
+/// @throws InvalidKey as started_from(), before anything is built
+PackingScene with_start_file(const SceneText& text, const PackingScene& scene);
+
 }  // namespace fiberchain::dem

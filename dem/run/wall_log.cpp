@@ -4,7 +4,7 @@
 
 namespace fiberchain::dem {
 Table wall_log_table() {
-  return Table({"step", "simulated_time", "wall", "wall_shape", "wall_force_x", "wall_force_y",
+  return Table({"step", "simulated_time", "wall", "wall_name", "wall_shape", "wall_force_x", "wall_force_y",
                 "wall_force_z", "wall_moment_x", "wall_moment_y", "wall_moment_z", "wall_force_peak",
                 "wall_moment_peak", "wall_work", "wall_center_x", "wall_center_y", "wall_center_z"});
 }
@@ -18,6 +18,7 @@ Table wall_log_rows(const Assembly& assembly) {
     const NamedRow row = {{"step", assembly.steps()},
                           {"simulated_time", assembly.time()},
                           {"wall", static_cast<std::int64_t>(w) + 1},
+                          {"wall_name", assembly.walls()[w].name},
                           {"wall_shape", std::string(assembly.walls()[w].shape.type().name)},
                           {"wall_force_x", force[0]},
                           {"wall_force_y", force[1]},

@@ -11,6 +11,7 @@
 
 #include "dem/chain/arc_chain.hpp"
 #include "dem/files/sha256.hpp"
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
 #include "dem/scene/check_starts.hpp"
@@ -61,7 +62,11 @@ StepChoice step_choice(const PackingScene& scene, Integrator integrator) {
 
 }  // namespace
 
-Chain<3> chain_of(const PackingFiberKind& kind) { return arc_chain(kind.fiber); }
+Chain<3> chain_of(const PackingFiberKind& kind) {
+  Chain<3> chain = arc_chain(kind.fiber);
+  chain.surface = kind.surface;
+  return chain;
+}
 
 namespace {
 
@@ -164,6 +169,7 @@ PackingStart packing_start(const PackingScene& scene, int threads, const Inserti
                    .threads = useful_threads(scene, threads),
                    .account_energy = scene.account_energy,
                    .orientations = scene.orientations};
+  start.options.grips = grips_of(scene);
   if (!carried.groups.empty()) {
     start.options.steps_before = std::llround(carried.time / plan.step);
     start.options.time_shift = carried.time - static_cast<double>(start.options.steps_before) * plan.step;
@@ -217,6 +223,42 @@ std::vector<std::int64_t> kinds_of_groups(const PackingScene& scene,
   return kinds;
 }
 
+std::vector<Grip> grips_of(const PackingScene& scene) {
+  std::vector<std::int64_t> counts;  // of each group at the start
+  for (const CarriedFibers& group : scene.carried) counts.push_back(group.fibers);
+  for (const PackingFiberKind& kind : scene.kinds) {
+    if (!kind.starts.empty()) counts.push_back(std::ssize(kind.starts));
+  }
+  for (const InsertionCount& group : batch_counts(scene, 0)) counts.push_back(group.count);
+  const std::vector<std::int64_t> kinds = kinds_of_groups(scene, {});
+  std::vector<Grip> grips;
+  int holds = 0, loads = 0;
+  for (const SceneGrip& held : scene.held) {
+    const std::string key =
+        held.is_load ? fmt::format("loads[{}].fiber", loads++) : fmt::format("held[{}].fiber", holds++);
+    Grip grip = held.grip;
+    std::int64_t before = 0;  // fibers of the kind in earlier groups
+    for (std::size_t g = 0; g < counts.size(); ++g) {
+      if (kinds[g] != static_cast<std::int64_t>(held.kind)) continue;
+      for (std::int64_t f = 0; f < counts[g]; ++f) {
+        if (held.fiber && before + f != *held.fiber) continue;
+        for (const int sphere : held.spheres)
+          grip.spheres.push_back({static_cast<int>(g), static_cast<int>(f), sphere});
+      }
+      before += counts[g];
+    }
+    if (grip.spheres.empty()) {
+      throw InvalidKey(key, held.fiber
+                                ? fmt::format("{} is not allowed: {} fibers of this kind are there at the "
+                                              "start, from 0 on",
+                                              *held.fiber, before)
+                                : "no fibers of this kind are there at the start");
+    }
+    grips.push_back(std::move(grip));
+  }
+  return grips;
+}
+
 std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
                                       const PlacedSpheres& present, const InsertionWatch& watch,
                                       Shortfall shortfall) {
@@ -247,6 +289,15 @@ std::int64_t spheres_in(const PackingScene& scene) {
   return sum;
 }
 
+namespace {
+
+template <class Value>
+std::string_view bytes_of(const std::vector<Value>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
+
+}  // namespace
+
 std::string scene_fingerprint(const SceneText& text, const PackingScene& scene) {
   std::string all = sha256(text.text);
   for (const PackingFiberKind& kind : scene.kinds) {
@@ -254,6 +305,9 @@ std::string scene_fingerprint(const SceneText& text, const PackingScene& scene) 
     if (kind.material_file) all += sha256(kind.material_file->text);
   }
   for (const Wall& wall : scene.domain.walls) {
+    if (const MeshShape* shape = mesh_in(wall)) {
+      all += sha256(bytes_of(shape->mesh->vertices)) + sha256(bytes_of(shape->mesh->triangles));
+    }
     if (!wall.motion.course) continue;
     const WallCourse& course = *wall.motion.course;
     for (const auto* values : {&course.place.time, &course.place.value, &course.angle.value})

@@ -67,6 +67,10 @@ int groups_at_start(const PackingScene& scene);
 std::vector<std::int64_t> kinds_of_groups(const PackingScene& scene,
                                           const std::vector<std::int64_t>& inserted);
 
+/// What holds and loads spheres of the fibers that are there at the start.
+/// @throws InvalidKey for a fiber that is not
+std::vector<Grip> grips_of(const PackingScene& scene);
+
 /// The fibers of batch `n`, beside those that are there, among the walls of that time [s]. Kinds without a
 /// fiber in it are left out.
 /// @throws NoRoom, unless fewer fibers are accepted: groups may then be empty

@@ -7,6 +7,7 @@
 
 #include "dem/insertion/insertion_grid.hpp"
 #include "dem/insertion/random_insertion.hpp"
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/scene/build_packing.hpp"
 #include "dem/scene/fiber_csv.hpp"
@@ -23,15 +24,25 @@ std::string sphere_of(const PackingFiberKind& kind, std::size_t fiber, std::size
   return fmt::format("{}sphere {} of fiber {} is not allowed there: ", file, sphere, fiber);
 }
 
+std::string wall_in_words(std::size_t number) {
+  return fmt::format(
+      "wall {} (walls of the box first, then planes, cylinders, spheres, obstacles, cones, meshes)",
+      number + 1);
+}
+
 void check_walls(const PackingScene& scene, const PackingFiberKind& kind, std::size_t fiber,
                  const Poses<3>& poses) {
   const double radius = sphere_radius(kind.fiber);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     for (std::size_t w = 0; w < scene.domain.walls.size(); ++w) {
-      const double gap = distance_to(scene.domain.walls[w], poses[i].position, 0);
+      const Wall& at = scene.domain.walls[w];
+      const double gap = distance_to(at, poses[i].position, 0);
+      if (i > 0 && is_active(at, 0) && passes_through(at, poses[i - 1].position, poses[i].position, 0)) {
+        throw InvalidInput(fmt::format("{}the fiber goes through {} between it and the sphere before",
+                                       sphere_of(kind, fiber, i), wall_in_words(w)));
+      }
       if (radius - gap < refused_from * radius) continue;
-      const std::string wall = fmt::format(
-          "wall {} (walls of the box first, then planes, cylinders, spheres, obstacles, cones)", w + 1);
+      const std::string wall = wall_in_words(w);
       if (gap <= 0) {
         throw InvalidInput(
             fmt::format("{}its center is {:.4g} m behind {}", sphere_of(kind, fiber, i), -gap, wall));

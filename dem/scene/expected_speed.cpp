@@ -69,6 +69,19 @@ double wall_speed(const PackingScene& scene, const Box& all) {
   return fastest;
 }
 
+/// Of what holds spheres.
+double held_speed(const PackingScene& scene, const Box& all) {
+  double fastest = 0;
+  for (const SceneGrip& held : scene.held) {
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec<double, 3> place{};
+      for (int a = 0; a < 3; ++a) place[a] = (corner >> a & 1) != 0 ? all.high[a] : all.low[a];
+      fastest = std::max(fastest, largest_speed(held.grip.body, distance_from_axis(held.grip.body, place)));
+    }
+  }
+  return fastest;
+}
+
 }  // namespace
 
 double expected_speed(const PackingScene& scene) {
@@ -80,7 +93,7 @@ double expected_speed(const PackingScene& scene) {
   const double start = start_speed(scene);
   double speed = std::sqrt(start * start + 2 * drop);
   if (scene.duration > 0) speed = std::min(speed, start + norm(g) * scene.duration);
-  if (!scene.domain.fluid) return speed + turning;
+  if (!scene.domain.fluid) return speed + turning + held_speed(scene, all);
   return std::max(start, std::min(speed, settling_speed(scene))) + flow_speed(scene, all) + turning;
 }
 

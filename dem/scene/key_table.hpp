@@ -116,6 +116,16 @@ class KeyTable {
                [=](const StrictMapping& from, T& to) { std::invoke(member, to) = from.word(key); });
   }
 
+  /// Two texts that are not empty.
+  template <class Member>
+  SceneKey<T>& two_words(const std::string& key, Member member, const std::string& allowed,
+                         const std::string& meaning) {
+    return add(key, "", allowed, "", meaning, [=](const StrictMapping& from, T& to) {
+      const std::vector<std::string> words = from.words(key, 2);
+      std::invoke(member, to) = {words[0], words[1]};
+    });
+  }
+
   /// One of some words.
   template <class Value, class Member>
   SceneKey<T>& choice(const std::string& key, Member member, const Words<Value>& words,

@@ -21,6 +21,8 @@ struct PackingFiberKind {
   std::optional<SceneText> file = {};   ///< which holds the starts
   DampingSummary damping = {};          ///< of its material
   std::optional<SceneText> material_file = {};
+  std::string name = {};
+  int surface = 0;  ///< in Domain::pairs
 };
 
 /// What is done where a later batch finds no room.
@@ -40,10 +42,11 @@ struct Batches {
 
 /// What a run writes, in equal intervals of its steps.
 struct PackingOutput {
-  int samples = 200;     ///< intervals of the log
-  int frames = 50;       ///< intervals of the trajectory
-  int checkpoints = 20;  ///< intervals of the checkpoints
-  bool vtk = false;      ///< frames as VTK files too
+  int samples = 200;      ///< intervals of the log
+  int frames = 50;        ///< intervals of the trajectory
+  int checkpoints = 20;   ///< intervals of the checkpoints
+  bool vtk = false;       ///< frames as VTK files too
+  bool contacts = false;  ///< frames with their contacts
 };
 
 /// What the clock of a scene that goes on from a file shows at its start.
@@ -68,6 +71,15 @@ struct CarriedFibers {
   std::int64_t fibers;
 };
 
+/// Spheres that are held or loaded, as a scene names them.
+struct SceneGrip {
+  Grip grip;                               ///< its spheres are those of grips_of()
+  std::size_t kind = 0;                    ///< of their fibers
+  std::optional<std::int64_t> fiber = {};  ///< number among those of the kind; left out: all at the start
+  std::vector<int> spheres = {};           ///< of each
+  bool is_load = false;
+};
+
 /// Many fibers that meet each other and walls.
 struct PackingScene {
   std::vector<PackingFiberKind> kinds;
@@ -80,6 +92,7 @@ struct PackingScene {
       {};  ///< region, orientation, velocity, gap, seed and attempts of the fibers at random
   Batches batches = {};
   Domain domain = {};
+  std::vector<SceneGrip> held = {};
   Box scene_box = {};  ///< shown in pictures and files; its cross section is that of densities [m]
   Integrator integrator = Integrator::leapfrog;  ///< leapfrog, leapfrog_stiff or automatic
   BondForm form = BondForm::incremental;

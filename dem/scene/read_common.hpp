@@ -43,6 +43,7 @@ void declare_fiber(KeyTable<T>& table) {
       .word("material", &T::material, "name in data/materials, or path of a .yaml file beside the scene",
             "whose moduli and density count where they are not given; it damps nothing by itself, see "
             "`material_damping`")
+      .content_counts()
       .otherwise("none");
   table.quantity("youngs_modulus", "Pa", &T::youngs_modulus, kPositive, "Young's modulus E")
       .otherwise("that of `material`");
@@ -207,8 +208,115 @@ void declare_domain(KeyTable<PackingScene>& table);
 /// Declares key walls, which is read after the periods.
 void declare_walls(KeyTable<PackingScene>& table);
 
-/// Declares how a wall moves, and when it is there.
-void declare_wall_motion(KeyTable<Wall>& table);
+/// An entry of list "walls.meshes" as typed.
+struct MeshWallKeys : Wall {
+  std::string file;
+  double scale = 1;       ///< [m]
+  Vec<double, 3> axis{};  ///< of the turn
+  double angle = 0;       ///< [rad]
+};
+
+KeyTable<MeshWallKeys> mesh_wall_keys();
+
+/// The wall of these keys.
+/// @throws SceneError at key file for one that cannot be read or is no mesh, at sides where its triangles
+/// look to both sides of it
+Wall mesh_wall(const StrictMapping& mapping, const MeshWallKeys& keys);
+
+/// Declares keys from and until of a Wall, or of a T that is one.
+template <class T>
+void declare_times(KeyTable<T>& table, const std::string& from, const std::string& until) {
+  table.quantity("from", "s", &T::active_from, kFinite, from);
+  table.quantity("until", "s", &T::active_until, kFinite, until).otherwise("always there");
+}
+
+/// Mapping "rotation" as typed.
+struct RotationKeys {
+  WallAxis about;
+  double angular_velocity = 0;  ///< [1/s]
+};
+KeyTable<RotationKeys> rotation_keys();
+
+KeyTable<WallOscillation> oscillation_keys();
+
+/// Mapping "course" as typed.
+struct CourseFileKeys {
+  std::string file;
+  Vec<double, 3> direction{};
+  std::optional<Vec<double, 3>> point, axis;
+};
+KeyTable<CourseFileKeys> course_file_keys();
+void store_course(const StrictMapping& mapping, const CourseFileKeys& keys, Wall& wall);
+
+/// Declares how a Wall, or a T that is one, moves and when it is there.
+template <class T>
+void declare_rigid_motion(KeyTable<T>& table, const std::string& velocity, const std::string& from,
+                          const std::string& until) {
+  table.vector("velocity", "m/s", &T::velocity, velocity);
+  declare_times(table, from, until);
+  const auto store_rotation = [](const StrictMapping&, const RotationKeys& keys, Wall& wall) {
+    wall.motion.about = keys.about;
+    wall.motion.angular_velocity = keys.angular_velocity;
+  };
+  const auto store_oscillation = [](const StrictMapping&, const WallOscillation& keys, Wall& wall) {
+    wall.motion.oscillation = keys;
+  };
+  table
+      .mapping("rotation", rotation_keys(), store_rotation,
+               "it turns about an axis, beside what else it does")
+      .otherwise("none");
+  table.mapping("oscillation", oscillation_keys(), store_oscillation, "it goes to and fro").otherwise("none");
+  table.mapping("course", course_file_keys(), &store_course, "it goes as a table says").otherwise("none");
+}
+
+/// Declares keys held and loads, which are read after the fibers.
+void declare_held(KeyTable<PackingScene>& table);
+
+/// Declares how a wall (Wall or MeshWallKeys) moves, when it is there, and its surface.
+template <class T>
+void declare_wall_motion(KeyTable<T>& table);
+
+/// Gives a plate that a pressure drives, without an area, the force on the cross section between periodic
+/// sides and walls that have been read.
+void complete_drive(const StrictMapping& mapping, Wall& wall, const PackingScene& scene);
+
+/// Gives a plate that a pressure drives, without an area, the force on the cross section between periodic
+/// sides and walls that have been read.
+void complete_drive(const StrictMapping& mapping, Wall& wall, const PackingScene& scene);
+
+/// Keys of a mapping "contacts" that has what differs from the scene's; `of_fibers`: the elasticity of the
+/// fibers' surface too.
+KeyTable<ContactChoices> contact_choice_keys(bool of_fibers);
+
+/// Declares a wall's name, elasticity and contacts. `wall` gives the wall of a T.
+template <class T, class Of>
+void declare_wall_surface(KeyTable<T>& table, Of wall) {
+  table
+      .word(
+          "name", [=](T & keys) -> auto& { return wall(keys).name; }, "text",
+          "by which `contacts.pairs` and NAME-walls.csv call it; several walls may have the same")
+      .otherwise("none");
+  table
+      .quantity(
+          "youngs_modulus", "Pa", [=](T & keys) -> auto& { return wall(keys).youngs_modulus; }, kPositive,
+          "Young's modulus of this wall")
+      .otherwise("that of all walls");
+  table
+      .number(
+          "poisson_ratio", [=](T & keys) -> auto& { return wall(keys).poisson_ratio; }, kPoissonRatio,
+          "Poisson's ratio of this wall")
+      .otherwise("that of all walls")
+      .only_with("youngs_modulus",
+                 [=](const T& keys) { return wall(const_cast<T&>(keys)).youngs_modulus.has_value(); });
+  table
+      .mapping_into(
+          "contacts", [=](T & keys) -> auto& { return wall(keys).contacts; }, contact_choice_keys(false),
+          "of fibers at this wall")
+      .otherwise("those of all");
+}
+
+/// Declares key contacts, which is read after the fibers and the walls that its pairs name.
+void declare_contacts(KeyTable<PackingScene>& table);
 
 /// Declares key filling, which is read after the fibers and the domain.
 void declare_filling(KeyTable<PackingScene>& table);

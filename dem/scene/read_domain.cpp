@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "dem/contact/contact_law.hpp"
 #include "dem/scene/build_packing.hpp"
 #include "dem/scene/read_common.hpp"
 
@@ -27,24 +28,6 @@ void store_periods(const StrictMapping&, const PeriodKeys& sides, PackingScene& 
   for (int a = 0; a < 3; ++a) {
     if (sides[a]) scene.scene_box.high[a] = scene.domain.period[a] = *sides[a];
   }
-}
-
-KeyTable<ContactProperties> contact_keys() {
-  KeyTable<ContactProperties> table;
-  table.number("restitution", &ContactProperties::restitution, {.low = 1e-4, .high = 1},
-               "normal coefficient of restitution e");
-  table.number("friction", &ContactProperties::friction, kCoefficient, "Coulomb's coefficient µ");
-  table.number("rolling_friction", &ContactProperties::rolling_friction, kCoefficient,
-               "coefficient µ_r of a moment of at most µ_r R* F_n against rolling");
-  table
-      .quantity("youngs_modulus", "Pa", &ContactProperties::youngs_modulus, kPositive,
-                "Young's modulus of the fibers' surface where it touches; walls have their own")
-      .otherwise("the fiber's");
-  table
-      .number("poisson_ratio", &ContactProperties::poisson_ratio, kPoissonRatio,
-              "Poisson's ratio of that surface")
-      .otherwise("the fiber's");
-  return table;
 }
 
 void store_fluid(const StrictMapping& mapping, const FluidKeys& keys, PackingScene& scene) {
@@ -93,7 +76,6 @@ std::optional<double> floor_below(const std::vector<Wall>& walls, int axis, doub
 
 void declare_domain(KeyTable<PackingScene>& table) {
   const auto gravity = [](PackingScene & scene) -> auto& { return scene.domain.gravity; };
-  const auto contacts = [](PackingScene & scene) -> auto& { return scene.domain.contacts; };
   table
       .mapping("periodic", period_keys(), &store_periods,
                "periodic sides; walls must be the same all along them")
@@ -104,7 +86,7 @@ void declare_domain(KeyTable<PackingScene>& table) {
       .mapping("fluid", fluid_keys({Hydrodynamics::free_draining}, true), &store_fluid,
                "a fluid around the fibers")
       .otherwise("none");
-  table.mapping_into("contacts", contacts, contact_keys(), "contacts of spheres and walls (Hertz-Mindlin)");
+  declare_contacts(table);
 }
 
 void complete_scene_box(PackingScene& scene) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dem/model/errors.hpp"
+#include "dem/model/invalid_key.hpp"
 #include "dem/scene/build_packing.hpp"
 #include "dem/scene/check_packing.hpp"
 #include "dem/scene/fiber_csv.hpp"
@@ -23,6 +24,7 @@ constexpr ValueRange kBondAngle{.low = -std::numbers::pi, .high = std::numbers::
 struct FiberKindKeys : FiberKeys {
   BondKeys bond = {};
   double rest_angle = 0;  ///< [rad]
+  std::string name;
   std::int64_t count = 0;
   std::string starts;
 };
@@ -59,6 +61,10 @@ KeyTable<FiberKindKeys> fiber_kind_keys() {
   };
   table.mapping("bond", bond_keys({.rolling_friction = true}), store_bond, "the bonds between the spheres");
   table.mapping("curvature", curvature_keys(), &store_curvature, "arc at rest").otherwise("straight");
+  table
+      .word("name", &FiberKindKeys::name, "text",
+            "by which `contacts.pairs` and `held` call these fibers; no other fibers have it, and no wall")
+      .otherwise("none");
   table.integer("count", &FiberKindKeys::count, kCounts,
                 "number of fibers at random, in all batches together");
   table
@@ -88,7 +94,8 @@ void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, P
   PackingFiberKind kind{.fiber = std::move(read.fiber),
                         .count = keys.count,
                         .damping = std::move(read.damping),
-                        .material_file = std::move(read.material_file)};
+                        .material_file = std::move(read.material_file),
+                        .name = keys.name};
   kind.fiber.rest_angle = keys.rest_angle;
   apply(keys.bond, kind.fiber);
   try {
@@ -97,6 +104,10 @@ void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, P
     mapping.fail("curvature", error.what());
   }
   if (!keys.starts.empty()) read_starts(mapping, keys.starts, kind);
+  for (const PackingFiberKind& other : scene.kinds) {
+    if (!kind.name.empty() && other.name == kind.name)
+      mapping.fail("name", fmt::format("'{}' is that of other fibers already", kind.name));
+  }
   scene.kinds.push_back(std::move(kind));
 }
 
@@ -144,6 +155,9 @@ KeyTable<PackingScene> output_keys() {
       "intervals of NAME.checkpoint; 0: one only where the run is stopped");
   table.flag(
       "vtk", [](PackingScene & scene) -> auto& { return scene.output.vtk; }, "frames as VTK files too");
+  table.flag(
+      "contacts", [](PackingScene & scene) -> auto& { return scene.output.contacts; },
+      "contacts of frames too, with their forces: in NAME.h5 and, where asked for, in VTK files");
   table.flag("energy", &PackingScene::account_energy, "sum the energy that each mechanism dissipates");
   return table;
 }
@@ -155,6 +169,7 @@ KeyTable<PackingScene> packing_keys() {
   table.list("fibers", fiber_kind_keys(), &store_fiber_kind, "kinds of fibers").required();
   declare_domain(table);
   declare_filling(table);
+  declare_held(table);
   table.mapping_into("motion", std::identity{}, packing_motion_keys(), "integration in time");
   table.quantity("duration", "s", &PackingScene::duration, kPositive, "length of the run");
   table.integer("steps", &PackingScene::steps, {.low = 1, .high = 2e9}, "the same in time steps");
@@ -173,6 +188,16 @@ void check_walls_differ(const StrictMapping& top, const std::vector<Wall>& walls
                            "would be pushed by both",
                            walls[i].shape.type().name, j + 1, i + 1));
     }
+  }
+}
+
+/// A name stands for fibers or for walls.
+void check_names(const StrictMapping& top, const PackingScene& scene) {
+  for (const Wall& wall : scene.domain.walls) {
+    if (wall.name.empty() ||
+        std::ranges::find(scene.kinds, wall.name, &PackingFiberKind::name) == scene.kinds.end())
+      continue;
+    top.fail("walls", fmt::format("have the name '{}', which fibers have", wall.name));
   }
 }
 
@@ -198,6 +223,23 @@ void check_plates(const StrictMapping& top, const PackingScene& scene) {
   }
 }
 
+/// Spheres that are held.
+void check_held(const StrictMapping& top, const PackingScene& scene) {
+  if (scene.held.empty()) return;
+  if (scene.domain.fluid) top.fail("fluid", "is not built together with spheres that are held or loaded");
+  for (const SceneGrip& held : scene.held) {
+    if (scene.kinds[held.kind].fiber.rolling_friction > 0 && scene.rolling == Rolling::set_valued)
+      top.fail(held.is_load ? "loads" : "held",
+               "are built together with rolling friction of the bonds with motion.rolling: explicit_sign");
+  }
+  if (scene.start_from) return;  // its file has other fibers at the start
+  try {
+    grips_of(scene);
+  } catch (const InvalidKey& error) {
+    top.fail_within(error.key, error.what());
+  }
+}
+
 /// What is not built together.
 void check_together(const StrictMapping& top, const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
@@ -214,6 +256,8 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
   }
   check_walls_differ(top, scene.domain.walls);
   check_plates(top, scene);
+  check_names(top, scene);
+  check_held(top, scene);
   const auto is_driven = [](const Wall& wall) { return wall.motion.drive.has_value(); };
   if (scene.batches.number > 1 && std::ranges::any_of(scene.domain.walls, is_driven))
     top.fail("filling", "in batches is not built together with walls that a force drives");

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -13,11 +16,43 @@ namespace {
 
 constexpr std::size_t kLargestCourse = 64'000'000;  // [bytes]
 
-/// Mapping "rotation" as typed.
-struct RotationKeys {
-  WallAxis about;
-  double angular_velocity = 0;  ///< [1/s]
+bool is_all_zero(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return value == 0; });
+}
+
+/// Mapping "drive" as typed.
+struct DriveKeys {
+  WallDrive drive;
+  std::optional<double> force, pressure;  ///< [N], [Pa]
+  double area = 0;                        ///< [m^2]
 };
+
+KeyTable<DriveKeys> drive_keys() {
+  KeyTable<DriveKeys> table;
+  table
+      .direction(
+          "axis", [](DriveKeys & keys) -> auto& { return keys.drive.axis; },
+          "direction of the force, along which the plate is free to move; in others it is held")
+      .required();
+  table
+      .quantity(
+          "mass", "kg", [](DriveKeys & keys) -> auto& { return keys.drive.mass; }, kPositive,
+          "mass of the plate")
+      .required();
+  table.quantity("force", "N", &DriveKeys::force, kFinite,
+                 "force on it, its weight included: gravity does not act on walls");
+  table.quantity("pressure", "Pa", &DriveKeys::pressure, kFinite, "the same over `area`");
+  table.one_of({"force", "pressure"});
+  table.quantity("area", "m^2", &DriveKeys::area, kPositive, "that the pressure acts on")
+      .otherwise("the cross section that periodic sides and walls before this one leave along the axis")
+      .only_with("pressure", [](const DriveKeys& keys) { return keys.pressure.has_value(); });
+  table.quantity(
+      "damping", "N s/m", [](DriveKeys & keys) -> auto& { return keys.drive.damping; }, kNonNegative,
+      "drag over its velocity, which brings it to rest");
+  return table;
+}
+
+}  // namespace
 
 KeyTable<RotationKeys> rotation_keys() {
   KeyTable<RotationKeys> table;
@@ -55,13 +90,6 @@ KeyTable<WallOscillation> oscillation_keys() {
   return table;
 }
 
-/// Mapping "course" as typed.
-struct CourseFileKeys {
-  std::string file;
-  Vec<double, 3> direction{};
-  std::optional<Vec<double, 3>> point, axis;
-};
-
 KeyTable<CourseFileKeys> course_file_keys() {
   KeyTable<CourseFileKeys> table;
   table
@@ -75,10 +103,6 @@ KeyTable<CourseFileKeys> course_file_keys() {
       .otherwise("required with angles");
   table.direction("axis", &CourseFileKeys::axis, "direction of that axis").otherwise("required with angles");
   return table;
-}
-
-bool is_all_zero(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double value) { return value == 0; });
 }
 
 void store_course(const StrictMapping& mapping, const CourseFileKeys& keys, Wall& wall) {
@@ -99,65 +123,40 @@ void store_course(const StrictMapping& mapping, const CourseFileKeys& keys, Wall
   wall.motion.about = WallAxis{*keys.point, *keys.axis};
 }
 
-/// Mapping "drive" as typed.
-struct DriveKeys {
-  WallDrive drive;
-  std::optional<double> force, pressure;  ///< [N], [Pa]
-  double area = 0;                        ///< [m^2]
-};
-
-KeyTable<DriveKeys> drive_keys() {
-  KeyTable<DriveKeys> table;
-  table
-      .direction(
-          "axis", [](DriveKeys & keys) -> auto& { return keys.drive.axis; },
-          "direction of the force, along which the plate is free to move; in others it is held")
-      .required();
-  table
-      .quantity(
-          "mass", "kg", [](DriveKeys & keys) -> auto& { return keys.drive.mass; }, kPositive,
-          "mass of the plate")
-      .required();
-  table.quantity("force", "N", &DriveKeys::force, kFinite,
-                 "force on it, its weight included: gravity does not act on walls");
-  table.quantity("pressure", "Pa", &DriveKeys::pressure, kFinite, "the same over `area`");
-  table.one_of({"force", "pressure"});
-  table.quantity("area", "m^2", &DriveKeys::area, kPositive, "that the pressure acts on")
-      .required()
-      .only_with("pressure", [](const DriveKeys& keys) { return keys.pressure.has_value(); });
-  table.quantity(
-      "damping", "N s/m", [](DriveKeys & keys) -> auto& { return keys.drive.damping; }, kNonNegative,
-      "drag over its velocity, which brings it to rest");
-  return table;
+void complete_drive(const StrictMapping& mapping, Wall& wall, const PackingScene& scene) {
+  if (!wall.motion.drive || mapping.mapping("drive").has("area")) return;
+  const StrictMapping drive = mapping.mapping("drive");
+  if (!drive.has("pressure")) return;
+  const auto across = [&](int axis) {  // distance of what bounds the plate
+    if (scene.domain.period[axis] > 0) return scene.domain.period[axis];
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for (const Wall& side : scene.domain.walls) {
+      const auto* plane = side.shape.get_if<Plane>();
+      if (plane == nullptr || !is_at_rest(side)) continue;
+      if (plane->normal[axis] == 1) low = std::max(low, plane->point[axis]);
+      if (plane->normal[axis] == -1) high = std::min(high, plane->point[axis]);
+    }
+    return high - low;
+  };
+  double area = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double along = std::abs(wall.motion.drive->axis[a]);
+    if (along > 1e-12 && along < 1 - 1e-12) area = 0;
+    if (along < 0.5) area *= across(a);
+  }
+  if (!(area > 0 && std::isfinite(area)))
+    drive.fail(
+        "pressure",
+        "needs area: neither periodic sides nor walls before this one bound the plate along x, y or z");
+  wall.motion.drive->force = drive.quantity("pressure", "Pa", in_unit(kFinite, "Pa")) * area;
 }
 
-}  // namespace
-
-void declare_wall_motion(KeyTable<Wall>& table) {
-  table.vector("velocity", "m/s", &Wall::velocity,
-               "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a time, and "
-               "one at rest `from` then");
-  table.quantity("from", "s", &Wall::active_from, kFinite, "the wall is there from this time on");
-  table.quantity("until", "s", &Wall::active_until, kFinite, "and gone from this time on")
-      .otherwise("always there");
-  table
-      .mapping(
-          "rotation", rotation_keys(),
-          [](const StrictMapping&, const RotationKeys& keys, Wall& wall) {
-            wall.motion.about = keys.about;
-            wall.motion.angular_velocity = keys.angular_velocity;
-          },
-          "it turns about an axis, beside what else it does")
-      .otherwise("none");
-  table
-      .mapping(
-          "oscillation", oscillation_keys(),
-          [](const StrictMapping&, const WallOscillation& keys, Wall& wall) {
-            wall.motion.oscillation = keys;
-          },
-          "it goes to and fro")
-      .otherwise("none");
-  table.mapping("course", course_file_keys(), &store_course, "it goes as a table says").otherwise("none");
+template <class T>
+void declare_wall_motion(KeyTable<T>& table) {
+  declare_rigid_motion(table,
+                       "constant velocity; `point` is of time 0. A plate that stops is one wall `until` a "
+                       "time, and one at rest `from` then",
+                       "the wall is there from this time on", "and gone from this time on");
   table
       .mapping(
           "drive", drive_keys(),
@@ -167,6 +166,11 @@ void declare_wall_motion(KeyTable<Wall>& table) {
           },
           "a force or a pressure moves it as a plate of given mass")
       .otherwise("none");
+  declare_wall_surface(
+      table, [](T & wall) -> auto& { return wall; });
 }
+
+template void declare_wall_motion(KeyTable<Wall>& table);
+template void declare_wall_motion(KeyTable<MeshWallKeys>& table);
 
 }  // namespace fiberchain::dem

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "dem/scene/read_common.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 struct BoxKeys {
   std::array<std::optional<double>, 3> side;  ///< [m]
   bool open = false;
+  Wall surface = {.shape = Plane{}};  ///< of all its walls
 };
 
 KeyTable<BoxKeys> box_keys() {
@@ -25,6 +27,8 @@ KeyTable<BoxKeys> box_keys() {
   }
   table.choice("lid", &BoxKeys::open, Words<bool>{{"closed", false}, {"open", true}},
                "wall at the top, across z");
+  declare_wall_surface(
+      table, [](BoxKeys & box) -> auto& { return box.surface; });
   return table;
 }
 
@@ -37,11 +41,13 @@ void check_width(const StrictMapping& mapping, const char* key, double width, do
                                 of_width * width, diameter, of_width * diameter));
 }
 
-Wall wall_across(int axis, double position, double into) {
+Wall wall_across(int axis, double position, double into, const Wall& surface) {
   Plane plane{};
   plane.point[axis] = position;
   plane.normal[axis] = into;
-  return {plane};
+  Wall wall = surface;
+  wall.shape = plane;
+  return wall;
 }
 
 /// Walls at 0 and the length of every side given; no wall at the top of an open box.
@@ -57,8 +63,8 @@ void store_box(const StrictMapping& mapping, const BoxKeys& box, PackingScene& s
       check_width(mapping, kAxes[a], *box.side[a], largest_diameter(scene));
       scene.scene_box.high[a] = *box.side[a];
     }
-    scene.domain.walls.push_back(wall_across(a, 0, 1));
-    if (!floor_alone) scene.domain.walls.push_back(wall_across(a, scene.scene_box.high[a], -1));
+    scene.domain.walls.push_back(wall_across(a, 0, 1, box.surface));
+    if (!floor_alone) scene.domain.walls.push_back(wall_across(a, scene.scene_box.high[a], -1, box.surface));
   }
 }
 
@@ -210,10 +216,16 @@ auto store_wall(const char* along) {
       check_width(mapping, "radius", 2 * tube->radius, thickest, 0.5);
     if (const auto* ball = wall.shape.get_if<Sphere>(); ball != nullptr && ball->side > 0)
       check_width(mapping, "radius", 2 * ball->radius, thickest, 0.5);
-    Wall& stored = scene.domain.walls.emplace_back(wall);
+    Wall completed = wall;
+    complete_drive(mapping, completed, scene);
+    Wall& stored = scene.domain.walls.emplace_back(std::move(completed));
     if (auto* box = stored.shape.get_if<BoxObstacle>()) complete_obstacle(mapping, *box);
     if (auto* cone = stored.shape.get_if<Cone>()) complete_cone(mapping, *cone);
   };
+}
+
+void store_mesh_wall(const StrictMapping& mapping, const MeshWallKeys& keys, PackingScene& scene) {
+  store_wall("file")(mapping, mesh_wall(mapping, keys), scene);
 }
 
 KeyTable<PackingScene> wall_keys() {
@@ -234,6 +246,8 @@ KeyTable<PackingScene> wall_keys() {
   table
       .list("cones", cone_keys(), store_wall("axis"),
             "shells of finite cones, open at both ends, which fibers touch from inside and outside")
+      .otherwise("none");
+  table.list("meshes", mesh_wall_keys(), &store_mesh_wall, "surfaces of triangles, from files")
       .otherwise("none");
   return table;
 }

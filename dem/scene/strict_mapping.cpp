@@ -121,6 +121,19 @@ std::vector<double> StrictMapping::quantities(const std::string& key, std::strin
   return numbers;
 }
 
+std::vector<std::string> StrictMapping::words(const std::string& key, std::size_t count) const {
+  const YAML::Node list = value(key);
+  std::vector<std::string> all;
+  if (list.IsSequence()) {
+    for (const auto& entry : list) {
+      if (entry.IsScalar() && !entry.Scalar().empty()) all.push_back(entry.Scalar());
+    }
+  }
+  if (!list.IsSequence() || list.size() != count || all.size() != count)
+    fail(key, fmt::format("must be a list of {} words", count));
+  return all;
+}
+
 double StrictMapping::quantity(const std::string& key, std::string_view unit,
                                const ValueRange& allowed) const {
   const std::string typed = text(key);

@@ -58,6 +58,9 @@ class StrictMapping {
   /// A text that is not empty.
   std::string word(const std::string& key) const { return text(key); }
 
+  /// So many texts that are not empty.
+  std::vector<std::string> words(const std::string& key, std::size_t count) const;
+
   /// true or false.
   bool flag(const std::string& key) const { return choice(key, {"false", "true"}) == 1; }
 

@@ -8,17 +8,22 @@
 #include <vector>
 
 #include "dem/trajectory/frame.hpp"
+#include "dem/trajectory/wall_surface.hpp"
 
 // Trajectories in HDF5 by the H5MD convention, version 1.1 (https://nongnu.org/h5md).
 //
 //   /h5md                                    version, author, creator
 //   /particles/fibers/{position,velocity}    step, time, value[frame][sphere][3] in m and m/s
 //   /particles/fibers/{radius,fiber,id}      fixed: [m], number of the fiber, number of the sphere; where
-//                                            fibers come later id is in time, -1 for those not there yet
-//   /particles/fibers/box/{edges,origin}     in time; origin is the low corner, which H5MD does not know
+//                                            fibers come later id is in time, -1 for those not there yet,
+//                                            whose positions and velocities are NaN
+//   /particles/fibers/box/{edges,origin}     in time: a diagonal matrix; the low corner, which H5MD does not
+//                                            know
 //   /connectivity/bonds                      fixed: pairs of spheres
-//   /observables/fibers/{bond_force,bending_angle}   in time, a row a bond: on its first sphere [N]; [rad]
+//   /observables/{bond_force,bending_angle}  in time, a row a bond: on its first sphere [N]; [rad]
 //   /observables/NAME                        in time, scalars
+//   /connectivity/contacts                   where asked for (dem/trajectory/h5md_contacts.hpp)
+//   /parameters/walls                        where there are any (dem/trajectory/h5md_walls.hpp)
 //   /parameters/runs/N                       provenance of the run that began the file, and of those that
 //   resumed it
 //
@@ -27,7 +32,9 @@
 //
 // All have the same steps and times, which are one dataset. Positions are rounded to 2^-37 of their value
 // (7e-12), what else moves to floats: digits beyond these compress to nothing and mean nothing. Checkpoints
-// have them all. Units stand as H5MD's attribute "unit" except on lengths: MDAnalysis refuses the meter.
+// have them all. Units stand as H5MD's attribute "unit" except on positions: MDAnalysis refuses the meter. It
+// reads the file in SI units by load_new("NAME.h5md", convert_units=False); NAME.h5md is a link to NAME.h5
+// with the suffix that it knows.
 namespace fiberchain::dem {
 
 /// Has HDF5 not tidy up when the program ends, where it complains of damaged files it could not close. For
@@ -42,6 +49,8 @@ struct TrajectoryHeader {
   std::string creator_version;  ///< of the program
   Entries provenance;           ///< attributes, by name
   bool growing = false;         ///< frames have absent spheres, which come later
+  bool contacts = false;        ///< contacts of frames are written
+  std::vector<WallSurface> walls = {};
 };
 
 struct FrameRoom;
@@ -50,7 +59,7 @@ struct FrameRoom;
 /// step and closes it again, so that readers can open a run in progress and nothing is lost but the frame
 /// being written when the run is killed or the disk is full. A kill within the microseconds of that step
 /// leaves a journal beside the file, which TrajectoryReader and resuming understand. Beside FILE.h5 stands
-/// FILE.xmf, for ParaView.
+/// FILE.h5md, a link to it.
 class TrajectoryWriter {
  public:
   /// A new file; it appears with the first frame, in place of what stood there.
@@ -73,8 +82,6 @@ class TrajectoryWriter {
   std::int64_t frames() const { return static_cast<std::int64_t>(times_.size()); }
 
  private:
-  void write_series_file(const TrajectoryFrame& frame) const;
-
   std::filesystem::path path_;
   TrajectoryHeader header_;
   std::vector<double> times_;
@@ -95,6 +102,9 @@ class TrajectoryReader {
   /// Provenance of the run that began the file.
   const Entries& provenance() const { return provenance_; }
 
+  /// Of all walls, where they were put; empty in files of earlier versions.
+  const std::vector<WallSurface>& walls() const { return walls_; }
+
   /// TrajectoryFrame `n`, from 0: the spheres that are there.
   /// @throws ReadError if there is none such or it cannot be read
   TrajectoryFrame read(std::int64_t n) const;
@@ -108,6 +118,7 @@ class TrajectoryReader {
   std::vector<std::int64_t> steps_;
   std::vector<double> times_;
   Entries provenance_;
+  std::vector<WallSurface> walls_;
 };
 
 }  // namespace fiberchain::dem

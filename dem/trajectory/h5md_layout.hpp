@@ -27,7 +27,9 @@ inline std::string value_of(const std::string& element) { return element + "/val
 inline std::string sphere_element(const OutputField& field) {
   return std::string("particles/fibers/") + field.name;
 }
-inline std::string bond_element(const OutputField& field) {
+inline std::string bond_element(const OutputField& field) { return std::string("observables/") + field.name; }
+/// Where earlier versions put it: MDAnalysis does not look into groups there.
+inline std::string nested_bond_element(const OutputField& field) {
   return std::string("observables/fibers/") + field.name;
 }
 
@@ -53,8 +55,13 @@ static_assert(std::is_trivially_copyable_v<Vec<double, 3>> && sizeof(Vec<double,
 inline std::vector<std::string> scalar_names(hid_t file) {
   std::vector<std::string> names = hdf5::names_in(hdf5::open_group(file, "observables"));
   std::erase(names, "fibers");
+  for (const OutputField& field : bond_fields) std::erase(names, field.name);
   return names;
 }
+
+/// A group with a value that grows, its step and time those of the positions.
+void make_element(hid_t file, const std::string& name, hid_t type, const std::vector<hsize_t>& size,
+                  const std::string& unit, bool compressed);
 
 /// Whether the numbers of the spheres are in time.
 inline bool has_growing_id(hid_t file) { return hdf5::has(file, value_of(kId)); }

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "dem/files/file_error.hpp"
+#include "dem/trajectory/h5md_contacts.hpp"
 #include "dem/trajectory/h5md_layout.hpp"
+#include "dem/trajectory/h5md_walls.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -107,8 +109,19 @@ void read_bonds(hid_t file, std::int64_t n, TrajectoryFrame& frame) {
       throw hdf5::Failure("a bond is between spheres that do not follow each other");
     frame.bonds.push_back({first, {}, 0});
   }
-  for (const OutputField& field : bond_fields)
-    field.set(frame, entry(file, bond_element(field), n, entry_size(field, bonds)));
+  const bool nested = hdf5::is_group(file, "observables/fibers");  // of an earlier version
+  for (const OutputField& field : bond_fields) {
+    field.set(frame, entry(file, nested ? nested_bond_element(field) : bond_element(field), n,
+                           entry_size(field, bonds)));
+  }
+}
+
+/// Of a cuboid: a diagonal matrix, of earlier versions its diagonal.
+Vec<double, 3> edges_of(hid_t file, std::int64_t n) {
+  if (hdf5::size_of(hdf5::open_array(file, value_of(kEdges).c_str())).size() == 2)
+    return vectors(entry(file, kEdges, n, {3})).front();
+  const auto rows = vectors(entry(file, kEdges, n, {3, 3}));
+  return {rows[0][0], rows[1][1], rows[2][2]};
 }
 
 }  // namespace
@@ -142,6 +155,10 @@ TrajectoryFrame present_part(TrajectoryFrame frame) {
   std::erase_if(frame.bonds,
                 [&](const FrameBond& bond) { return !here[static_cast<std::size_t>(bond.first)]; });
   for (FrameBond& bond : frame.bonds) bond.first = number[static_cast<std::size_t>(bond.first)];
+  for (FrameContact& contact : frame.contacts) {
+    contact.first = number[static_cast<std::size_t>(contact.first)];
+    if (contact.kind != ContactKind::wall) contact.second = number[static_cast<std::size_t>(contact.second)];
+  }
   frame.absent = 0;
   frame.missing.clear();
   return frame;
@@ -154,6 +171,7 @@ TrajectoryReader::TrajectoryReader(std::filesystem::path path) : path_(std::move
     if (steps_.size() != times_.size()) throw hdf5::Failure("as many steps as times are wanted");
     if (hdf5::has(file, "parameters") && hdf5::has(file, "parameters/runs/0"))
       provenance_ = hdf5::text_attributes(hdf5::open_group(file, "parameters/runs/0"));
+    walls_ = read_wall_surfaces(file);
     return true;
   });
 }
@@ -176,9 +194,11 @@ TrajectoryFrame TrajectoryReader::read(std::int64_t n) const {
     for (const OutputField& field : sphere_fields)
       field.set(frame, entry(file, sphere_element(field), n, entry_size(field, spheres)));
     frame.low = vectors(entry(file, kOrigin, n, {3})).front();
-    frame.high = frame.low + vectors(entry(file, kEdges, n, {3})).front();
+    frame.high = frame.low + edges_of(file, n);
     read_boundary(file, frame);
     read_bonds(file, n, frame);
+    if (!walls_.empty()) set_poses(entry(file, kWallPoses, n, {walls_.size(), wall_pose_size}), frame);
+    if (has_contacts(file)) read_contacts(file, static_cast<hsize_t>(n), frame);
     if (has_growing_id(file)) {
       const std::vector<double> id = entry(file, kId, n, {spheres});
       for (std::size_t i = 0; i < id.size(); ++i) {

@@ -6,12 +6,12 @@
 #include <numeric>
 #include <ranges>
 
-#include "dem/files/atomic_file.hpp"
 #include "dem/files/file_error.hpp"
 #include "dem/model/errors.hpp"
+#include "dem/trajectory/h5md_contacts.hpp"
 #include "dem/trajectory/h5md_layout.hpp"
+#include "dem/trajectory/h5md_walls.hpp"
 #include "dem/trajectory/hdf5_chunks.hpp"
-#include "dem/trajectory/xdmf.hpp"
 
 namespace fiberchain::dem {
 
@@ -38,25 +38,6 @@ auto writing_file(const std::filesystem::path& path, const Action& action) {
     return action();
   } catch (const hdf5::Failure& failure) {
     throw ReadError(path, failure.what());
-  }
-}
-
-/// A group with a value that grows, its step and time those of the positions.
-void make_element(hid_t file, const std::string& name, hid_t type, const std::vector<hsize_t>& size,
-                  const std::string& unit, bool compressed) {
-  const Handle group = hdf5::make_group(file, name.c_str());
-  const Handle value = hdf5::make_series(group, "value", type, size, compressed);
-  if (!unit.empty()) hdf5::set_text_for_python(value, "unit", unit);
-  if (name == kPosition) {
-    hdf5::make_series(group, "step", H5T_STD_I64LE, {}, false);
-    const Handle time = hdf5::make_series(group, "time", H5T_IEEE_F64LE, {}, false);
-    hdf5::set_text_for_python(time, "unit", "s");
-    return;
-  }
-  for (const char* shared : {"step", "time"}) {
-    hdf5::check(H5Lcreate_hard(file, (std::string(kPosition) + "/" + shared).c_str(), group, shared,
-                               H5P_DEFAULT, H5P_DEFAULT),
-                "link a dataset");
   }
 }
 
@@ -129,18 +110,19 @@ void write_layout(hid_t file, const TrajectoryHeader& header, const TrajectoryFr
   const Handle fibers = hdf5::make_group(file, "particles/fibers");
   write_box(fibers, frame);
   hdf5::make_group(file, "observables");
-  hdf5::make_group(file, "observables/fibers");
   make_element(file, kPosition, H5T_IEEE_F64LE, {spheres, 3}, "", true);
   for (const OutputField& field : sphere_fields)
     make_element(file, sphere_element(field), H5T_IEEE_F32LE, entry_size(field, spheres), field.unit, true);
-  make_element(file, kEdges, H5T_IEEE_F64LE, {3}, "", false);
-  make_element(file, kOrigin, H5T_IEEE_F64LE, {3}, "", false);
+  make_element(file, kEdges, H5T_IEEE_F64LE, {3, 3}, "m", false);
+  make_element(file, kOrigin, H5T_IEEE_F64LE, {3}, "m", false);
   for (const OutputField& field : bond_fields)
     make_element(file, bond_element(field), H5T_IEEE_F32LE, entry_size(field, bonds), field.unit, true);
   if (header.growing) make_element(file, kId, H5T_STD_I32LE, {spheres}, "", true);
   for (const auto& [name, value] : scalars)
     make_element(file, "observables/" + name, H5T_IEEE_F64LE, {}, "", false);
   write_fixed(file, fibers, frame, header.growing);
+  if (!header.walls.empty()) write_wall_surfaces(file, header.walls);
+  if (header.contacts) make_contacts(file, 0);
 }
 
 /// Every series of the file, once.
@@ -148,6 +130,8 @@ std::vector<std::string> all_series(hid_t file) {
   std::vector<std::string> all = {std::string(kPosition) + "/step", std::string(kPosition) + "/time"};
   for (const std::string& element : elements()) all.push_back(value_of(element));
   if (has_growing_id(file)) all.push_back(value_of(kId));
+  if (has_walls(file)) all.push_back(value_of(kWallPoses));
+  if (has_contacts(file)) all.push_back(value_of(kContactCount));
   for (const std::string& name : scalar_names(file)) all.push_back(value_of("observables/" + name));
   return all;
 }
@@ -172,6 +156,26 @@ void check_same(hid_t file, const TrajectoryFrame& frame, const Scalars& scalars
   for (const auto& [name, value] : scalars) names.push_back(name);
   std::ranges::sort(names);
   if (names != scalar_names(file)) throw InvalidInput("the scalars of a frame are not those of earlier ones");
+  if (has_walls(file) && size(value_of(kWallPoses), 1) != frame.walls.size())
+    throw InvalidInput("the walls of a frame are not those of earlier ones");
+}
+
+/// Whether each sphere is not there.
+std::vector<bool> away(const TrajectoryFrame& frame) {
+  std::vector<bool> all(frame.position.size(), false);
+  std::fill(all.end() - frame.absent, all.end(), true);
+  for (const std::int64_t sphere : frame.missing) all[static_cast<std::size_t>(sphere)] = true;
+  return all;
+}
+
+/// Numbers of spheres that are not there are none.
+void blank(const TrajectoryFrame& frame, std::size_t width, std::vector<double>& numbers) {
+  if (frame.absent == 0 && frame.missing.empty()) return;
+  const std::vector<bool> blanked = away(frame);
+  for (std::size_t i = 0; i < blanked.size(); ++i) {
+    if (blanked[i])
+      std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(i * width), width, std::nan(""));
+  }
 }
 
 /// The number to 37 bits, an error of 2^-37 of it at most: the two bytes that become zero cost nothing.
@@ -186,6 +190,7 @@ void round_positions(const TrajectoryFrame& frame, std::vector<double>& numbers)
   for (const Vec<double, 3>& x : frame.position) {
     for (int c = 0; c < 3; ++c) *to++ = rounded(x[c]);
   }
+  blank(frame, 3, numbers);
 }
 
 void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scalars& scalars,
@@ -194,7 +199,8 @@ void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scal
   const auto put = [&](const std::string& name, hid_t type, const void* values) {
     hdf5::write_entry(hdf5::open_array(file, name.c_str()), n, type, values);
   };
-  const Vec<double, 3> edges = frame.high - frame.low;
+  const Vec<double, 3> size = frame.high - frame.low,
+                       edges[3] = {{size[0], 0, 0}, {0, size[1], 0}, {0, 0, size[2]}};
   put(std::string(kPosition) + "/step", H5T_NATIVE_INT64, &frame.step);
   put(std::string(kPosition) + "/time", H5T_NATIVE_DOUBLE, &frame.time);
   const auto put_numbers = [&](const std::string& name) {
@@ -204,9 +210,10 @@ void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scal
   put_numbers(value_of(kPosition));
   for (const OutputField& field : sphere_fields) {
     field.get(frame, numbers);
+    blank(frame, static_cast<std::size_t>(field.width), numbers);
     put_numbers(value_of(sphere_element(field)));
   }
-  put(value_of(kEdges), H5T_NATIVE_DOUBLE, &edges);
+  put(value_of(kEdges), H5T_NATIVE_DOUBLE, edges);
   put(value_of(kOrigin), H5T_NATIVE_DOUBLE, &frame.low);
   for (const OutputField& field : bond_fields) {
     if (frame.bonds.empty()) continue;
@@ -215,6 +222,11 @@ void write_frame(hid_t file, hsize_t n, const TrajectoryFrame& frame, const Scal
   }
   if (has_growing_id(file)) put(value_of(kId), H5T_NATIVE_INT32, ids(frame).data());
   for (const auto& [name, value] : scalars) put(value_of("observables/" + name), H5T_NATIVE_DOUBLE, &value);
+  if (has_walls(file)) {
+    pose_numbers(frame, numbers);
+    put_numbers(value_of(kWallPoses));
+  }
+  if (has_contacts(file)) append_contacts(file, n, frame);
 }
 
 void check_frame(const TrajectoryFrame& frame) {
@@ -230,9 +242,41 @@ void check_frame(const TrajectoryFrame& frame) {
   if (frame.absent < 0 || frame.absent > static_cast<std::int64_t>(spheres))
     throw InvalidInput("a frame lacks more spheres than it has");
   if (std::ranges::any_of(frame.bonds, outside)) throw InvalidInput("a frame's bond has no such spheres");
+  const auto lone = [&](const FrameContact& contact) {
+    return contact.first < 0 || contact.first >= static_cast<std::int64_t>(spheres) || contact.second < 0 ||
+           (contact.kind != ContactKind::wall && contact.second >= static_cast<std::int64_t>(spheres));
+  };
+  if (std::ranges::any_of(frame.contacts, lone)) throw InvalidInput("a frame's contact has no such spheres");
+}
+
+/// Beside FILE.h5 a link FILE.h5md: by that suffix MDAnalysis knows what it is. Where it cannot be made, on
+/// file systems without links, it is left out.
+void link_h5md(const std::filesystem::path& path) {
+  const std::filesystem::path link = std::filesystem::path(path).replace_extension(".h5md");
+  std::error_code ignored;
+  if (link == path || std::filesystem::exists(std::filesystem::symlink_status(link, ignored))) return;
+  std::filesystem::create_symlink(path.filename(), link, ignored);
 }
 
 }  // namespace
+
+void h5md::make_element(hid_t file, const std::string& name, hid_t type, const std::vector<hsize_t>& size,
+                        const std::string& unit, bool compressed) {
+  const Handle group = hdf5::make_group(file, name.c_str());
+  const Handle value = hdf5::make_series(group, "value", type, size, compressed);
+  if (!unit.empty()) hdf5::set_text_for_python(value, "unit", unit);
+  if (name == kPosition) {
+    hdf5::make_series(group, "step", H5T_STD_I64LE, {}, false);
+    const Handle time = hdf5::make_series(group, "time", H5T_IEEE_F64LE, {}, false);
+    hdf5::set_text_for_python(time, "unit", "s");
+    return;
+  }
+  for (const char* shared : {"step", "time"}) {
+    hdf5::check(H5Lcreate_hard(file, (std::string(kPosition) + "/" + shared).c_str(), group, shared,
+                               H5P_DEFAULT, H5P_DEFAULT),
+                "link a dataset");
+  }
+}
 
 TrajectoryWriter::TrajectoryWriter(std::filesystem::path path, TrajectoryHeader header)
     : path_(std::move(path)), header_(std::move(header)), room_(std::make_unique<FrameRoom>()) {}
@@ -252,6 +296,11 @@ TrajectoryWriter TrajectoryWriter::resume(std::filesystem::path path, Trajectory
   writing_file(writer.path_, [&] {
     const Handle file = open_in(journaled, Access::change);
     set_frames(file, static_cast<hsize_t>(kept));
+    if (has_contacts(file)) {
+      keep_contacts(file, static_cast<hsize_t>(kept));
+    } else if (writer.header_.contacts) {
+      make_contacts(file, static_cast<hsize_t>(kept));
+    }
     write_run(file, writer.header_);
     hdf5::flush(file);
   });
@@ -265,6 +314,7 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scala
   check_frame(frame);
   if ((frame.absent > 0 || !frame.missing.empty()) && !header_.growing)
     throw InvalidInput("a frame lacks spheres in a file that does not grow");
+  if (frame.walls.size() != header_.walls.size()) throw InvalidInput("a frame has other walls than its file");
   if (!times_.empty() && frame.step <= last_step_)
     throw InvalidInput(fmt::format("a frame of step {} after one of step {}", frame.step, last_step_));
   const bool first = times_.empty();
@@ -279,12 +329,7 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame, const Scalars& scala
   journaled.commit();
   times_.push_back(frame.time);
   last_step_ = frame.step;
-  write_series_file(frame);
-}
-
-void TrajectoryWriter::write_series_file(const TrajectoryFrame& frame) const {
-  const std::filesystem::path beside = std::filesystem::path(path_).replace_extension(".xmf");
-  replace_file(beside, xdmf(path_.filename().string(), times_, frame.position.size()));
+  link_h5md(path_);
 }
 
 }  // namespace fiberchain::dem

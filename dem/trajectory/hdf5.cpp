@@ -54,21 +54,21 @@ hsize_t rows_of_chunk(const std::vector<hsize_t>& size, std::size_t element) {
   return std::max<hsize_t>(1, (size[0] + chunks - 1) / chunks);
 }
 
-/// Places of one entry within a series: of every entry's elements that one's.
-Handle entry_space(hid_t series, hsize_t entry) {
+/// Places of some entries within a series.
+Handle entry_space(hid_t series, hsize_t entry, hsize_t entries = 1) {
   Handle space(H5Dget_space(series), &H5Sclose, "find a dataset's size");
   std::vector<hsize_t> count = size_of(series);
   std::vector<hsize_t> start(count.size(), 0);
   start[0] = entry;
-  count[0] = 1;
+  count[0] = entries;
   check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
         "select an entry");
   return space;
 }
 
-Handle entry_memory(hid_t series) {
+Handle entry_memory(hid_t series, hsize_t entries = 1) {
   std::vector<hsize_t> count = size_of(series);
-  count[0] = 1;
+  count[0] = entries;
   return space_of(count);
 }
 
@@ -238,6 +238,18 @@ Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector
       &H5Dclose, "make a dataset"};
 }
 
+Handle make_rows(hid_t parent, const char* name, hid_t type, hsize_t width, hsize_t chunk) {
+  std::vector<hsize_t> extent = {0}, largest = {H5S_UNLIMITED}, chunks = {chunk};
+  if (width > 1) extent.push_back(width), largest.push_back(width), chunks.push_back(width);
+  const Handle properties = creation();
+  compress(properties);
+  check(H5Pset_chunk(properties, static_cast<int>(chunks.size()), chunks.data()), "choose chunks");
+  check(H5Pset_fletcher32(properties), "add checksums");
+  return {
+      H5Dcreate2(parent, name, type, space_of(extent, largest.data()), H5P_DEFAULT, properties, H5P_DEFAULT),
+      &H5Dclose, "make a dataset"};
+}
+
 Handle open_array(hid_t parent, const char* name) {
   return {H5Dopen2(parent, name, H5P_DEFAULT), &H5Dclose, name};
 }
@@ -264,6 +276,20 @@ void write_entry(hid_t series, hsize_t entry, hid_t type, const void* values) {
 void read_entry(hid_t series, hsize_t entry, hid_t type, void* values) {
   check(H5Dread(series, type, entry_memory(series), entry_space(series, entry), H5P_DEFAULT, values),
         "read an entry");
+}
+
+void write_rows(hid_t series, hsize_t first, hsize_t count, hid_t type, const void* values) {
+  if (count == 0) return;
+  check(H5Dwrite(series, type, entry_memory(series, count), entry_space(series, first, count), H5P_DEFAULT,
+                 values),
+        "write rows");
+}
+
+void read_rows(hid_t series, hsize_t first, hsize_t count, hid_t type, void* values) {
+  if (count == 0) return;
+  check(H5Dread(series, type, entry_memory(series, count), entry_space(series, first, count), H5P_DEFAULT,
+                values),
+        "read rows");
 }
 
 }  // namespace fiberchain::dem::hdf5

@@ -94,11 +94,17 @@ Handle write_array(hid_t parent, const char* name, const Stored& type, const std
 Handle make_series(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& size,
                    bool compressed);
 
+/// A dataset of rows of `width` numbers, or of one, that grows by any number of them: none yet.
+Handle make_rows(hid_t parent, const char* name, hid_t type, hsize_t width, hsize_t chunk);
+
 Handle open_array(hid_t parent, const char* name);
 std::vector<hsize_t> size_of(hid_t array);
 void resize_series(hid_t series, hsize_t length);
 /// Writes or reads one entry of a series.
 void write_entry(hid_t series, hsize_t entry, hid_t type, const void* values);
 void read_entry(hid_t series, hsize_t entry, hid_t type, void* values);
+/// Likewise some entries that follow each other; none is allowed.
+void write_rows(hid_t series, hsize_t first, hsize_t count, hid_t type, const void* values);
+void read_rows(hid_t series, hsize_t first, hsize_t count, hid_t type, void* values);
 
 }  // namespace fiberchain::dem::hdf5

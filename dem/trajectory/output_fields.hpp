@@ -8,8 +8,8 @@
 
 #include "dem/trajectory/frame.hpp"
 
-// Quantities of spheres and bonds in trajectories, declared once: H5MD, its reader, VTK and XDMF follow. A
-// new one is a member of TrajectoryFrame or FrameBond and a line here. Positions, radii and fiber numbers,
+// Quantities of spheres and bonds in trajectories, declared once: H5MD, its reader, VTK and pictures follow.
+// A new one is a member of TrajectoryFrame or FrameBond and a line here. Positions, radii and fiber numbers,
 // which are the geometry, stand apart.
 namespace fiberchain::dem {
 

@@ -21,7 +21,11 @@ std::string file_name(const char* kind, std::int64_t step) {
   return fmt::format("{}-{:012}.vtp", kind, step);
 }
 
-constexpr const char* kKinds[] = {"spheres", "lines"};
+constexpr const char* kSpheres = "spheres";
+constexpr const char* kLines = "lines";
+constexpr const char* kContactFiles = "contacts";
+constexpr const char* kWallFiles = "walls";
+constexpr const char* kKinds[] = {kSpheres, kLines, kContactFiles, kWallFiles};
 constexpr const char* kSeriesHead =
     "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
     "<Collection>\n";
@@ -64,19 +68,19 @@ std::vector<std::filesystem::path> vtk_parts(const std::filesystem::path& place)
   return parts;
 }
 
-VtkSeries::VtkSeries(std::filesystem::path directory, std::string name, Entries provenance)
-    : directory_(std::move(directory)), name_(std::move(name)), provenance_(std::move(provenance)) {}
+VtkSeries::VtkSeries(std::filesystem::path directory, std::string name, VtkHeader header)
+    : directory_(std::move(directory)), name_(std::move(name)), header_(std::move(header)) {}
 
-VtkSeries VtkSeries::resume(std::filesystem::path directory, std::string name, Entries provenance,
+VtkSeries VtkSeries::resume(std::filesystem::path directory, std::string name, VtkHeader header,
                             std::int64_t last_step) {
-  VtkSeries series = read(std::move(directory), std::move(name), std::move(provenance), last_step);
+  VtkSeries series = read(std::move(directory), std::move(name), std::move(header), last_step);
   if (!series.entries_.empty()) series.write_series();
   return series;
 }
 
-VtkSeries VtkSeries::read(std::filesystem::path directory, std::string name, Entries provenance,
+VtkSeries VtkSeries::read(std::filesystem::path directory, std::string name, VtkHeader header,
                           std::int64_t last_step) {
-  VtkSeries series(std::move(directory), std::move(name), std::move(provenance));
+  VtkSeries series(std::move(directory), std::move(name), std::move(header));
   series.read_series(last_step);
   return series;
 }
@@ -88,7 +92,7 @@ std::optional<std::int64_t> VtkSeries::last_step() const {
 
 std::optional<std::filesystem::path> VtkSeries::missing_part() const {
   for (const Entry& entry : entries_) {
-    for (const char* kind : kKinds) {
+    for (const char* kind : {kSpheres, kLines}) {
       std::filesystem::path part = directory_ / name_ / file_name(kind, entry.step);
       if (!std::filesystem::exists(part)) return part;
     }
@@ -105,9 +109,21 @@ void VtkSeries::append(const TrajectoryFrame& frame) {
   std::filesystem::create_directories(place, error);
   if (error) throw WriteError(place, error.message());
   const TrajectoryFrame present = present_part(frame);
-  replace_file(place / file_name("spheres", frame.step), vtp_spheres(present, provenance_));
-  replace_file(place / file_name("lines", frame.step), vtp_lines(present, provenance_));
-  entries_.push_back({frame.step, frame.time});
+  const Entries& provenance = header_.provenance;
+  replace_file(place / file_name(kSpheres, frame.step), vtp_spheres(present, provenance));
+  replace_file(place / file_name(kLines, frame.step), vtp_lines(present, provenance));
+  Entry entry{frame.step, frame.time};
+  entry.has_contacts = frame.has_contacts;
+  if (frame.has_contacts)
+    replace_file(place / file_name(kContactFiles, frame.step), vtp_contacts(present, provenance));
+  if (!header_.walls.empty()) {
+    if (frame.walls_as_before && !entries_.empty()) entry.walls = entries_.back().walls;
+    if (entry.walls < 0) {
+      replace_file(place / file_name(kWallFiles, frame.step), vtp_walls(frame, header_.walls, provenance));
+      entry.walls = frame.step;
+    }
+  }
+  entries_.push_back(entry);
   try {
     write_series();
   } catch (...) {
@@ -116,18 +132,36 @@ void VtkSeries::append(const TrajectoryFrame& frame) {
   }
 }
 
-std::string VtkSeries::line_of(const Entry& entry, const char* kind) const {
-  return fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", entry.time, xml_escaped(name_),
-                     file_name(kind, entry.step));
+std::string VtkSeries::line_of(double time, std::int64_t step, const char* kind) const {
+  return fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}/{}\"/>\n", time, xml_escaped(name_),
+                     file_name(kind, step));
 }
 
 void VtkSeries::write_series() const {
-  for (const char* kind : kKinds) {
-    std::string text = kSeriesHead;
-    for (const Entry& entry : entries_) text += line_of(entry, kind);
-    const bool lines = kind == kKinds[1];
-    replace_file(directory_ / (name_ + (lines ? "-lines.pvd" : ".pvd")), text + kSeriesTail);
+  std::string spheres, lines, contacts, walls;
+  for (const Entry& entry : entries_) {
+    spheres += line_of(entry.time, entry.step, kSpheres);
+    lines += line_of(entry.time, entry.step, kLines);
+    if (entry.has_contacts) contacts += line_of(entry.time, entry.step, kContactFiles);
+    if (entry.walls >= 0) walls += line_of(entry.time, entry.walls, kWallFiles);
   }
+  const auto write = [&](const char* end, const std::string& text) {
+    replace_file(directory_ / (name_ + end), kSeriesHead + text + kSeriesTail);
+  };
+  write(".pvd", spheres);
+  write("-lines.pvd", lines);
+  if (!contacts.empty()) write("-contacts.pvd", contacts);
+  if (!walls.empty()) write("-walls.pvd", walls);
+}
+
+void VtkSeries::find_others(Entry& entry) const {
+  const std::filesystem::path place = directory_ / name_;
+  entry.has_contacts = std::filesystem::exists(place / file_name(kContactFiles, entry.step));
+  if (header_.walls.empty()) return;
+  if (std::filesystem::exists(place / file_name(kWallFiles, entry.step)))
+    entry.walls = entry.step;
+  else if (!entries_.empty())
+    entry.walls = entries_.back().walls;
 }
 
 // Every line must be as this program writes it: one that was changed is an error, not left out.
@@ -151,10 +185,13 @@ void VtkSeries::read_series(std::int64_t last_step) {
     const auto seconds = parse_number(*time);
     const auto number = parse_integer(*step);
     if (!seconds || !number) fail();
-    const Entry entry{*number, *seconds};
-    if (!take(rest, line_of(entry, kKinds[0])) || (!entries_.empty() && entry.step <= entries_.back().step))
+    Entry entry{*number, *seconds};
+    if (!take(rest, line_of(*seconds, *number, kSpheres)) ||
+        (!entries_.empty() && entry.step <= entries_.back().step))
       fail();
-    if (entry.step <= last_step) entries_.push_back(entry);
+    if (entry.step > last_step) continue;
+    find_others(entry);
+    entries_.push_back(entry);
   }
 }
 

@@ -79,15 +79,34 @@ std::string point_data(const TrajectoryFrame& frame) {
   return text + "</PointData>\n";
 }
 
-/// A comment may not hold two dashes.
-std::string comment(const Entries& provenance) {
-  std::string text = "<!--\n";
-  for (const auto& [key, value] : provenance) {
-    std::string line = fmt::format("{}: {}", key, value);
-    for (std::size_t at = 0; (at = line.find("--", at)) != std::string::npos;) line.replace(at, 2, "- -");
-    text += line + " \n";
-  }
-  return text + "-->\n";
+/// Texts as VTK has them in a file: bytes with a zero behind each.
+std::string texts(const char* name, const std::vector<std::string>& all) {
+  std::string bytes;
+  for (const std::string& text : all) bytes += text + '\0';
+  const std::uint64_t size = bytes.size();
+  return fmt::format(
+      "<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"binary\">{}{}</DataArray>\n",
+      name, all.size(), base64(&size, sizeof size), base64(bytes.data(), bytes.size()));
+}
+
+/// A number of the whole file.
+template <class Number>
+std::string field_number(const char* name, Number value) {
+  const std::uint64_t bytes = sizeof value;
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfTuples=\"1\" format=\"binary\">{}{}</DataArray>\n",
+      kType<Number>, name, base64(&bytes, sizeof bytes), base64(&value, sizeof value));
+}
+
+/// Time, step and provenance as field data, which viewers show; by TimeValue ParaView knows the time of a
+/// file that is opened alone.
+std::string field_data(const TrajectoryFrame& frame, const Entries& provenance) {
+  std::string text =
+      "<FieldData>\n" + field_number("TimeValue", frame.time) + field_number("step", frame.step);
+  std::vector<std::string> lines;
+  for (const auto& [key, value] : provenance) lines.push_back(fmt::format("{}: {}", key, value));
+  if (!lines.empty()) text += texts("provenance", lines);
+  return text + "</FieldData>\n";
 }
 
 /// VTK cells of one kind, by the points they join and the end of each.
@@ -97,24 +116,36 @@ std::string cells(const char* kind, const std::vector<std::int64_t>& points,
                      array("offsets", 1, ends));
 }
 
-std::string file(const TrajectoryFrame& frame, const Entries& provenance, std::size_t verts,
-                 std::size_t lines, const std::string& rest) {
+/// Numbers of cells of each kind.
+struct CellCounts {
+  std::size_t verts = 0, lines = 0, polys = 0;
+};
+
+std::string file(const std::string& fields, const std::vector<Vec<double, 3>>& points,
+                 const CellCounts& counts, const std::string& data, const std::string& rest) {
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n{}<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" "
+      "header_type=\"UInt64\">\n<PolyData>\n{}<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" "
       "NumberOfLines=\"{}\" "
       "NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"0\">\n{}<Points>\n{}</Points>\n{}</Piece>\n</PolyData>\n</VTKFile>\n",
-      comment(provenance), frame.position.size(), verts, lines, point_data(frame),
-      array("points", 3, flat(frame.position)), rest);
+      "NumberOfPolys=\"{}\">\n{}<Points>\n{}</Points>\n{}</Piece>\n</PolyData>\n</VTKFile>\n",
+      fields, points.size(), counts.verts, counts.lines, counts.polys, data, array("points", 3, flat(points)),
+      rest);
 }
+
+/// A vertex for every point.
+std::string vertices(std::size_t points) {
+  return cells("Verts", numbers_from(0, points), numbers_from(1, points));
+}
+
+std::vector<float> singles(const std::vector<Vec<double, 3>>& vectors) { return singles(flat(vectors)); }
 
 }  // namespace
 
 std::string vtp_spheres(const TrajectoryFrame& frame, const Entries& provenance) {
   const std::size_t spheres = frame.position.size();
-  return file(frame, provenance, spheres, 0,
-              cells("Verts", numbers_from(0, spheres), numbers_from(1, spheres)));
+  return file(field_data(frame, provenance), frame.position, {.verts = spheres}, point_data(frame),
+              vertices(spheres));
 }
 
 std::string vtp_lines(const TrajectoryFrame& frame, const Entries& provenance) {
@@ -123,7 +154,44 @@ std::string vtp_lines(const TrajectoryFrame& frame, const Entries& provenance) {
   for (std::size_t i = 1; i <= spheres; ++i) {
     if (i == spheres || frame.fiber[i] != frame.fiber[i - 1]) ends.push_back(static_cast<std::int64_t>(i));
   }
-  return file(frame, provenance, 0, ends.size(), cells("Lines", numbers_from(0, spheres), ends));
+  return file(field_data(frame, provenance), frame.position, {.lines = ends.size()}, point_data(frame),
+              cells("Lines", numbers_from(0, spheres), ends));
+}
+
+std::string vtp_contacts(const TrajectoryFrame& frame, const Entries& provenance) {
+  std::vector<std::int64_t> first, second;
+  std::vector<std::int32_t> kind;
+  std::vector<Vec<double, 3>> point, normal, force;
+  for (const FrameContact& contact : frame.contacts) {
+    first.push_back(contact.first), second.push_back(contact.second);
+    kind.push_back(static_cast<std::int32_t>(contact.kind));
+    point.push_back(contact.point), normal.push_back(contact.normal), force.push_back(contact.force);
+  }
+  const std::string data = "<PointData Vectors=\"force\">\n" + array("first", 1, first) +
+                           array("second", 1, second) + array("kind", 1, kind) +
+                           array("normal", 3, singles(normal)) + array("force", 3, singles(force)) +
+                           "</PointData>\n";
+  return file(field_data(frame, provenance), point, {.verts = point.size()}, data, vertices(point.size()));
+}
+
+std::string vtp_walls(const TrajectoryFrame& frame, const std::vector<WallSurface>& walls,
+                      const Entries& provenance) {
+  std::vector<Vec<double, 3>> points;
+  std::vector<std::int64_t> corners, ends;
+  std::vector<std::int32_t> wall;
+  for (std::size_t w = 0; w < std::min(walls.size(), frame.walls.size()); ++w) {
+    if (!frame.walls[w].is_there) continue;
+    const auto before = static_cast<std::int64_t>(points.size());
+    for (const Vec<double, 3>& point : walls[w].points) points.push_back(placed_at(frame.walls[w], point));
+    for (const auto& triangle : walls[w].triangles) {
+      for (const std::int32_t corner : triangle) corners.push_back(before + corner);
+      ends.push_back(static_cast<std::int64_t>(corners.size()));
+      wall.push_back(static_cast<std::int32_t>(w) + 1);
+    }
+  }
+  const std::string data = "<CellData Scalars=\"wall\">\n" + array("wall", 1, wall) + "</CellData>\n";
+  return file(field_data(frame, provenance), points, {.polys = ends.size()}, data,
+              cells("Polys", corners, ends));
 }
 
 }  // namespace fiberchain::dem

@@ -100,10 +100,11 @@ struct Dense {
     dem::Wall& plate = packing.around.walls[1];
     plate.velocity = {0, 0, -speed};
     plate.active_until = (plate.shape.get_if<dem::Plane>()->point[2] - height) / speed;
+    const double stop = plate.active_until;
     packing.around.walls.push_back(side({0, 0, height}, {0, 0, -1}));
-    packing.around.walls[2].active_from = plate.active_until;
+    packing.around.walls[2].active_from = stop;
     dem::Assembly assembly = packing.assembly({.step = 4e-6, .form = dem::BondForm::total});
-    assembly.march(static_cast<int>(plate.active_until / 4e-6) + 6000);
+    assembly.march(static_cast<int>(stop / 4e-6) + 6000);
     for (int f = 0; f < 16; ++f) packing.groups[0].fibers[f] = dem::at_rest<3>(assembly.state(0, f).poses);
     const dem::EnergyBalance now = assembly.energy();
     stored = now.bonds + now.contacts;

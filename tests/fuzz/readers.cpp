@@ -4,6 +4,9 @@
 #include <iterator>
 
 #include "dem/files/file_error.hpp"
+#include "dem/mesh/mesh_topology.hpp"
+#include "dem/mesh/read_mesh.hpp"
+#include "dem/model/errors.hpp"
 #include "dem/scene/fiber_csv.hpp"
 #include "dem/scene/scene.hpp"
 #include "dem/scene/scene_error.hpp"
@@ -35,6 +38,17 @@ void read_starts(const fs::path& place) {
   refused_or_read<dem::SceneError>([&] { dem::read_fiber_starts((place / "input").string()); });
 }
 
+void read_mesh_of(const fs::path& place, const std::string& name) {
+  refused_or_read<dem::InvalidInput>([&] {
+    const dem::TriangleMesh mesh = dem::make_mesh(dem::read_mesh(content(place / "input"), name), 1e-3, name);
+    dem::notes_on(mesh, true);
+  });
+}
+
+void read_stl_file(const fs::path& place) { read_mesh_of(place, "input.stl"); }
+
+void read_obj_file(const fs::path& place) { read_mesh_of(place, "input.obj"); }
+
 void read_checkpoint_file(const fs::path& place) {
   refused_or_read<dem::ReadError>([&] { dem::read_checkpoint(place / "input"); });
 }
@@ -64,6 +78,24 @@ std::string some_starts() {
   return all.substr(0, all.find('\n', 3000) + 1);
 }
 
+std::string ascii_stl() {
+  return content(fs::path(FIBERCHAIN_SOURCE_DIR) / "data/meshes/hopper.stl").substr(0, 3 + 40 * 157) +
+         "endsolid";
+}
+
+/// Two triangles.
+std::string binary_stl() {
+  std::string bytes(80, ' ');
+  bytes += std::string("\2\0\0\0", 4);
+  const float corners[2][9] = {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0.25f, 0, 1, 0}};
+  for (const auto& triangle : corners) {
+    bytes += std::string(12, '\0');
+    bytes.append(reinterpret_cast<const char*>(triangle), sizeof triangle);
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
 std::string checkpoint(const fs::path& place) {
   dem::Checkpoint state;
   state.program = "p", state.scene_sha256 = "s", state.scene = "scene: packing\n";
@@ -82,7 +114,7 @@ std::string trajectory(const fs::path& place) {
 }
 
 std::string series(const fs::path& place) {
-  dem::VtkSeries written(place, "seed", {{"command", "x"}});
+  dem::VtkSeries written(place, "seed", {.provenance = {{"command", "x"}}});
   for (const std::int64_t step : {0, 10}) written.append(bent_fibers(2, 5, step));
   return content(place / "seed.pvd");
 }
@@ -122,6 +154,10 @@ constexpr const char* kWords[] = {"1e300",
 std::vector<Reader> readers(const fs::path& place) {
   return {{"scene", scenes(), read_scene_file},
           {"starts", {some_starts()}, read_starts},
+          {"stl", {ascii_stl(), binary_stl()}, read_stl_file},
+          {"obj",
+           {"# x\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nvn 0 0 1\nf 1/1/1 2//1 3 -1\nf 1 2 4\n"},
+           read_obj_file},
           {"checkpoint", {checkpoint(place)}, read_checkpoint_file},
           {"trajectory", {trajectory(place)}, read_trajectory},
           {"series", {series(place)}, read_series}};

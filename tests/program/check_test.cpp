@@ -22,9 +22,11 @@ json row_of(const std::string& scene) {
   return json::parse(outcome.out)["rows"][0];
 }
 
-const char* const kAll[] = {"cantilever",      "cantilever-march", "cantilever-spatial", "release",
-                            "release-rolling", "release-steel",    "flow-shear",         "flow-flexible",
-                            "packing",         "packing-small",    "crossed-layers",     "compression"};
+const char* const kAll[] = {
+    "cantilever",      "cantilever-march", "cantilever-spatial",  "release",
+    "release-rolling", "release-steel",    "flow-shear",          "flow-flexible",
+    "packing",         "packing-small",    "crossed-layers",      "compression",
+    "uniaxial-press",  "pull-out",         "three-point-bending", "three-point-bending-bundle"};
 
 }  // namespace
 

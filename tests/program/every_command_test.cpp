@@ -71,6 +71,8 @@ BOOST_AUTO_TEST_CASE(a_packing_stops_goes_on_and_is_drawn) {
   check_fine(fibers.go({"--resume"}), {"resumed at its end"});
   const Words draw = {"render", "out/s.h5", "--width", "160", "--height", "100"};
   check_fine(run(draw, fibers.here()), draw);
+  const Words dump = {"export", "out/s.h5", "--frames", "last"};
+  check_fine(run(dump, fibers.here()), dump);
   const Words two = {"run", "s.yaml", "--out", "two", "--jobs", "2"};
   check_fine(run(two, fibers.here()), two);
 }
@@ -81,11 +83,14 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
        {Words{"tables", "static", "--aspect-ratio", "5", "--load", "1", "--method", "solve,march"},
         {"tables", "damping", "--aspect-ratio", "5", "--peaks", "0..2", "--bond-damping", "3"},
         {"tables", "friction", "--aspect-ratio", "5", "--peaks", "1..2", "--rolling-friction", "1"},
+        {"tables", "contact", "--test", "2"},
         {"tables", "materials", "--aspect-ratio", "7", "--diameters", "3", "--fibers", "150", "--duration",
          "2e-4"},
         {"tables", "shear", "--spheres", "5"},
         {"tables", "contact-modulus", "--fibers", "150", "--seeds", "1", "--modulus", "1,0.1", "--duration",
          "2e-4", "--samples", "20"},
+        {"tables", "press", "--fibers", "20", "--aspect-ratio", "5", "--seeds", "2", "--speed", "2",
+         "--samples", "40"},
         {"stability", "--aspect-ratio", "5", "--poisson-ratio", "0.2", "--bond-damping", "0.5"},
         {"fit", "--aspect-ratio", "5..7", "--held-out", "none", "--no-figures"},
         {"materials"},

@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   text.replace(at, 15, "duration: 4 ms");
   const auto output = text.find("output: {");
   BOOST_REQUIRE(output != std::string::npos);
-  scratch.file("small.yaml", text.insert(output + 9, "vtk: true, "));
+  scratch.file("small.yaml", text.insert(output + 9, "vtk: true, contacts: true, "));
   const Outcome outcome = run({"run", "small.yaml", "--json", "--jobs", "1"}, {.directory = scratch.path});
   BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.error);
   const auto row = nlohmann::json::parse(outcome.out)["rows"][0];
@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   BOOST_TEST(std::abs(row["steps"].get<double>() * step - 4e-3) < step);
   BOOST_TEST(holds(outcome.error, "0.9 of what is stable, set most by bond damping; each alone: bonds"));
   const fs::path results = scratch.path / "results";
-  for (const char* end : {".csv", ".md", "-log.csv", ".checkpoint", ".checkpoint.previous", ".h5", ".xmf",
-                          ".pvd", "-lines.pvd"}) {
+  for (const char* end : {".csv", ".md", "-log.csv", ".checkpoint", ".checkpoint.previous", ".h5", ".h5md",
+                          ".pvd", "-lines.pvd", "-contacts.pvd", "-walls.pvd"}) {
     BOOST_TEST(fs::file_size(results / (std::string("small") + end)) > 100, end);
   }
   for (const char* end : {"-bending.svg", "-bending.png", "-energy.svg", "-energy.png"}) {
@@ -67,7 +67,14 @@ BOOST_AUTO_TEST_CASE(the_small_packing_leaves_all_its_files) {
   const io::TrajectoryReader trajectory(results / "small.h5");
   BOOST_TEST(trajectory.frames() == 11);
   BOOST_TEST(trajectory.steps().back() == row["steps"].get<std::int64_t>());
-  BOOST_TEST(files_under(results / "small") == 22);
+  BOOST_TEST(files_under(results / "small") == 34);  // spheres, lines, contacts; one of walls that stay
+  for (std::int64_t n = 0; n < 11; ++n) {
+    const io::TrajectoryFrame frame = trajectory.read(n);
+    BOOST_TEST(frame.has_contacts);
+    BOOST_TEST(
+        (trajectory.scalars(n) == io::Scalars{{"contacts", static_cast<double>(frame.contacts.size())}}));
+    BOOST_TEST(frame.walls.size() == trajectory.walls().size());
+  }
   const io::TrajectoryFrame last = trajectory.read(10);
   BOOST_TEST(last.position.size() == 4200);
   BOOST_TEST(last.bonds.size() == 4000);
@@ -197,7 +204,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_of_a_run_stays) {
   const Outcome rebuilt = fibers.go({"--force"});
   BOOST_TEST(rebuilt.status == 0, rebuilt.error);
   BOOST_TEST(content(fibers.out("s/notes.txt")) == "mine");
-  BOOST_TEST(files_under(fibers.out("s")) == 25);
+  BOOST_TEST(files_under(fibers.out("s")) == 26);  // two a frame, the walls, the notes
   fs::remove(fibers.out("s.checkpoint"));
   fs::remove(fibers.out("s.checkpoint.previous"));
   const std::string trajectory = content(fibers.out("s.h5"));

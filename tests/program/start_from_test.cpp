@@ -238,7 +238,46 @@ BOOST_AUTO_TEST_CASE(what_cannot_go_is_refused_by_its_key) {
     check_refused(outcome, says);
     BOOST_TEST(holds(outcome.error, "wrong.yaml:"), outcome.error);
     BOOST_TEST(!fs::exists(part().path / "next/wrong.checkpoint"));
+    if (holds(outcome.error, "center is behind")) continue;  // no fiber is put anywhere
+    const Outcome checked = run({"check", "wrong.yaml", "--jobs", "1"}, {.directory = part().path});
+    BOOST_TEST(checked.status == 2);
+    BOOST_TEST(is_one_error(checked.error), checked.error);
+    BOOST_TEST(holds(checked.error, says), checked.error);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_goes_on_is_checked_with_the_fibers_of_its_file) {
+  part().file("fine.yaml",
+              replaced("start_from: {file: out/s.checkpoint, clock: zero}\n" + short_fibers(300, few),
+                       "count: 31", "count: 33"));
+  const Outcome checked = run({"check", "fine.yaml", "--jobs", "1"}, {.directory = part().path});
+  BOOST_TEST(checked.status == 0, checked.error);
+  BOOST_TEST(holds(checked.out, "fibers           33\n"), checked.out);
+}
+
+/// Held, driven and loaded spheres among contacts by name: a run with another behind it, and one with none.
+BOOST_AUTO_TEST_CASE(runs_with_held_spheres_resume_to_the_bit) {
+  const auto text = [](int steps) {
+    return replaced(
+        short_fibers(steps, few), "friction: 0.3}",
+        "friction: 0.3, pairs: [{between: [a, a], friction: 0.5}]}\n"
+        "held:\n  - {name: clamp, fiber: 3, spheres: first}\n  - {fiber: 4, spheres: 2..4, place: x, turn: "
+        "none, velocity: [0.2, 0, 0], from: 1 ms, until: 4 ms}\n"
+        "loads: [{fiber: 5, spheres: last, force: [0, 0, 1e-4], ramp: 2 ms}]");
+  };
+  const auto named = [&](int steps) {
+    return replaced(text(steps), "{diameter: 2 mm", "{name: a, diameter: 2 mm");
+  };
+  const Undrawn fibers(10);
+  BOOST_REQUIRE_EQUAL(fibers.go("whole.yaml", named(900)).status, 0);
+  const Outcome first = fibers.go("parts.yaml", named(500));
+  BOOST_REQUIRE_MESSAGE(first.status == 0, first.error);
+  const std::string log = content(fibers.path / "next/parts-held.csv");
+  BOOST_TEST(holds(log, "clamp"), log);
+  BOOST_REQUIRE_EQUAL(fibers.go("parts.yaml", named(900), {"--resume"}).status, 0);
+  BOOST_TEST((fibers.end("whole.checkpoint").state == fibers.end("parts.checkpoint").state));
+  const Outcome other = fibers.go("parts.yaml", replaced(named(900), "fiber: 3", "fiber: 2"), {"--resume"});
+  check_refused(other, "held[0].fiber: 2, was 3");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/contact/kernels/pack_numbers.hpp"
 #include "dem/math/near_one.hpp"
 #include "dem/simd/gather.hpp"
 #include "dem/simd/transpose.hpp"
@@ -16,6 +17,27 @@ double summed(const Real& value, int count) {
   store_lanes(value, numbers);
   for (int k = 0; k < count; ++k) sum += numbers[k];
   return sum;
+}
+
+/// The normal spring's force after act().
+template <class Law, class Real>
+Real elastic_force_of(const typename Law::template Parameters<Real>& p, const Real& overlap,
+                      [[maybe_unused]] const typename Law::template History<Real>& after) {
+  if constexpr (Law::acts_beyond_touch) {
+    return Law::elastic_force(p, after);
+  } else {
+    return Law::elastic_force(p, overlap);
+  }
+}
+
+/// What the normal spring of a contact has lost that ends before the next act() [J].
+template <class Law>
+double lost_at_end(const ContactView& view, const double* parameters, std::int32_t contact) {
+  typename Law::template History<double> history;
+  double* numbers = pack_numbers<double, Law::template History>(history);
+  const double* row = view.histories + static_cast<std::ptrdiff_t>(contact) * contact_history_size;
+  for (int n = 0; n < numbers_in<Law::template History>; ++n) numbers[n] = row[n];
+  return Law::lost_at_end(broadcast<Law::template Parameters, double>(parameters), history);
 }
 
 /// Energies of the step. A kick with a force takes force times the mean of the velocities before and after
@@ -54,6 +76,11 @@ void account(const typename Law::template Parameters<Real>& p, const TouchingPai
   task.power.normal_dashpot += summed<Real>(normal, count);
   task.power.sliding += summed<Real>(sliding, count);
   task.power.rolling += summed<Real>(rolling, count);
+  if constexpr (Law::acts_beyond_touch) {
+    const Real lost = select(held, Law::lost_at_end(p, before), Real(0.0));
+    task.account.normal_dashpot +=
+        summed<Real>(select(Law::overlap(after) != Real(0.0), Real(0.0), lost), count);
+  }
   const Real keep[contact_account_size] = {
       dashpot,          tangential_force[0], tangential_force[1], tangential_force[2],
       action.moment[0], action.moment[1],    action.moment[2],    sliding};

@@ -65,11 +65,12 @@ struct HaloForce {
 
 /// A wall as it is now, and the spheres of a part near it.
 struct WallView {
-  int shape_index;                         ///< of its shape in the kernels' list
+  int shape_index;                         ///< of its shape in the kernels' list; behind them all: of meshes
   double shape[wall_shape_size];           ///< numbers of its shape
   double center[3], velocity[3], spin[3];  ///< of its motion half a step before, about a center now
   const std::int32_t* slots;
   std::int32_t count;        ///< padded to whole vectors
+  const double* nearest;     ///< of meshes: directions x, y, z and distances, a row of `count` each
   std::int32_t* contact;     ///< as of pairs
   const double* parameters;  ///< the law's Parameters of each kind
 };

@@ -10,8 +10,17 @@
 // Included by one source file an instruction set and list of laws, as dem/motion/kernels/instantiate.hpp.
 namespace fiberchain::dem {
 
-template <class Real, class Law, ContactPhysics P, class Shapes>
+/// The loop that serves these physics: of laws that adhere those for several sizes serve one size, too, which
+/// halves what has to be compiled of them.
+template <class Law>
+constexpr ContactPhysics built_physics(ContactPhysics p) {
+  if constexpr (requires { Law::adheres; }) p.uniform = false;
+  return p;
+}
+
+template <class Real, class Law, ContactPhysics asked, class Shapes>
 constexpr ContactKernel contact_kernel_of() {
+  constexpr ContactPhysics P = built_physics<Law>(asked);
   return {lane_count<Real>, prune_pairs<P, Real>, contact_pairs<Law, P, Real>,
           contact_wall<Law, P, NearestOfShapes<Real, Shapes>, Real>, query_neighbors<P.periodic, Real>};
 }

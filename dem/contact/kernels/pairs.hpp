@@ -150,6 +150,13 @@ Real contact_gap(const ContactView& view) {
   return Real(0.0);
 }
 
+/// Of a pair of spheres.
+template <class Law, ContactPhysics P>
+const double* pair_parameters(const ContactView& view, std::int32_t first, std::int32_t second) {
+  const std::ptrdiff_t entry = P.uniform ? 0 : view.kind[first] * view.kinds + view.kind[second];
+  return view.parameters + entry * numbers_in<Law::template Parameters>;
+}
+
 /// Inner pairs that touch go into the task's list; those that begin or end are marked.
 template <class Law, ContactPhysics P, class Real>
 int find_touching(const ContactView& view, ContactTask& task) {
@@ -164,6 +171,11 @@ int find_touching(const ContactView& view, ContactTask& task) {
          changed &= changed - 1) {
       const int k = n + __builtin_ctz(changed);
       inner.touches[k] ^= 1;
+      if constexpr (P.accounted && Law::acts_beyond_touch) {
+        if (inner.touches[k] == 0)
+          task.account.normal_dashpot += lost_at_end<Law>(
+              view, pair_parameters<Law, P>(view, inner.first[k], inner.second[k]), inner.contact[k]);
+      }
       inner.contact[k] =
           inner.touches[k] != 0 ? begin_contact<P>(view, task) : end_contact(inner.contact[k], task);
       view.contact[inner.pair[k]] = inner.contact[k];
@@ -224,8 +236,9 @@ PairLoads<Real> pair_loads(const ContactView& view, const Slots<Real>& contacts,
   const ContactAction<Real> action = Law::template act<P.rolling>(p, pair, Real(view.step), history);
   if constexpr (P.accounted) {
     const RowStarts<Real> work = rows_at<contact_account_size, Real>(view.work, contacts.at);
-    account<Law, Real>(p, pair, before, history, action, Law::elastic_force(p, pair.overlap), Real(view.step),
-                       count, work, task);
+    account<Law, Real>(p, pair, before, history, action,
+                       elastic_force_of<Law, Real>(p, pair.overlap, history), Real(view.step), count, work,
+                       task);
   }
   store_struct<contact_history_size, Law::template History, Real>(history, history_rows);
   const Vec<Real, 3> turn = cross(pair.normal, action.force);

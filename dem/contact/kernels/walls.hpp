@@ -64,7 +64,8 @@ void account_wall(const ContactView& view, const WallLanes<Real>& at, const Para
   const ContactAction<Real> counted{on * action.force, on * action.moment};
   before.spring = on * before.spring, after.spring = on * after.spring;
   const RowStarts<Real> work = rows_at<contact_account_size, Real>(view.work, at.contact.at);
-  Real elastic_force = Law::elastic_force(p, pair.overlap);  // beyond the reach 0, unless the law pulls
+  Real elastic_force =
+      elastic_force_of<Law, Real>(p, pair.overlap, after);  // beyond the reach 0, unless the law pulls
   if constexpr (Law::acts_beyond_touch) elastic_force = on * elastic_force;
   account<Law, Real>(p, pair, before, after, counted, elastic_force, Real(view.step), lanes, work, task);
 }
@@ -105,22 +106,35 @@ Vec<Real, 3> broadcast_vector(const double* numbers) {
   return {Real(numbers[0]), Real(numbers[1]), Real(numbers[2])};
 }
 
-/// Nearest point of a shape of these numbers, seen from as many places as there are lanes.
+/// Nearest points of a wall's shape, seen from as many places as there are lanes: those of the entries of its
+/// list from `entry` on.
 template <class Real>
-using NearestOfShape = void (*)(const double* shape, const Vec<Real, 3>& place, NearestPoint<Real>& nearest);
+using NearestOfShape = void (*)(const WallView& wall, std::int32_t entry, const Vec<Real, 3>& place,
+                                NearestPoint<Real>& nearest);
 
 template <template <class> class Shape, class Real>
-void nearest_of_shape(const double* numbers, const Vec<Real, 3>& place, NearestPoint<Real>& nearest) {
-  const Shape<Real> shape = broadcast<Shape, Real>(numbers);
+void nearest_of_shape(const WallView& wall, std::int32_t, const Vec<Real, 3>& place,
+                      NearestPoint<Real>& nearest) {
+  const Shape<Real> shape = broadcast<Shape, Real>(wall.shape);
   nearest = shape.nearest(place - shape.point);
 }
 
-/// One a shape, so that the loop with the law in it is compiled once for all of them.
+/// Those of a mesh, found before.
+template <class Real>
+void listed_nearest(const WallView& wall, std::int32_t entry, const Vec<Real, 3>&,
+                    NearestPoint<Real>& nearest) {
+  const auto row = [&](int n) {
+    return load_lanes<Real>(wall.nearest + static_cast<std::ptrdiff_t>(n) * wall.count + entry);
+  };
+  nearest = {{row(0), row(1), row(2)}, row(3)};
+}
+
+/// One a shape, then that of meshes, so that the loop with the law in it is compiled once for all of them.
 template <class Real, class Shapes>
 struct NearestOfShapes;
 template <class Real, template <class> class... Shapes>
 struct NearestOfShapes<Real, ShapeList<Shapes...>> {
-  static constexpr NearestOfShape<Real> list[] = {nearest_of_shape<Shapes, Real>...};
+  static constexpr NearestOfShape<Real> list[] = {nearest_of_shape<Shapes, Real>..., listed_nearest<Real>};
 };
 
 /// Spheres of a part against one wall.
@@ -139,7 +153,7 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     WallLanes<Real> at;
     at.sphere = slots_of<Real>(wall.slots, entry);
     const Balls<Real> ball = balls_at<Real>(view, at.sphere.at);
-    nearest(wall.shape, ball.center, at.nearest);
+    nearest(wall, n, ball.center, at.nearest);
     at.radius = ball.radius;
     at.reach = Law::acts_beyond_touch ? at.radius + contact_gap<Law, Real>(view) : at.radius;
     const unsigned touching = less_mask(at.nearest.distance, at.reach);
@@ -148,6 +162,14 @@ FIBERCHAIN_FLATTEN void contact_wall(const ContactView& view, const WallView& wa
     for (unsigned begins = touching & ~touched; begins != 0; begins &= begins - 1)
       wall.contact[n + __builtin_ctz(begins)] = begin_contact<P>(view, task);
     clear<P>(view, 0);  // of lanes that do not touch
+    if constexpr (P.accounted && Law::acts_beyond_touch) {
+      for (unsigned ends = touched & ~touching; ends != 0; ends &= ends - 1) {
+        const int k = n + __builtin_ctz(ends);
+        const std::ptrdiff_t kind = P.uniform ? 0 : view.kind[wall.slots[k]];
+        task.account.normal_dashpot += lost_at_end<Law>(
+            view, wall.parameters + kind * numbers_in<Law::template Parameters>, wall.contact[k]);
+      }
+    }
     at.contact = slots_of<Real>(wall.contact, entry);
     at.arm = ball.center + at.nearest.distance * at.nearest.direction - center;
     const LoadRows<Real> loads = wall_loads<Law, P, Real>(view, wall, at, motion, task, load, deepest);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "dem/contact/laws/dmt.hpp"
 #include "dem/contact/laws/hertz_mindlin.hpp"
+#include "dem/contact/laws/jkr.hpp"
 #include "dem/math/type_list.hpp"
 
 // The contact laws that the contact loops are compiled for, the default first. A further one is a header and
@@ -13,6 +15,9 @@
 //   name                                  as a scene names it
 //   acts_beyond_touch                     whether it acts across a gap; then also
 //   reach(body, properties)               the largest such gap [m]
+//   elastic_force(p, history)             in place of elastic_force(p, overlap), after act(): 0 where it holds nothing
+//   lost_at_end(p, history)               what the normal spring has lost where the contact ends [J], on any Real
+//   adheres                               true where it wants a work of adhesion; of other laws left out
 //   Parameters<Real>                      numbers only: of a pair of bodies
 //   History<Real>                         numbers only, contact_history_size at most, zero before the first touch.
 //                                         The first is `spring`, the tangential spring's force on the first body [N];
@@ -30,6 +35,6 @@
 // clang-format on
 namespace fiberchain::dem {
 
-using ContactLaws = TypeList<HertzMindlin>;
+using ContactLaws = TypeList<HertzMindlin, Jkr, Dmt>;
 
 }  // namespace fiberchain::dem

@@ -11,23 +11,28 @@
 #include "dem/model/shapes/wall_pose.hpp"
 
 // A wall's shape is a template on the number type (plane.hpp): with doubles it is a value of a Domain, with
-// SIMD packs it stands in the contact loop, compiled once for each shape of a list (shapes.hpp).
+// SIMD packs it stands in the contact loop, compiled once for each shape of a list (shapes.hpp). A mesh
+// (dem/mesh) is no template: the loop is given its nearest points.
 namespace fiberchain::dem {
 
 /// Numbers a shape may consist of.
 inline constexpr int wall_shape_size = 12;
 
-/// Numbers only, of which `point` [m] moves with the wall; nearest() takes points relative to it, turn()
-/// turns the shape about it, is_round_about() says whether it looks the same turned about a line. Its gap is
-/// a distance: from one point to another it changes by no more than the way between them.
+/// Numbers only, as the loop takes a shape.
 template <class Shape>
-concept WallGeometry = std::is_trivially_copyable_v<Shape> &&
-                           sizeof(Shape) <= wall_shape_size * sizeof(double) &&
-                       requires(const Shape& shape, const Vec<double, 3>& from, int axis) {
+concept NumberShape = std::is_trivially_copyable_v<Shape> &&
+                      sizeof(Shape) <= wall_shape_size * sizeof(double);
+
+/// Its `point` [m] moves with the wall; nearest() takes points relative to it, turn() turns the shape about
+/// it, is_round_about() says whether it looks the same turned about a line. Its gap is a distance: from one
+/// point to another it changes by no more than the way between them.
+template <class Shape>
+concept WallGeometry = requires(const Shape& shape, const Vec<double, 3>& from, int axis, Shape& turning,
+                                const Quaternion<double>& by) {
   { shape.nearest(from) } -> std::same_as<NearestPoint<double>>;
   { shape.is_invariant_along(axis) } -> std::same_as<bool>;
   { shape.is_round_about(from, from) } -> std::same_as<bool>;
-  {[](Shape s, const Quaternion<double>& by) { s.turn(by); }};
+  turning.turn(by);
   { shape.point[axis] } -> std::convertible_to<double>;
   { Shape::name } -> std::convertible_to<std::string_view>;
 };
@@ -40,7 +45,7 @@ struct WallShapeType {
   bool (*is_round_about)(const std::any& shape, const Vec<double, 3>& place, const Vec<double, 3>& line);
   Vec<double, 3> (*point)(const std::any& shape);
   std::any (*moved)(const std::any& shape, const WallPose& pose);
-  /// Writes the numbers of the shape where its wall stands.
+  /// Writes the numbers of the shape where its wall stands; none of a shape that is more than numbers.
   void (*numbers)(const std::any& shape, const WallPose& pose, double* numbers);
 };
 
@@ -68,8 +73,10 @@ inline constexpr WallShapeType wall_shape_type{
                 const WallPose& pose) { return std::any(dem::moved(shape_in<Shape>(shape), pose)); },
     .numbers =
         [](const std::any& shape, const WallPose& pose, double* numbers) {
-          const Shape at = dem::moved(shape_in<Shape>(shape), pose);
-          std::memcpy(numbers, &at, sizeof at);
+          if constexpr (NumberShape<Shape>) {
+            const Shape at = dem::moved(shape_in<Shape>(shape), pose);
+            std::memcpy(numbers, &at, sizeof at);
+          }
         }};
 
 /// A shape of any kind, by value.

@@ -20,6 +20,7 @@ inline constexpr Column packing[] = {
     // What fibers do to walls.
     {"wall", integer, "1",
      "number of the wall: those of the box first, then planes and so on, as in the scene"},
+    {"wall_name", text, "", "name of the wall, where it has one"},
     {"wall_shape", text, "", "shape of the wall"},
     {"wall_force_x", number, "N", "force of the fibers on the wall, mean since the sample before"},
     {"wall_force_y", number, "N", "likewise"},
@@ -34,6 +35,25 @@ inline constexpr Column packing[] = {
     {"wall_center_x", number, "m", "where the wall turns or, of others, its point, now"},
     {"wall_center_y", number, "m", "likewise"},
     {"wall_center_z", number, "m", "likewise"},
+
+    // What fibers do to what holds and loads them.
+    {"held", integer, "1", "number of what holds spheres: entries of `held` and `loads` as in the scene"},
+    {"held_name", text, "", "its name, where it has one"},
+    {"held_kind", text, "", "held or load"},
+    {"held_spheres", integer, "1", "spheres it has"},
+    {"held_force_x", number, "N",
+     "force of the fibers on it, mean since the sample before; of a load minus that load"},
+    {"held_force_y", number, "N", "likewise"},
+    {"held_force_z", number, "N", "likewise"},
+    {"held_moment_x", number, "N m", "moment of it about held_center, mean since the sample before"},
+    {"held_moment_y", number, "N m", "likewise"},
+    {"held_moment_z", number, "N m", "likewise"},
+    {"held_force_peak", number, "N", "size of the largest force of a step since the sample before"},
+    {"held_moment_peak", number, "N m", "likewise of the moment"},
+    {"held_work", number, "J", "done by it on the fibers since the start"},
+    {"held_center_x", number, "m", "mean place of its spheres now"},
+    {"held_center_y", number, "m", "likewise"},
+    {"held_center_z", number, "m", "likewise"},
 
     // What a scene will take.
     {"scene_kind", text, "", "kind of the scene"},
@@ -115,6 +135,7 @@ inline constexpr Column packing[] = {
     {"taken_scheme", number, "J",
      "work of beta dt^2 K, which stands beside the masses where bonds are solved for within the step"},
     {"taken_fluid", number, "J", "taken by the fluid"},
+    {"given_held", number, "J", "given by what holds, drives and loads spheres"},
     {"given_walls", number, "J", "given by walls that move"},
     {"given_inserted", number, "J", "brought by fibers put in later"},
     {"energy_total", number, "J", "stored and taken less given: constant but for errors of the step"},

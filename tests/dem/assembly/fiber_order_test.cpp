@@ -35,8 +35,18 @@ SmallPacking streams() {
 
 constexpr std::int64_t steps = 1200;
 
+/// Some spheres are held and shaken, and one is loaded.
 dem::AssemblyOptions options(bool sort, int threads = 1) {
-  return {.step = 6e-6, .threads = threads, .account_energy = true, .sort_in_space = sort};
+  dem::Grip shaken, loaded;
+  shaken.place = {true, true, true};
+  shaken.body.motion.oscillation = dem::WallOscillation{{0.6, 0, 0.8}, 2e-4, 200, 0.3, 0.001};
+  shaken.spheres = {{0, 7, 2}, {1, 200, 13}, {0, 461, 8}};
+  loaded.force = {1e-4, 0, 2e-4}, loaded.spheres = {{1, 33, 0}};
+  return {.step = 6e-6,
+          .threads = threads,
+          .account_energy = true,
+          .sort_in_space = sort,
+          .grips = {shaken, loaded}};
 }
 
 dem::Assembly marched(const dem::AssemblyOptions& how, std::int64_t count) {

@@ -73,7 +73,9 @@ const char* const kScenes[] = {
     "planes: [{point: [0, 0, 39 mm], normal: [0, 0, -1], velocity: [0, 0, -0.1], from: 0, until: 5 ms}], "
     "cylinders: [{point: [15 mm, 15 mm, 0], axis: [0, 0, 1], radius: 30 mm, velocity: [0, 0, 0.1], from: 0, "
     "until: 1}]}\n"
-    "gravity: [0, 0, -9.81]\ncontacts: {restitution: 0.5, friction: 0.3, rolling_friction: 0.01, "
+    "gravity: [0, 0, -9.81]\ncontacts: {law: jkr, work_of_adhesion: 0.05, restitution: 0.5, friction: 0.3, "
+    "rolling_friction: "
+    "0.01, "
     "youngs_modulus: 1 MPa, poisson_ratio: 0.3}\n"
     "motion: {restitution_error: 0.02}\nduration: 5 ms\noutput: {samples: 5, frames: 2, checkpoints: 1}\n",
     "scene: packing\nfibers: [{" FIBER
@@ -93,7 +95,25 @@ const char* const kScenes[] = {
     "velocity: [0, 0, 0.1], from: 0, until: 1}], "
     "cones: [{point: [0, 0, 200 mm], axis: [0, 0, 1], radius: 20 mm, end_radius: 10 mm, length: 30 mm, "
     "thickness: "
-    "1 mm, velocity: [0, 0, 0.1], from: 0, until: 1}]}\nsteps: 200\n",
+    "1 mm, velocity: [0, 0, 0.1], from: 0, until: 1}], "
+    "meshes: [{file: " FIBERCHAIN_SOURCE_DIR
+    "/tests/dem/mesh/tetrahedron.obj, scale: 1 mm, place: [0, 0, 300 mm], turn: {axis: [1, 0, 0], angle: "
+    "0.1}, "
+    "velocity: [0, 0, 0.1], from: 0, until: 1}]}\nsteps: 200\n",
+    "scene: packing\nfibers: [{" FIBER
+    ", count: 4, name: a}]\nfilling: {region: {x: [1 mm, 25 mm], y: [1 mm, 25 mm], z: [1 mm, 30 mm]}}\n"
+    "walls: {planes: [{point: [0, 0, -1 mm], normal: [0, 0, 1], name: b, youngs_modulus: 1e7, poisson_ratio: "
+    "0.2, contacts: {restitution: 0.5, friction: 0.2, rolling_friction: 0.1}}]}\n"
+    "contacts: {restitution: 0.5, pairs: [{between: [a, b], restitution: 0.6, friction: 0.3, "
+    "rolling_friction: "
+    "0.2, youngs_modulus: 1e6, poisson_ratio: 0.3}]}\n"
+    "held: [{fiber: 1, spheres: first, velocity: [0, 0, 0.1], from: 0, until: 1, rotation: {point: [0, 0, "
+    "0], "
+    "axis: [0, 0, 1], angular_velocity: 1}, oscillation: {axis: [0, 0, 1], amplitude: 1 mm, frequency: 10, "
+    "phase: 1, ramp: 1}}]\n"
+    "loads: [{fiber: 2, spheres: last, force: [0, 0, 1e-3], moment: [0, 1e-6, 0], ramp: 1 ms, from: 0, "
+    "until: "
+    "1}]\nsteps: 200\n",
     "scene: packing\nfibers: [{" FIBER
     ", curvature: {angle: 0.05}, count: 4}]\nperiodic: {x: 30 mm, y: 30 mm}\n"
     "filling: {region: {z: [1 mm, 30 mm]}}\nwalls: {planes: [{point: [0, 0, 0], normal: [0, 0, 1]}]}\n"
@@ -206,12 +226,12 @@ BOOST_AUTO_TEST_CASE(the_scenes_have_every_number) {
     // a wall's place in every shape, how it goes at one of them: the same functions declare and read it.
     // Courses are of files (wall_motion_test).
     const auto elsewhere = [](const std::string& key) {
-      if (!key.starts_with("walls.")) return false;
       if (key.find(".course.") != std::string::npos) return true;
-      for (const char* motion : {".rotation.", ".oscillation.", ".drive."}) {
-        if (key.find(motion) != std::string::npos) return !key.starts_with("walls.planes.");
+      if (!key.starts_with("walls.")) return false;
+      for (const char* own : {".rotation.", ".oscillation.", ".drive.", ".contacts."}) {
+        if (key.find(own) != std::string::npos) return !key.starts_with("walls.planes.");
       }
-      return false;
+      return key.ends_with(".youngs_modulus") || key.ends_with(".poisson_ratio");
     };
     for (const std::string& key : declared) {
       if (elsewhere(key)) continue;

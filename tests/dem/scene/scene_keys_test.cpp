@@ -94,6 +94,21 @@ BOOST_AUTO_TEST_CASE(files_count_by_their_content) {
   BOOST_TEST(changes[0].path == "fibers[0].starts");
 }
 
+BOOST_AUTO_TEST_CASE(materials_count_by_their_content) {
+  const fiberchain::test::Scratch scratch;
+  const auto of = [&](const std::string& modulus) {
+    std::ofstream(scratch.path / "m.yaml")
+        << "name: m\ndescription: of a test\nyoungs_modulus: {value: " << modulus << ", source: own}\n";
+    return dem::scene_keys(
+        {(scratch.path / "s.yaml").string(), with("count: 11", "count: 11, material: m.yaml")});
+  };
+  const dem::SceneKeys before = of("1 GPa");
+  BOOST_TEST((before == of("1 GPa")));
+  const auto changes = dem::changes_between(before, of("2 GPa"));
+  BOOST_REQUIRE_EQUAL(changes.size(), 1u);
+  BOOST_TEST(changes[0].path == "fibers[0].material");
+}
+
 BOOST_AUTO_TEST_CASE(they_come_back_from_text) {
   const dem::SceneKeys all = keys(kPacking);
   BOOST_TEST(all.size() > 40);

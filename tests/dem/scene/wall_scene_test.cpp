@@ -1,9 +1,11 @@
 // Keys of walls: shapes, how they move, courses from files, what is refused.
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/scene/scene.hpp"
 #include "dem/scene/scene_error.hpp"
 #include "dem/scene/wall_course_csv.hpp"
@@ -11,6 +13,7 @@
 BOOST_AUTO_TEST_SUITE(wall_scene_test)
 
 namespace dem = fiberchain::dem;
+using V = dem::Vec<double, 3>;
 
 namespace {
 
@@ -75,6 +78,57 @@ BOOST_AUTO_TEST_CASE(shapes_and_motions_are_read) {
   BOOST_TEST(std::abs(walls[3].motion.drive->force - 4) < 1e-12);
 }
 
+BOOST_AUTO_TEST_CASE(meshes_are_read) {
+  const std::string hopper = FIBERCHAIN_SOURCE_DIR "/data/meshes/hopper.stl";
+  const dem::PackingScene scene = scene_with(
+      "  meshes: [{file: " + hopper +
+      ", scale: 1 mm, place: [15 mm, 15 mm, -0.2], turn: {axis: [0, 0, 1], "
+      "angle: 90 degrees},\n    rotation: {point: [0, 0, 0], axis: [0, 0, 1], angular_velocity: 2}}]\n");
+  const dem::Wall& wall = scene.domain.walls.back();
+  const dem::MeshShape* shape = mesh_in(wall);
+  BOOST_REQUIRE(shape != nullptr);
+  BOOST_TEST((shape->sides == dem::MeshSides::both));
+  BOOST_TEST(shape->mesh->faces() == 192);
+  BOOST_TEST(wall.motion.angular_velocity == 2.0);
+  // the first corner of the file, 25 mm along x
+  const V corner = triangles_of(wall, 0)[0][0];
+  BOOST_TEST(norm(corner - V{15e-3, 40e-3, -0.08}) < 1e-12);
+  BOOST_TEST(std::abs(gap_to(wall, {15e-3, 15e-3, -0.1}, 0) - 25e-3 * std::cos(std::numbers::pi / 32)) <
+             1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(bad_meshes_are_refused_with_their_key) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "fiberchain-bad.obj";
+  const auto with = [&](const std::string& text) { std::ofstream(file) << text; };
+  const std::string mesh = "  meshes: [{file: " + file.string();
+  with("");
+  refuses(mesh + "}]\n", "file: " + file.string() + ": is empty");
+  refuses("  meshes: [{file: nothing.stl}]\n", "nothing.stl: cannot be read: ");
+  refuses("  meshes: [{scale: 1 mm}]\n", "file");
+  refuses(mesh + ", scale: 0}]\n", "scale");
+  refuses(mesh + ", sides: three}]\n", "sides");
+  refuses(mesh + ", twist: 3}]\n", "twist");
+  refuses(mesh + ", turn: {axis: [0, 0, 0], angle: 1}}]\n", "axis");
+  with("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 3 1 4\n");
+  refuses(mesh + ", sides: one, place: [0, 0, -1]}]\n", "sides: one is not allowed: triangles 1 and 2 of");
+  BOOST_TEST(refusal(mesh + ", place: [0, 0, -1]}]\n") == "");
+  with("v 0 0 0\nv 9 0 0\nv 9 9 0\nf 1 2 3\n");
+  refuses(mesh + ", scale: 1e6}]\n", "scale: ");
+  std::filesystem::remove(file);
+}
+
+BOOST_AUTO_TEST_CASE(a_pressure_acts_on_the_cross_section_of_the_room) {
+  const std::string plate =
+      "  planes: [{point: [0, 0, 35 mm], normal: [0, 0, -1], drive: {axis: [0, 0, -1], mass: 1 g, pressure: "
+      "3 kPa";
+  const auto force = [&](const std::string& walls) {
+    return scene_with(walls).domain.walls.back().motion.drive->force;
+  };
+  const std::string box = "  box: {x: 40 mm, y: 31 mm, lid: open}\n";
+  BOOST_TEST(std::abs(force(box + plate + "}}]\n") - 3e3 * 0.04 * 0.031) < 1e-12);
+  BOOST_TEST(std::abs(force(box + plate + ", area: 2 cm^2}}]\n") - 0.6) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_with_its_key) {
   refuses("  spheres: [{center: [0, 0, 0], radius: 0.9 mm}]\n", "narrower than the fibers");
   refuses("  cylinders: [{point: [0, 0, 0], axis: [0, 0, 1], radius: 9 mm, fibers: beside}]\n", "fibers");
@@ -91,7 +145,11 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_with_its_key) {
   refuses(plane + "oscillation: {axis: [0, 0, 1], amplitude: -1 mm, frequency: 3}}]\n", "amplitude");
   refuses(plane + "course: {file: nowhere.csv, direction: [0, 0, 1]}}]\n", "nowhere.csv");
   refuses(plane + "drive: {axis: [0, 0, 1], mass: 1, force: 1, pressure: 1, area: 1}}]\n", "pressure");
-  refuses(plane + "drive: {axis: [0, 0, 1], mass: 1, pressure: 1}}]\n", "area");
+  refuses(plane + "drive: {axis: [0, 0, 1], mass: 1, pressure: 1}}]\n",
+          "planes[0].drive.pressure: needs area");
+  refuses("  box: {x: 40 mm, y: 30 mm, lid: open}\n" + plane +
+              "drive: {axis: [0, 1, 1], mass: 1, pressure: 1}}]\n",
+          "needs area");
   refuses(plane + "drive: {axis: [0, 0, 1], mass: 0, force: 1}}]\n", "mass");
   refuses(plane + "swing: 3}]\n", "swing");
 }

@@ -23,6 +23,7 @@ namespace {
 
 const Entries kProvenance = {{"command", "fiberchain run x.yaml --out there"},
                              {"note", "a --> b < c & d ---"}};
+const VtkHeader kHeader{.provenance = kProvenance};
 
 ptree parsed(const std::string& text) {
   std::istringstream stream(text);
@@ -144,12 +145,75 @@ BOOST_AUTO_TEST_CASE(lines_are_the_fibers) {
       (values<std::int64_t>(piece, "Lines", "offsets", "Int64") == std::vector<std::int64_t>{7, 14, 21}));
 }
 
+BOOST_AUTO_TEST_CASE(files_say_when_and_whence) {
+  const TrajectoryFrame frame = bent_fibers(2, 5, 40);
+  const ptree data = parsed(vtp_lines(frame, kProvenance)).get_child("VTKFile.PolyData");
+  BOOST_TEST(values<double>(data, "FieldData", "TimeValue", "Float64").at(0) == frame.time);
+  BOOST_TEST(values<std::int64_t>(data, "FieldData", "step", "Int64").at(0) == 40);
+  const auto bytes = values<char>(data, "FieldData", "provenance", "String");
+  const std::string expected =
+      std::string("command: fiberchain run x.yaml --out there") + '\0' + "note: a --> b < c & d ---" + '\0';
+  BOOST_TEST((std::string(bytes.begin(), bytes.end()) == expected));
+}
+
+BOOST_AUTO_TEST_CASE(contacts_are_points_with_their_forces) {
+  const TrajectoryFrame frame = with_contacts(bent_fibers(2, 5, 40));
+  const ptree piece = parsed(vtp_contacts(frame, {})).get_child("VTKFile.PolyData.Piece");
+  BOOST_TEST(piece.get<int>("<xmlattr>.NumberOfVerts") == 3);
+  const auto points = values<double>(piece, "Points", "points", "Float64");
+  const auto force = values<float>(piece, "PointData", "force", "Float32");
+  const auto normal = values<float>(piece, "PointData", "normal", "Float32");
+  BOOST_TEST(
+      (values<std::int32_t>(piece, "PointData", "kind", "Int32") == std::vector<std::int32_t>{0, 1, 2}));
+  for (std::size_t n = 0; n < 3; ++n) {
+    const FrameContact& contact = frame.contacts[n];
+    BOOST_TEST(values<std::int64_t>(piece, "PointData", "first", "Int64").at(n) == contact.first);
+    BOOST_TEST(values<std::int64_t>(piece, "PointData", "second", "Int64").at(n) == contact.second);
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * n + static_cast<std::size_t>(c);
+      BOOST_TEST(points.at(at) == contact.point[c]);
+      BOOST_TEST(force.at(at) == static_cast<float>(contact.force[c]));
+      BOOST_TEST(normal.at(at) == static_cast<float>(contact.normal[c]));
+    }
+  }
+}
+
+/// Walls that have not moved are one file; those that are gone are not drawn.
+BOOST_AUTO_TEST_CASE(walls_are_triangles_where_they_are) {
+  const Scratch scratch;
+  const VtkHeader header{.provenance = {}, .walls = two_walls()};
+  VtkSeries series(scratch.path, "run", header);
+  series.append(with_walls(bent_fibers(2, 5, 0)));
+  TrajectoryFrame same = with_walls(bent_fibers(2, 5, 10)), gone = with_walls(bent_fibers(2, 5, 20));
+  same.walls_as_before = true;
+  gone.walls[0].is_there = false;
+  series.append(same);
+  VtkSeries resumed = VtkSeries::resume(scratch.path, "run", header, 15);
+  resumed.append(gone);
+  const auto all = entries(scratch.path / "run-walls.pvd");
+  BOOST_REQUIRE(all.size() == 3);
+  BOOST_TEST(all[0].second == all[1].second);
+  BOOST_TEST(all[1].second != all[2].second);
+  const auto piece = [&](std::size_t n) {
+    return parsed(content(scratch.path / all[n].second)).get_child("VTKFile.PolyData.Piece");
+  };
+  BOOST_TEST(piece(0).get<int>("<xmlattr>.NumberOfPolys") == 3);
+  BOOST_TEST(
+      (values<std::int32_t>(piece(0), "CellData", "wall", "Int32") == std::vector<std::int32_t>{1, 2, 2}));
+  BOOST_TEST(
+      (values<std::int32_t>(piece(2), "CellData", "wall", "Int32") == std::vector<std::int32_t>{2, 2}));
+  const auto points = values<double>(piece(0), "Points", "points", "Float64");
+  for (int c = 0; c < 3; ++c)
+    BOOST_TEST(points.at(static_cast<std::size_t>(c)) ==
+               placed_at(with_walls(bent_fibers(2, 5, 0)).walls[0], header.walls[0].points[0])[c]);
+}
+
 BOOST_AUTO_TEST_CASE(a_series_names_its_frames_and_goes_on) {
   const Scratch scratch;
-  VtkSeries series(scratch.path, "run", kProvenance);
+  VtkSeries series(scratch.path, "run", kHeader);
   for (const std::int64_t step : {0, 10, 20}) series.append(bent_fibers(2, 5, step));
   BOOST_CHECK_THROW(series.append(bent_fibers(2, 5, 20)), InvalidInput);
-  VtkSeries resumed = VtkSeries::resume(scratch.path, "run", kProvenance, 15);
+  VtkSeries resumed = VtkSeries::resume(scratch.path, "run", kHeader, 15);
   BOOST_TEST(resumed.frames() == 2);
   BOOST_TEST(entries(scratch.path / "run.pvd").size() == 2);
   resumed.append(bent_fibers(2, 5, 30));
@@ -163,14 +227,14 @@ BOOST_AUTO_TEST_CASE(a_series_names_its_frames_and_goes_on) {
                    bent_fibers(2, 5, steps[i]));
     }
   }
-  BOOST_TEST(VtkSeries::resume(scratch.path, "other", kProvenance, 15).frames() == 0);
+  BOOST_TEST(VtkSeries::resume(scratch.path, "other", kHeader, 15).frames() == 0);
   std::ofstream(scratch.path / "bad.pvd") << "not ours";
-  BOOST_CHECK_THROW(VtkSeries::resume(scratch.path, "bad", kProvenance, 15), ReadError);
+  BOOST_CHECK_THROW(VtkSeries::resume(scratch.path, "bad", kHeader, 15), ReadError);
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_the_series_whole) {
   const Scratch scratch;
-  VtkSeries series(scratch.path, "run", kProvenance);
+  VtkSeries series(scratch.path, "run", kHeader);
   series.append(bent_fibers(2, 5, 0));
   const std::string before = content(scratch.path / "run.pvd");
   {

@@ -1,0 +1,46 @@
+#include "compare/app/commands.hpp"
+#include "compare/app/results.hpp"
+#include "compare/contact/study.hpp"
+
+namespace fiberchain::app {
+namespace {
+
+compare::ContactPlan contact_plan(const Arguments& arguments) {
+  compare::ContactPlan plan;
+  std::vector<std::pair<std::string, int>> choices;
+  for (int test = 1; test <= compare::impact_tests; ++test) choices.emplace_back(std::to_string(test), test);
+  read_choices(arguments, "--test", plan.tests, choices);
+  return plan;
+}
+
+int run_tables_contact(const Arguments& arguments, Context& context) {
+  const OutputOptions output = output_options(arguments);
+  const compare::ContactPlan plan = contact_plan(arguments);
+  const auto directory = open_output(output, context);
+  compare::ContactStudy study = compare::impact_study(plan, output.jobs);
+  Results results{.name = "contact",
+                  .heading = "Impacts of spheres: Chung & Ooi, Granular Matter 13 (2011) 643",
+                  .table = std::move(study.table)};
+  results.more_tables.emplace_back("contact-steps", std::move(study.steps));
+  results.figures = std::move(study.figures);
+  const dem::Table shown =
+      results.table.select({"impact_test", "impact_material", "restitution", "incidence", "recoil",
+                            "recoil_reference", "impact_steps", "impact_error", "impact_error_rigid"});
+  deliver(results, shown, output, directory, context);
+  return kSuccess;
+}
+
+}  // namespace
+
+Command tables_contact_command() {
+  return {
+      .name = "tables contact",
+      .description =
+          "impacts of spheres, the eight tests of Chung & Ooi (2011), against references and "
+          "published points, at the default step and at parts of it",
+      .footer = "Without a choice all tests are made.\nExample:\n  fiberchain tables contact --test 1,2,4\n",
+      .options = with_output({{"--test", "LIST", "tests of Chung & Ooi, 1 to 8 [all]"}}),
+      .run = &run_tables_contact};
+}
+
+}  // namespace fiberchain::app

@@ -1,0 +1,153 @@
+#include "dem/mesh/mesh_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fiberchain::dem {
+namespace {
+
+/// On the edge from its low to its high corner, whichever triangle asks: all get the same bits.
+ClosestPoint closest_on_edge(const TriangleMesh& mesh, std::int32_t number, const Vec<double, 3>& center) {
+  const MeshEdge& edge = mesh.edges[number];
+  const Vec<double, 3>& low = mesh.vertices[edge.low];
+  const Vec<double, 3> along = mesh.vertices[edge.high] - low, from = center - low;
+  const double share = dot(from, along), whole = dot(along, along);
+  if (share <= 0) return {mesh.corner_feature(edge.low), -from, dot(from, from)};
+  if (share >= whole) {
+    const Vec<double, 3> to = mesh.vertices[edge.high] - center;
+    return {mesh.corner_feature(edge.high), to, dot(to, to)};
+  }
+  const Vec<double, 3> to = (share / whole) * along - from;
+  return {mesh.edge_feature(number), to, dot(to, to)};
+}
+
+ClosestPoint closest_on_face(const TrianglePlane& plane, std::int32_t triangle, const Vec<double, 3>& from) {
+  const double height = dot(from, plane.normal);
+  return {triangle, -height * plane.normal, height * height};
+}
+
+/// Normal of the surface at a feature, of any length.
+const Vec<double, 3>& outward_at(const TriangleMesh& mesh, std::int32_t feature) {
+  switch (mesh.kind_of(feature)) {
+    case FeatureKind::face:
+      return mesh.planes[feature].normal;
+    case FeatureKind::edge:
+      return mesh.edge_at(feature).outward;
+    default:
+      return mesh.corner_at(feature).outward;
+  }
+}
+
+bool is_nearer(const ClosestPoint& a, const ClosestPoint& b) {
+  return a.squared < b.squared || (a.squared == b.squared && a.feature < b.feature);
+}
+
+/// Of points sorted by feature, one a feature that all triangles at it have; the nearest in any case: where
+/// round-off has triangles disagree.
+void keep_least_distances(const TriangleMesh& mesh, std::vector<ClosestPoint>& points) {
+  const ClosestPoint nearest = *std::ranges::min_element(points, is_nearer);
+  std::ranges::sort(points, {}, &ClosestPoint::feature);
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < points.size();) {
+    const ClosestPoint point = points[n];
+    std::int32_t count = 0;
+    for (; n < points.size() && points[n].feature == point.feature; ++n) ++count;
+    if (count == mesh.valence(point.feature) || point.feature == nearest.feature) points[kept++] = point;
+  }
+  points.resize(kept);
+}
+
+/// Adds a contact unless a nearer one has about its direction.
+void add_contact(const TriangleMesh& mesh, const ClosestPoint& point, std::vector<MeshContact>& contacts) {
+  const MeshContact own{point.feature, direction_of(mesh, point), std::sqrt(point.squared)};
+  const auto is_near = [&](const MeshContact& other) {
+    return dot(other.direction, own.direction) > smooth_cosine;
+  };
+  if (std::ranges::none_of(contacts, is_near)) contacts.push_back(own);
+}
+
+}  // namespace
+
+ClosestPoint closest_point(const TriangleMesh& mesh, std::int32_t t, const Vec<double, 3>& center) {
+  const TrianglePlane& plane = mesh.planes[t];
+  const Vec<double, 3> from = center - plane.corner;
+  const double second = dot(from, plane.to_second), third = dot(from, plane.to_third),
+               first = 1 - second - third;
+  if (first > 0 && second > 0 && third > 0) return closest_on_face(plane, t, from);
+  // it is on a side that the center is beyond
+  ClosestPoint best{0, {}, std::numeric_limits<double>::infinity()};
+  const double beyond[3] = {third, first, second};  // of the sides from the first, second, third corner
+  for (int k = 0; k < 3; ++k) {
+    if (beyond[k] > 0) continue;
+    const ClosestPoint own = closest_on_edge(mesh, mesh.edges_of[t][k], center);
+    if (is_nearer(own, best)) best = own;
+  }
+  return best;
+}
+
+ClosestPoint closest_on_feature(const TriangleMesh& mesh, std::int32_t feature,
+                                const Vec<double, 3>& center) {
+  switch (mesh.kind_of(feature)) {
+    case FeatureKind::face:
+      return closest_point(mesh, feature, center);
+    case FeatureKind::edge:
+      return closest_on_edge(mesh, feature - mesh.faces(), center);
+    default:
+      const Vec<double, 3> to = mesh.vertex_at(feature) - center;
+      return {feature, to, dot(to, to)};
+  }
+}
+
+ClosestPoint nearest_point(const TriangleMesh& mesh, const Vec<double, 3>& center) {
+  const std::int32_t t =
+      mesh.search.nearest(center, [&](std::int32_t n) { return closest_point(mesh, n, center).squared; });
+  return closest_point(mesh, t, center);
+}
+
+bool is_outside(const TriangleMesh& mesh, const ClosestPoint& closest) {
+  return dot(closest.to, outward_at(mesh, closest.feature)) <= 0;
+}
+
+Vec<double, 3> direction_of(const TriangleMesh& mesh, const ClosestPoint& closest) {
+  const Vec<double, 3>& outward = outward_at(mesh, closest.feature);
+  if (mesh.kind_of(closest.feature) == FeatureKind::face)
+    return dot(closest.to, outward) > 0 ? outward : -outward;
+  if (closest.squared > 1e-290) return (1 / std::sqrt(closest.squared)) * closest.to;
+  const double length = norm(outward);
+  return length > 0 ? (-1 / length) * outward : Vec<double, 3>{0, 0, -1};
+}
+
+double find_mesh_contacts(const TriangleMesh& mesh, MeshSides sides, std::span<const std::int32_t> triangles,
+                          const Vec<double, 3>& center, double reach, bool held,
+                          MeshContactScratch& scratch) {
+  std::vector<ClosestPoint>& points = scratch.points;
+  points.clear(), scratch.contacts.clear();
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::int32_t t : triangles) {
+    const ClosestPoint point = closest_point(mesh, t, center);
+    least = std::min(least, point.squared);
+    if (std::sqrt(point.squared) < reach) points.push_back(point);
+  }
+  if (points.empty()) return std::sqrt(least);
+  if (points.size() > 1) {
+    keep_least_distances(mesh, points);
+    std::ranges::sort(points, is_nearer);
+  }
+  const ClosestPoint nearest = points.front();
+  const bool one_sided = sides == MeshSides::one && !mesh.is_rim(nearest.feature);
+  if (one_sided && !is_outside(mesh, nearest)) {
+    if (mesh.is_closed || held)
+      scratch.contacts.push_back(
+          {nearest.feature, -direction_of(mesh, nearest), -std::sqrt(nearest.squared)});
+    return std::sqrt(least);
+  }
+  for (const ClosestPoint& point : points) {
+    if (sides == MeshSides::one && !mesh.is_rim(point.feature) && !is_outside(mesh, point)) continue;
+    add_contact(mesh, point, scratch.contacts);
+  }
+  std::ranges::sort(scratch.contacts, {}, &MeshContact::feature);
+  return std::sqrt(least);
+}
+
+}  // namespace fiberchain::dem

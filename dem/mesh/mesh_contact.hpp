@@ -1,0 +1,65 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dem/mesh/triangle_mesh.hpp"
+
+// Where a sphere touches a mesh. Contacts are the least distances of its center from the surface, each one
+// alone: the feature that holds the closest point of every triangle at it. A face counts where the center is
+// over it, an edge or a corner where it is over no neighbor of it; so a sphere that rolls over an edge of a
+// flat or convex place has one contact all the time, in a concave corner one with each face.
+namespace fiberchain::dem {
+
+/// From which sides fibers touch a mesh.
+enum class MeshSides : std::uint8_t {
+  both,  ///< it is a thin sheet
+  one    ///< from outside, where normals point; a closed mesh is solid
+};
+
+/// Contacts whose directions differ by less are one, the nearer: facets of a curved surface. A face beyond
+/// this angle comes into touch with no overlap, and so without a jump, unless overlaps are above 6 % of the
+/// radius (1 - cos).
+inline constexpr double smooth_cosine = 0.93969262078590838;  // 20 degrees
+
+/// The closest point of a triangle, on one of its features.
+struct ClosestPoint {
+  std::int32_t feature;
+  Vec<double, 3> to;  ///< from the center to it [m]
+  double squared;     ///< distance [m^2]
+};
+
+ClosestPoint closest_point(const TriangleMesh& mesh, std::int32_t triangle, const Vec<double, 3>& center);
+
+/// The closest point of a feature.
+ClosestPoint closest_on_feature(const TriangleMesh& mesh, std::int32_t feature, const Vec<double, 3>& center);
+
+/// The nearest point of all of the mesh.
+ClosestPoint nearest_point(const TriangleMesh& mesh, const Vec<double, 3>& center);
+
+/// Whether a center is on the outer side of the surface at its closest point.
+bool is_outside(const TriangleMesh& mesh, const ClosestPoint& closest);
+
+/// A unit vector to a closest point; through the surface where the center lies on it.
+Vec<double, 3> direction_of(const TriangleMesh& mesh, const ClosestPoint& closest);
+
+struct MeshContact {
+  std::int32_t feature;
+  Vec<double, 3> direction;  ///< unit vector from the center to the mesh
+  double distance;           ///< [m]; negative behind a mesh of one side
+};
+
+/// Memory kept between calls.
+struct MeshContactScratch {
+  std::vector<ClosestPoint> points;
+  std::vector<MeshContact> contacts;
+};
+
+/// Contacts of a sphere nearer than `reach` [m] among these triangles, to scratch.contacts by rising feature;
+/// the triangles must be all within `reach`, and may be more. `held`: the sphere touched the outside of the
+/// mesh the step before, so that it is pressed in where its center is behind an open mesh. Returns the least
+/// distance from any of the triangles [m]; infinite if there are none.
+double find_mesh_contacts(const TriangleMesh& mesh, MeshSides sides, std::span<const std::int32_t> triangles,
+                          const Vec<double, 3>& center, double reach, bool held, MeshContactScratch& scratch);
+
+}  // namespace fiberchain::dem
