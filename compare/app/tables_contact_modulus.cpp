@@ -33,11 +33,7 @@ int run_tables_contact_modulus(const Arguments& arguments, Context& context) {
   results.more_tables.emplace_back("contact-modulus-runs", compare::run_table(runs));
   results.figures.emplace_back("contact-modulus", compare::softening_figure(runs));
   deliver(results, results.table, output, directory, context);
-  const auto failed =
-      std::ranges::count_if(runs, [](const compare::PackingRun& r) { return r.status != "finished"; });
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} packings did not finish, see column status of contact-modulus-runs", failed);
-  return kRunFailed;
+  return status_of_runs(runs, "packings", "contact-modulus-runs", context);
 }
 
 }  // namespace

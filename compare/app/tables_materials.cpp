@@ -62,9 +62,7 @@ int run_tables_materials(const Arguments& arguments, Context& context) {
     progress->advance();
   }
   deliver(results, results.table, output, directory, context);
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} packings did not finish, see column status of materials-packing", failed);
-  return kRunFailed;
+  return status_of_runs(failed, "packings", "materials-packing", context);
 }
 
 }  // namespace

@@ -86,13 +86,9 @@ Results results_of(const Runs& runs) {
 }
 
 int status_of(const Runs& runs, const Context& context) {
-  int failed = 0;
-  for (const auto* part : {&runs.figures, &runs.spread}) {
-    for (const PackingRun& run : *part) failed += run.status != "finished";
-  }
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} packings did not finish, see column status", failed);
-  return kRunFailed;
+  std::vector<PackingRun> all = runs.figures;
+  all.insert(all.end(), runs.spread.begin(), runs.spread.end());
+  return status_of_runs(all, "packings", "", context);
 }
 
 /// Runs whose places were kept, which are many: those of the others stay without.

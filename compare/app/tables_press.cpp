@@ -29,11 +29,7 @@ int run_tables_press(const Arguments& arguments, Context& context) {
   results.more_tables.emplace_back("press-samples", compare::press_sample_table(runs));
   results.figures.emplace_back("press", compare::press_figure(runs));
   deliver(results, results.table, output, directory, context);
-  const auto failed =
-      std::ranges::count_if(runs, [](const compare::PressRun& r) { return r.status != "finished"; });
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} beds did not finish, see column status", failed);
-  return kRunFailed;
+  return status_of_runs(runs, "beds", "", context);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace fiberchain::dem {
 template <class Law>
 double collision_restitution(const EffectiveBody& body, const ContactProperties& properties, double speed,
                              double dt, double phase) {
-  if constexpr (requires { Law::adheres; }) {
+  if constexpr (Adheres<Law>) {
     const double kick = Law::pull_off(body, properties) * dt / (body.mass * speed);
     return properties.restitution - kick * kick;
   }

@@ -123,10 +123,7 @@ inline constexpr ContactLaw contact_law_of{
     .act = ContactLawOf<Law, Laws, Shapes>::act,
     .kernel = ContactLawOf<Law, Laws, Shapes>::kernel,
     .shapes = WallShapeTypes<Shapes>::list,
-    .adheres = requires {Law::adheres;
-}  // namespace fiberchain::dem
-}
-;
+    .adheres = Adheres<Law>};
 
 /// The law of this name among ContactLaws. Throws InvalidInput where there is none.
 const ContactLaw& contact_law(std::string_view name);

@@ -21,7 +21,10 @@ Contacts::Contacts(const Domain& domain, const ContactOptions& options, double s
   check(domain.contacts);
   for (const Wall& wall : domain.walls) check(with(domain.contacts, wall.contacts));
   for (const SurfacePair& pair : domain.pairs) check(with(domain.contacts, pair.contacts));
-  for (const Wall& wall : domain.walls) shapes_.push_back(shape_index(law_, wall));
+  for (std::size_t w = 0; w < domain.walls.size(); ++w) {
+    shapes_.push_back(shape_index(law_, domain.walls[w]));
+    if (is_mesh(w)) mesh_walls_.push_back(w);
+  }
   records_.resize(domain.walls.size());
 }
 

@@ -189,6 +189,7 @@ class Contacts {
   void update_parts(ThreadPool& pool);
   void update_part(int part, UpdateScratch& scratch);
   void update_wall(int part, std::size_t wall, UpdateScratch& scratch);
+  bool is_mesh(std::size_t wall) const { return shapes_[wall] == std::ssize(law_.shapes); }
   void update_mesh(int part, std::size_t wall, UpdateScratch& scratch);
   /// By the parts that a part's halo forces are for.
   void sort_halo(int part, std::int32_t count);
@@ -209,6 +210,10 @@ class Contacts {
   int kind_of(const ContactBody& body);
   /// Largest gap at which any of these bodies and walls act on each other [m].
   double law_reach(const std::vector<ContactBody>& bodies) const;
+  /// The law once more for each contact, with walls as these; history_before(contact) is what it starts from.
+  template <class History>
+  std::vector<ContactState> forces(const std::vector<Wall>& walls, const SphereStorage& rows, double time,
+                                   double step, const History& history_before) const;
   /// With walls as these.
   TouchingPair<double> pair_at(const SavedContact& contact, const std::vector<Wall>& walls,
                                const SphereStorage& rows, double time, double& arm) const;
@@ -230,7 +235,8 @@ class Contacts {
 
   Domain domain_;
   const ContactLaw& law_;
-  std::vector<int> shapes_;  ///< of each wall: number among those of the law's loops
+  std::vector<int> shapes_;              ///< of each wall: number among those of the law's loops
+  std::vector<std::size_t> mesh_walls_;  ///< by rising number
   PeriodicBox periods_;
   bool accounted_;
   InstructionSet instruction_set_;

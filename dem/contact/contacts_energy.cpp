@@ -87,7 +87,7 @@ void Contacts::drop(WallNeighbors& neighbors, int wall, Part& part) const {
     part.histories.give_back(neighbors.contact[n]);
     neighbors.contact[n] = 0;
   }
-  if (mesh_in(domain_.walls[wall]) != nullptr) neighbors = {};
+  if (is_mesh(wall)) neighbors = {};
 }
 
 std::vector<double> Contacts::accumulators() const {

@@ -22,10 +22,10 @@ void Contacts::update_mesh(int k, std::size_t w, UpdateScratch& scratch) {
 }
 
 void Contacts::find_mesh_contacts(Part& part, const SphereStorage& rows, double time) {
-  for (std::size_t w = 0; w < part.walls.size(); ++w) {
-    const MeshShape* mesh = mesh_in(domain_.walls[w]);
-    if (mesh == nullptr || !is_active(domain_.walls[w], time)) continue;
-    const MeshShape now = moved(*mesh, pose_at(domain_.walls[w], time));
+  for (const std::size_t w : mesh_walls_) {
+    const Wall& wall = domain_.walls[w];
+    if (!is_active(wall, time)) continue;
+    const MeshShape now = moved(*mesh_in(wall), pose_at(wall, time));
     const MeshMoment moment{now, rows, law_reach_, part.path + mesh_ways_[w]};
     part.meshes[w].find_contacts(moment, kernel_->width, static_cast<std::int32_t>(spheres()) + 2,
                                  part.walls[w], part.histories);

@@ -31,7 +31,7 @@ void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, doub
     part.pairs.clear();
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       part.walls[w].count = 0;
-      if (mesh_in(domain_.walls[w]) != nullptr) part.walls[w] = {}, part.meshes[w].clear();
+      if (is_mesh(w)) part.walls[w] = {}, part.meshes[w].clear();
     }
   }
   reference_time_ = time;
@@ -65,7 +65,7 @@ void Contacts::update_part(int k, UpdateScratch& scratch) {
   part.pairs.update(neighbors_, k, part.histories, kernel_->width, pad, scratch.pairs);
   part.inner.stale = true;
   for (std::size_t w = 0; w < domain_.walls.size(); ++w)
-    mesh_in(domain_.walls[w]) != nullptr ? update_mesh(k, w, scratch) : update_wall(k, w, scratch);
+    is_mesh(w) ? update_mesh(k, w, scratch) : update_wall(k, w, scratch);
 }
 
 void Contacts::update_wall(int k, std::size_t w, UpdateScratch& scratch) {

@@ -65,7 +65,7 @@ void Contacts::clear() {
     std::ranges::fill(part.pairs.contact, 0);
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       std::ranges::fill(part.walls[w].contact, 0);
-      if (mesh_in(domain_.walls[w]) != nullptr) part.walls[w] = {};
+      if (is_mesh(w)) part.walls[w] = {};
     }
   }
 }
@@ -143,33 +143,33 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<
   return pair;
 }
 
-std::vector<ContactState> Contacts::states(const SphereStorage& rows, double time) const {
+template <class History>
+std::vector<ContactState> Contacts::forces(const std::vector<Wall>& walls, const SphereStorage& rows,
+                                           double time, double step, const History& history_before) const {
   std::vector<ContactState> all;
-  for (const SavedContact& c : saved()) {
+  for (const SavedContact& now : saved()) {
     double arm;
-    const TouchingPair<double> pair = pair_at(c, domain_.walls, rows, time, arm);
-    const ContactAction<double> action = law_.act(parameters_of(c), pair, 0, c.history);
-    all.push_back({c.key, pair.overlap, rows.position(c.key.first.number) + arm * pair.normal, pair.normal,
-                   action.force});
+    const TouchingPair<double> pair = pair_at(now, walls, rows, time, arm);
+    SavedContact before = history_before(now);
+    const ContactAction<double> action = law_.act(parameters_of(now), pair, step, before.history);
+    all.push_back({now.key, pair.overlap, rows.position(now.key.first.number) + arm * pair.normal,
+                   pair.normal, action.force});
   }
   return all;
+}
+
+std::vector<ContactState> Contacts::states(const SphereStorage& rows, double time) const {
+  return forces(domain_.walls, rows, time, 0, [](const SavedContact& now) { return now; });
 }
 
 std::vector<ContactState> Contacts::last_forces(ContactMemory before, const SphereStorage& rows,
                                                 double time) const {
   std::ranges::sort(before.contacts, {}, &SavedContact::key);
-  std::vector<ContactState> all;
-  for (const SavedContact& now : saved()) {
+  return forces(before.walls, rows, time, step_, [&](const SavedContact& now) {
     const auto found = std::ranges::lower_bound(before.contacts, now.key, {}, &SavedContact::key);
-    SavedContact last{now.key};  // nothing is remembered of one that has begun
-    if (found != before.contacts.end() && found->key == now.key) last = *found;
-    double arm;
-    const TouchingPair<double> pair = pair_at(now, before.walls, rows, time, arm);
-    const ContactAction<double> action = law_.act(parameters_of(now), pair, step_, last.history);
-    all.push_back({now.key, pair.overlap, rows.position(now.key.first.number) + arm * pair.normal,
-                   pair.normal, action.force});
-  }
-  return all;
+    const bool was = found != before.contacts.end() && found->key == now.key;
+    return was ? *found : SavedContact{now.key};  // nothing is remembered of one that has begun
+  });
 }
 
 }  // namespace fiberchain::dem

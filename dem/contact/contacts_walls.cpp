@@ -153,8 +153,7 @@ void Contacts::set_wall_records(const double* from) {
 }
 
 void Contacts::add_mesh_ways(double time) {
-  for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
-    if (mesh_in(domain_.walls[w]) == nullptr) continue;
+  for (const std::size_t w : mesh_walls_) {
     const WallPose now = pose_at(domain_.walls[w], time);
     // spheres have gone no farther from where they were listed than the skin
     const double reach = turn_reach_[w] > 0 ? turn_reach_[w] + skin_ : 0;
@@ -169,7 +168,7 @@ void Contacts::keep_wall_poses(double time) {
     reference_poses_.push_back(pose_at(wall, time));
     reference_shifts_.push_back(wall.motion.drive ? wall.motion.drive->shift : 0);
   }
-  if (std::ranges::none_of(domain_.walls, [](const Wall& wall) { return mesh_in(wall) != nullptr; })) return;
+  if (mesh_walls_.empty()) return;
   mesh_poses_ = reference_poses_;
   mesh_ways_.resize(domain_.walls.size(), 0);
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "dem/contact/walk_rebuilt.hpp"
 #include "dem/simd/lane_count.hpp"
 
 namespace fiberchain::dem {
@@ -21,61 +22,58 @@ constexpr double whenever = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-void MeshNeighbors::clear() {
-  slots_.clear(), triangles_.clear(), inner_.clear(), inner_count_.clear();
-  inner_until_.clear(), asleep_until_.clear();
-  begin_.assign(1, 0);
+void MeshNeighbors::List::clear() {
+  slots.clear(), triangles.clear(), inner.clear(), inner_count.clear();
+  inner_until.clear(), asleep_until.clear();
+  begin.assign(1, 0);
 }
 
-bool MeshNeighbors::has(std::int32_t sphere) const {
-  return std::binary_search(slots_.begin(), slots_.end(), sphere);
+void MeshNeighbors::List::append(std::int32_t slot, std::span<const std::int32_t> near) {
+  slots.push_back(slot);
+  triangles.insert(triangles.end(), near.begin(), near.end());
+  begin.push_back(triangles.size());
+  inner_count.push_back(0);
+  inner_until.push_back(whenever), asleep_until.push_back(whenever);
 }
 
-void MeshNeighbors::append(std::int32_t slot, std::span<const std::int32_t> triangles) {
-  slots_.push_back(slot);
-  triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
-  begin_.push_back(triangles_.size());
-  inner_count_.push_back(0);
-  inner_until_.push_back(whenever), asleep_until_.push_back(whenever);
+std::span<const std::int32_t> MeshNeighbors::List::triangles_of(std::size_t n) const {
+  return std::span(triangles).subspan(begin[n], begin[n + 1] - begin[n]);
 }
+
+void MeshNeighbors::clear() { list_.clear(); }
+
+bool MeshNeighbors::has(std::int32_t sphere) const { return std::ranges::binary_search(list_.slots, sphere); }
 
 void MeshNeighbors::update(const std::vector<std::int32_t>& rebuilt, const FindTriangles& find,
-                           MeshNeighbors& next) {
+                           MeshNeighbors& scratch) {
+  List& next = scratch.list_;
   next.clear();
-  std::size_t p = 0;
-  const auto keep = [&] {
+  const auto keep = [&](std::size_t p) {
     // inner triangles are chosen anew: at most once for each list
-    next.append(slots_[p], std::span(triangles_).subspan(begin_[p], begin_[p + 1] - begin_[p]));
-    next.asleep_until_.back() = asleep_until_[p];
-    ++p;
+    next.append(list_.slots[p], list_.triangles_of(p));
+    next.asleep_until.back() = list_.asleep_until[p];
   };
-  for (const std::int32_t i : rebuilt) {
-    while (p < slots_.size() && slots_[p] < i) keep();
-    if (p < slots_.size() && slots_[p] == i) ++p;
+  walk_rebuilt(list_.slots, rebuilt, keep, [&](std::int32_t i, std::optional<std::size_t>) {
     asked_.clear();
     find(i, asked_);
-    if (asked_.empty()) continue;
+    if (asked_.empty()) return;
     std::ranges::sort(asked_);
     next.append(i, asked_);
-  }
-  while (p < slots_.size()) keep();
-  next.inner_.resize(next.triangles_.size());
-  std::swap(slots_, next.slots_), std::swap(begin_, next.begin_);
-  std::swap(triangles_, next.triangles_), std::swap(inner_, next.inner_);
-  std::swap(inner_count_, next.inner_count_);
-  std::swap(inner_until_, next.inner_until_), std::swap(asleep_until_, next.asleep_until_);
+  });
+  next.inner.resize(next.triangles.size());
+  std::swap(list_, next);
 }
 
 double MeshNeighbors::choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center,
                                    double within) {
   double least = std::numeric_limits<double>::infinity();
-  std::int32_t* to = inner_.data() + begin_[n];
-  for (std::size_t k = begin_[n]; k < begin_[n + 1]; ++k) {
-    const double squared = closest_point(mesh, triangles_[k], center).squared;
+  std::int32_t* to = list_.inner.data() + list_.begin[n];
+  for (const std::int32_t t : list_.triangles_of(n)) {
+    const double squared = closest_point(mesh, t, center).squared;
     least = std::min(least, squared);
-    if (squared < within * within) *to++ = triangles_[k];
+    if (squared < within * within) *to++ = t;
   }
-  inner_count_[n] = static_cast<std::int32_t>(to - (inner_.data() + begin_[n]));
+  list_.inner_count[n] = static_cast<std::int32_t>(to - (list_.inner.data() + list_.begin[n]));
   return std::sqrt(least);
 }
 
@@ -84,18 +82,18 @@ void MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<doub
   const TriangleMesh& mesh = *moment.mesh.mesh;
   const double reach = radius + moment.gap, margin = inner_margin * radius,
                awake = moment.moved - slack * radius;
-  if (!(moment.moved < inner_until_[n])) {
+  if (!(moment.moved < list_.inner_until[n])) {
     const double least = choose_inner(n, mesh, center, reach + margin);
-    inner_until_[n] = awake + margin;
-    if (inner_count_[n] == 0) {
-      inner_until_[n] = asleep_until_[n] = awake + (least - reach);
+    list_.inner_until[n] = awake + margin;
+    if (list_.inner_count[n] == 0) {
+      list_.inner_until[n] = list_.asleep_until[n] = awake + (least - reach);
       found_.contacts.clear();
       return;
     }
   }
-  const std::span<const std::int32_t> inner(inner_.data() + begin_[n], inner_count_[n]);
+  const std::span<const std::int32_t> inner(list_.inner.data() + list_.begin[n], list_.inner_count[n]);
   const double least = find_mesh_contacts(mesh, moment.mesh.sides, inner, center, reach, held, found_);
-  asleep_until_[n] = std::min(inner_until_[n], awake + (least - reach));
+  list_.asleep_until[n] = std::min(list_.inner_until[n], awake + (least - reach));
 }
 
 std::int32_t MeshNeighbors::handed_on(const TriangleMesh& mesh, const MeshContact& contact,
@@ -144,9 +142,9 @@ void MeshNeighbors::find_contacts(const MeshMoment& moment, int width, std::int3
       if (last_.contact[p] != 0) histories.give_back(last_.contact[p]);
     }
   };
-  for (std::size_t n = 0; n < slots_.size(); ++n) {
-    if (moment.moved < asleep_until_[n]) continue;
-    const std::int32_t slot = slots_[n];
+  for (std::size_t n = 0; n < list_.slots.size(); ++n) {
+    if (moment.moved < list_.asleep_until[n]) continue;
+    const std::int32_t slot = list_.slots[n];
     give_back_until(slot);
     const std::size_t from = p;
     bool held = false;

@@ -53,14 +53,23 @@ class MeshNeighbors {
   /// Number of the history that a contact goes on with, which is taken from last_; 0 where it begins.
   std::int32_t handed_on(const TriangleMesh& mesh, const MeshContact& contact, const Vec<double, 3>& center,
                          std::size_t from, std::size_t to);
-  void append(std::int32_t slot, std::span<const std::int32_t> triangles);
 
-  std::vector<std::int32_t> slots_;
-  std::vector<std::size_t> begin_;                  ///< of each in triangles_ and inner_, and the end
-  std::vector<std::int32_t> triangles_, inner_;     ///< by rising number
-  std::vector<std::int32_t> inner_count_;           ///< of each in inner_
-  std::vector<double> inner_until_, asleep_until_;  ///< of MeshMoment::moved
-  std::vector<std::int32_t> asked_;                 ///< of update()
+  /// The spheres and what is near each.
+  struct List {
+    std::vector<std::int32_t> slots;
+    std::vector<std::size_t> begin{0};              ///< of each in triangles and inner, and the end
+    std::vector<std::int32_t> triangles, inner;     ///< by rising number
+    std::vector<std::int32_t> inner_count;          ///< of each in inner
+    std::vector<double> inner_until, asleep_until;  ///< of MeshMoment::moved
+
+    void clear();
+    void append(std::int32_t slot, std::span<const std::int32_t> near);
+    /// Of the n-th sphere.
+    std::span<const std::int32_t> triangles_of(std::size_t n) const;
+  };
+
+  List list_;
+  std::vector<std::int32_t> asked_;  ///< of update()
   WallNeighbors last_{};
   MeshContactScratch found_;
   std::vector<MeshContact> all_;  ///< found in this step, in space

@@ -14,7 +14,7 @@ namespace fiberchain::dem {
 /// halves what has to be compiled of them.
 template <class Law>
 constexpr ContactPhysics built_physics(ContactPhysics p) {
-  if constexpr (requires { Law::adheres; }) p.uniform = false;
+  if constexpr (Adheres<Law>) p.uniform = false;
   return p;
 }
 

@@ -56,14 +56,11 @@ struct Dmt {
                                               sqrt_overlap, quarter, dt, history);
   }
 
-  static History<double> exchanged(History<double> h) {
-    h.spring = -h.spring;
-    return h;
-  }
+  static History<double> exchanged(const History<double>& h) { return HertzMindlin::exchanged(h); }
 
   template <class Real>
   static Real overlap(const History<Real>& h) {
-    return h.sqrt_overlap * h.sqrt_overlap;
+    return HertzMindlin::overlap(h);
   }
 
   template <class Real>

@@ -137,13 +137,14 @@ struct HertzMindlin {
   }
 
   /// With the second body as the first.
-  static History<double> exchanged(History<double> h) {
+  template <class Contact>
+  static Contact exchanged(Contact h) {
     h.spring = -h.spring;
     return h;
   }
 
-  template <class Real>
-  static Real overlap(const History<Real>& h) {
+  template <class Contact>
+  static auto overlap(const Contact& h) {
     return h.sqrt_overlap * h.sqrt_overlap;
   }
 

@@ -89,10 +89,7 @@ struct Jkr {
     return action;
   }
 
-  static History<double> exchanged(History<double> h) {
-    h.spring = -h.spring;
-    return h;
-  }
+  static History<double> exchanged(const History<double>& h) { return HertzMindlin::exchanged(h); }
 
   template <class Real>
   static Real overlap(const History<Real>& h) {
