@@ -33,8 +33,9 @@ Bounds bounds_of(const dem::TrajectoryFrame& frame, const std::vector<dem::WallS
     const double size = frame.high[c] - frame.low[c];
     const bool whole = frame.periodic[c] || !(bounds.low[c] <= bounds.high[c]);
     const double below = bounds.low[c] - frame.low[c], above = frame.high[c] - bounds.high[c];
-    if (whole || (below > 0 && below < near * size)) bounds.low[c] = frame.low[c];
-    if (whole || (above > 0 && above < near * size)) bounds.high[c] = frame.high[c];
+    // fibers stick out of periodic sides
+    if (below > 0 && (whole || below < near * size)) bounds.low[c] = frame.low[c];
+    if (above > 0 && (whole || above < near * size)) bounds.high[c] = frame.high[c];
   }
   return bounds;
 }

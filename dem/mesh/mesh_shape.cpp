@@ -42,18 +42,4 @@ bool passes_through(const Wall& wall, const Vec<double, 3>& from, const Vec<doub
   return found;
 }
 
-std::vector<std::array<Vec<double, 3>, 3>> triangles_of(const Wall& wall, double time) {
-  std::vector<std::array<Vec<double, 3>, 3>> all;
-  const MeshShape* shape = mesh_in(wall);
-  if (shape == nullptr) return all;
-  const MeshShape at = moved(*shape, pose_at(wall, time));
-  const TriangleMesh& mesh = *at.mesh;
-  all.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    auto& corners = all.emplace_back();
-    for (int k = 0; k < 3; ++k) corners[k] = at.point + at.to_space(mesh.vertices[triangle[k]]);
-  }
-  return all;
-}
-
 }  // namespace fiberchain::dem

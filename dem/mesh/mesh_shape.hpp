@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 #include "dem/mesh/mesh_contact.hpp"
 #include "dem/model/domain.hpp"
@@ -46,9 +44,5 @@ const MeshShape* mesh_in(const Wall& wall);
 /// Whether the straight way between two places goes through a mesh wall where it stands at that time; never
 /// through walls of other shapes.
 bool passes_through(const Wall& wall, const Vec<double, 3>& from, const Vec<double, 3>& to, double time);
-
-/// Corners of the triangles of a mesh wall where it stands at that time [m], counterclockwise from outside;
-/// empty for walls of other shapes. A wall that is driven is where it is now.
-std::vector<std::array<Vec<double, 3>, 3>> triangles_of(const Wall& wall, double time);
 
 }  // namespace fiberchain::dem

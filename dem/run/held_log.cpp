@@ -8,14 +8,14 @@ namespace fiberchain::dem {
 namespace {
 
 const ForceColumns held_columns{.number = "held",
-                           .name = "held_name",
-                           .own = {"held_kind", "held_spheres"},
-                           .force = {"held_force_x", "held_force_y", "held_force_z"},
-                           .moment = {"held_moment_x", "held_moment_y", "held_moment_z"},
-                           .force_peak = "held_force_peak",
-                           .moment_peak = "held_moment_peak",
-                           .work = "held_work",
-                           .center = {"held_center_x", "held_center_y", "held_center_z"}};
+                                .name = "held_name",
+                                .own = {"held_kind", "held_spheres"},
+                                .force = {"held_force_x", "held_force_y", "held_force_z"},
+                                .moment = {"held_moment_x", "held_moment_y", "held_moment_z"},
+                                .force_peak = "held_force_peak",
+                                .moment_peak = "held_moment_peak",
+                                .work = "held_work",
+                                .center = {"held_center_x", "held_center_y", "held_center_z"}};
 
 }  // namespace
 

@@ -8,14 +8,14 @@ namespace fiberchain::dem {
 namespace {
 
 const ForceColumns wall_columns{.number = "wall",
-                           .name = "wall_name",
-                           .own = {"wall_shape"},
-                           .force = {"wall_force_x", "wall_force_y", "wall_force_z"},
-                           .moment = {"wall_moment_x", "wall_moment_y", "wall_moment_z"},
-                           .force_peak = "wall_force_peak",
-                           .moment_peak = "wall_moment_peak",
-                           .work = "wall_work",
-                           .center = {"wall_center_x", "wall_center_y", "wall_center_z"}};
+                                .name = "wall_name",
+                                .own = {"wall_shape"},
+                                .force = {"wall_force_x", "wall_force_y", "wall_force_z"},
+                                .moment = {"wall_moment_x", "wall_moment_y", "wall_moment_z"},
+                                .force_peak = "wall_force_peak",
+                                .moment_peak = "wall_moment_peak",
+                                .work = "wall_work",
+                                .center = {"wall_center_x", "wall_center_y", "wall_center_z"}};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/shapes/shapes.hpp"
 
 namespace fiberchain::dem {
@@ -186,6 +187,11 @@ void add_box(WallSurface& surface, const BoxObstacle& box) {
   }
 }
 
+void add_mesh(WallSurface& surface, const MeshShape& shape) {
+  for (const V& vertex : shape.mesh->vertices) surface.points.push_back(shape.point + shape.to_space(vertex));
+  surface.triangles = shape.mesh->triangles;
+}
+
 /// A further kind is a line here.
 WallSurface surface_of(const WallShape& shape, const Bounds& box, const std::vector<Wall>& walls) {
   WallSurface surface{.shape = std::string(shape.type().name), .points = {}, .triangles = {}};
@@ -194,6 +200,7 @@ WallSurface surface_of(const WallShape& shape, const Bounds& box, const std::vec
   if (const auto* sphere = shape.get_if<Sphere>()) add_sphere(surface, *sphere);
   if (const auto* obstacle = shape.get_if<BoxObstacle>()) add_box(surface, *obstacle);
   if (const auto* cone = shape.get_if<Cone>()) add_cone(surface, *cone);
+  if (const auto* mesh = shape.get_if<MeshShape>()) add_mesh(surface, *mesh);
   return surface;
 }
 

@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(restored_runs_with_moving_walls_go_on_to_the_bit) {
   whole.march(700);
   other.restore(whole.saved());
   march_alike(whole, other, 1300);
-  BOOST_TEST(norm(whole.wall_samples()[2].center - mill.around.walls[2].shape.point()) > 1e-5);  // the lid has moved
+  BOOST_TEST(norm(whole.wall_samples()[2].center - mill.around.walls[2].shape.point()) >
+             1e-5);  // the lid has moved
 }
 
 BOOST_AUTO_TEST_SUITE_END()

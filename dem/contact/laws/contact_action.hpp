@@ -41,6 +41,8 @@ Vec<Real, 3> tangential(const Vec<Real, 3>& u, const Vec<Real, 3>& normal) {
 
 /// A contact law that wants a work of adhesion.
 template <class Law>
-concept Adheres = requires { Law::adheres; };
+concept Adheres = requires {
+  Law::adheres;
+};
 
 }  // namespace fiberchain::dem

@@ -232,23 +232,4 @@ BOOST_AUTO_TEST_CASE(a_way_through_a_mesh_is_seen) {
   BOOST_TEST(!passes_through(dem::Wall{dem::Plane{{}, {0, 0, 1}}}, {0, 0, -1}, {0, 0, 1}, 0));
 }
 
-BOOST_AUTO_TEST_CASE(triangles_of_a_wall_stand_where_it_is) {
-  dem::MeshShape shape = shape_of(flat(1, 2));
-  shape.point = {0.1, 0.2, 0.3};
-  dem::Wall wall{shape};
-  wall.velocity = {1, 0, 0};
-  wall.motion.about = dem::WallAxis{{0.1, 0.2, 0.3}, {0, 0, 1}};
-  wall.motion.angular_velocity = std::numbers::pi / 2;
-  const auto all = triangles_of(wall, 1);
-  BOOST_TEST_REQUIRE(all.size() == 8u);
-  const auto& mesh = *shape.mesh;
-  for (std::size_t t = 0; t < all.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const V x = mesh.vertices[mesh.triangles[t][k]], expected{1.1 - x[1], 0.2 + x[0], 0.3};
-      BOOST_TEST(norm(all[t][k] - expected) < 1e-15);
-    }
-  }
-  BOOST_TEST(triangles_of(dem::Wall{dem::Plane{{}, {0, 0, 1}}}, 0).empty());
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -91,7 +91,8 @@ BOOST_AUTO_TEST_CASE(meshes_are_read) {
   BOOST_TEST(shape->mesh->faces() == 192);
   BOOST_TEST(wall.motion.angular_velocity == 2.0);
   // the first corner of the file, 25 mm along x
-  const V corner = triangles_of(wall, 0)[0][0];
+  const dem::TriangleMesh& mesh = *shape->mesh;
+  const V corner = shape->point + shape->to_space(mesh.vertices[mesh.triangles[0][0]]);
   BOOST_TEST(norm(corner - V{15e-3, 40e-3, -0.08}) < 1e-12);
   BOOST_TEST(std::abs(gap_to(wall, {15e-3, 15e-3, -0.1}, 0) - 25e-3 * std::cos(std::numbers::pi / 32)) <
              1e-8);

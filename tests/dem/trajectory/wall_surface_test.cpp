@@ -3,6 +3,9 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
+
+#include "tests/dem/mesh/meshes.hpp"
 
 BOOST_AUTO_TEST_SUITE(wall_surface_test)
 
@@ -66,6 +69,26 @@ BOOST_AUTO_TEST_CASE(corners_are_on_the_wall_wherever_it_is) {
   for (const Wall& wall : walls) {
     for (const double time : {0.0, 0.83}) check_on_wall(moving(wall), rough, time);
   }
+}
+
+/// A mesh is its own triangles, as they are numbered.
+BOOST_AUTO_TEST_CASE(meshes_stand_where_they_are) {
+  MeshShape shape = meshes::shape_of(meshes::flat(1, 2));
+  shape.point = {0.1, 0.2, 0.3};
+  Wall wall{shape};
+  wall.velocity = {1, 0, 0};
+  wall.motion.about = WallAxis{{0.1, 0.2, 0.3}, {0, 0, 1}};
+  wall.motion.angular_velocity = std::numbers::pi / 2;
+  const WallSurface surface = wall_surfaces({wall}, kLow, kHigh)[0];
+  const FrameWall now = frame_wall(wall, 1);
+  const TriangleMesh& mesh = *shape.mesh;
+  BOOST_TEST_REQUIRE(surface.triangles.size() == 8u);
+  BOOST_TEST((surface.triangles == mesh.triangles));
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const V x = mesh.vertices[i], expected{1.1 - x[1], 0.2 + x[0], 0.3};
+    BOOST_TEST(norm(placed_at(now, surface.points[i]) - expected) < 1e-15);
+  }
+  check_on_wall(moving(wall), 1e-12, 0.83);
 }
 
 BOOST_AUTO_TEST_CASE(areas_are_those_of_the_shapes) {
