@@ -117,8 +117,8 @@ void warn_without_gnuplot(const Context& context) {
       "warning: gnuplot is not installed (Debian package gnuplot-nox): tables will be written, no pictures");
 }
 
-int status_of_runs(std::int64_t failed, std::string_view things, std::string_view where,
-                   const Context& context) {
+int status_of_failed(std::int64_t failed, std::string_view things, std::string_view where,
+                     const Context& context) {
   if (failed == 0) return kSuccess;
   context.log->error("error: {} {} did not finish, see column status{}{}", failed, things,
                      where.empty() ? "" : " of ", where);

@@ -52,15 +52,16 @@ void warn_without_gnuplot(const Context& context);
 
 /// The exit status of a table of runs; an error in words if some of these `things` have not finished. `where`
 /// names their table, or is empty where it is the command's own.
-int status_of_runs(std::int64_t failed, std::string_view things, std::string_view where,
-                   const Context& context);
+int status_of_failed(std::int64_t failed, std::string_view things, std::string_view where,
+                     const Context& context);
 
 /// The same of runs with a status each.
 template <class Runs>
 int status_of_runs(const Runs& runs, std::string_view things, std::string_view where,
                    const Context& context) {
-  return status_of_runs(std::ranges::count_if(runs, [](const auto& run) { return run.status != "finished"; }),
-                        things, where, context);
+  return status_of_failed(
+      std::ranges::count_if(runs, [](const auto& run) { return run.status != "finished"; }), things, where,
+      context);
 }
 
 /// Writes the tables (CSV, Markdown), all or none, prints the rows (as JSON if asked for, else `shown` as

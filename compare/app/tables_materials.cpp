@@ -62,7 +62,7 @@ int run_tables_materials(const Arguments& arguments, Context& context) {
     progress->advance();
   }
   deliver(results, results.table, output, directory, context);
-  return status_of_runs(failed, "packings", "materials-packing", context);
+  return status_of_failed(failed, "packings", "materials-packing", context);
 }
 
 }  // namespace
