@@ -94,7 +94,7 @@ Image trace(const dem::TrajectoryFrame& frame, const Sheet& sheet, const Bounds&
                 .palette = palette(sheet.range, sheet.shade.is_signed),
                 .low = shown.low,
                 .high = shown.high,
-                .box = scenery.edges.empty() || frame.periodic[0] || frame.periodic[1] || frame.periodic[2],
+                .box = scenery.edges.empty(),
                 .facets = std::move(scenery.facets),
                 .floor = std::move(scenery.floor),
                 .edges = std::move(scenery.edges)};

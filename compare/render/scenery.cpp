@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <unordered_map>
 
@@ -105,6 +106,18 @@ void add_edges(const dem::WallSurface& wall, const std::vector<std::array<Point,
   for (const std::uint64_t key : shown) edges.push_back({points[key >> 32], points[key & 0xffffffff]});
 }
 
+/// The edges of a box.
+void add_box(const Point& low, const Point& high, std::vector<std::array<Point, 2>>& edges) {
+  for (unsigned i = 0; i < 8; ++i) {
+    const auto corner = [&](unsigned n) {
+      return Point{n & 1 ? high[0] : low[0], n & 2 ? high[1] : low[1], n & 4 ? high[2] : low[2]};
+    };
+    for (const unsigned side : {1u, 2u, 4u}) {
+      if ((i & side) == 0) edges.push_back({corner(i), corner(i | side)});
+    }
+  }
+}
+
 }  // namespace
 
 Bounds joined(const Bounds& a, const Bounds& b) {
@@ -152,6 +165,12 @@ Scenery scenery_of(const dem::TrajectoryFrame& frame, const std::vector<dem::Wal
       if (segment.size() >= 2) scenery.edges.push_back({segment[0], segment[1]});
     }
   }
+  if (std::ranges::any_of(frame.periodic, std::identity()))
+    add_box({std::max(frame.low[0], shown.low[0]), std::max(frame.low[1], shown.low[1]),
+             std::max(frame.low[2], shown.low[2])},
+            {std::min(frame.high[0], shown.high[0]), std::min(frame.high[1], shown.high[1]),
+             std::min(frame.high[2], shown.high[2])},
+            scenery.edges);
   return scenery;
 }
 

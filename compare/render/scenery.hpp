@@ -25,7 +25,7 @@ Bounds joined(const Bounds& a, const Bounds& b);
 struct Scenery {
   std::vector<std::array<Point, 3>> facets;  ///< seen through
   std::vector<std::array<Point, 3>> floor;   ///< not seen through: at the bottom of the box, facing up
-  std::vector<std::array<Point, 2>> edges;   ///< rims and sharp edges
+  std::vector<std::array<Point, 2>> edges;   ///< rims and sharp edges, and those of a periodic cell
 };
 
 /// Of the walls that are there, cut to the box.

@@ -12,32 +12,61 @@ namespace {
 
 /// How much farther than touching inner triangles may be, over the radius: with more they are many, with less
 /// chosen often.
-constexpr double inner_margin = 0.03;
+constexpr double inner_margin = 0.02;
 /// A way is a sum: over the radius, what it may be off by round-off, with much to spare.
 constexpr double slack = 1e-7;
 /// Cosine of the angle by which a contact turns at most as its history is handed on from feature to feature.
 constexpr double handed_on_cosine = 0.866;
 
+/// By how many spheres triangles are fetched before they are looked at.
+constexpr std::size_t ahead = 5;
+
 constexpr double whenever = -std::numeric_limits<double>::infinity();
+
+/// Fetches what is read of some triangles soon. Inlined before the compiler asks what a function does: one
+/// that only fetches does nothing, and its calls are dropped.
+inline __attribute__((always_inline)) void fetch(const TriangleMesh& mesh,
+                                                 std::span<const std::int32_t> triangles) {
+  for (const std::int32_t t : triangles) {
+    const auto* plane = reinterpret_cast<const char*>(&mesh.planes[t]);
+    __builtin_prefetch(plane), __builtin_prefetch(plane + sizeof(TrianglePlane) - 1);
+    __builtin_prefetch(&mesh.edges_of[t]);
+  }
+}
 
 }  // namespace
 
 void MeshNeighbors::List::clear() {
   slots.clear(), triangles.clear(), inner.clear(), inner_count.clear();
-  inner_until.clear(), asleep_until.clear();
+  chosen_at.clear(), clearance.clear(), asleep_until.clear();
   begin.assign(1, 0);
 }
 
 void MeshNeighbors::List::append(std::int32_t slot, std::span<const std::int32_t> near) {
   slots.push_back(slot);
   triangles.insert(triangles.end(), near.begin(), near.end());
+  inner.resize(triangles.size());
   begin.push_back(triangles.size());
-  inner_count.push_back(0);
-  inner_until.push_back(whenever), asleep_until.push_back(whenever);
+  inner_count.push_back(-1);
+  chosen_at.emplace_back(), clearance.push_back(0);
+  asleep_until.push_back(whenever);
+}
+
+void MeshNeighbors::List::append(const List& other, std::size_t n) {
+  append(other.slots[n], other.triangles_of(n));
+  std::copy_n(other.inner.begin() + static_cast<std::ptrdiff_t>(other.begin[n]),
+              std::max(other.inner_count[n], 0), inner.end() - std::ssize(other.triangles_of(n)));
+  inner_count.back() = other.inner_count[n];
+  chosen_at.back() = other.chosen_at[n], clearance.back() = other.clearance[n];
+  asleep_until.back() = other.asleep_until[n];
 }
 
 std::span<const std::int32_t> MeshNeighbors::List::triangles_of(std::size_t n) const {
   return std::span(triangles).subspan(begin[n], begin[n + 1] - begin[n]);
+}
+
+std::span<const std::int32_t> MeshNeighbors::List::inner_of(std::size_t n) const {
+  return std::span(inner).subspan(begin[n], std::max(inner_count[n], 0));
 }
 
 void MeshNeighbors::clear() { list_.clear(); }
@@ -48,11 +77,7 @@ void MeshNeighbors::update(const std::vector<std::int32_t>& rebuilt, const FindT
                            MeshNeighbors& scratch) {
   List& next = scratch.list_;
   next.clear();
-  const auto keep = [&](std::size_t p) {
-    // inner triangles are chosen anew: at most once for each list
-    next.append(list_.slots[p], list_.triangles_of(p));
-    next.asleep_until.back() = list_.asleep_until[p];
-  };
+  const auto keep = [&](std::size_t p) { next.append(list_, p); };
   walk_rebuilt(list_.slots, rebuilt, keep, [&](std::int32_t i, std::optional<std::size_t>) {
     asked_.clear();
     find(i, asked_);
@@ -60,13 +85,13 @@ void MeshNeighbors::update(const std::vector<std::int32_t>& rebuilt, const FindT
     std::ranges::sort(asked_);
     next.append(i, asked_);
   });
-  next.inner.resize(next.triangles.size());
   std::swap(list_, next);
 }
 
-double MeshNeighbors::choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center,
-                                   double within) {
+void MeshNeighbors::choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center,
+                                 double reach, double margin) {
   double least = std::numeric_limits<double>::infinity();
+  const double within = reach + margin;
   std::int32_t* to = list_.inner.data() + list_.begin[n];
   for (const std::int32_t t : list_.triangles_of(n)) {
     const double squared = closest_point(mesh, t, center).squared;
@@ -74,7 +99,8 @@ double MeshNeighbors::choose_inner(std::size_t n, const TriangleMesh& mesh, cons
     if (squared < within * within) *to++ = t;
   }
   list_.inner_count[n] = static_cast<std::int32_t>(to - (list_.inner.data() + list_.begin[n]));
-  return std::sqrt(least);
+  list_.chosen_at[n] = center;
+  list_.clearance[n] = std::sqrt(least) - reach;
 }
 
 void MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius,
@@ -82,18 +108,21 @@ void MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<doub
   const TriangleMesh& mesh = *moment.mesh.mesh;
   const double reach = radius + moment.gap, margin = inner_margin * radius,
                awake = moment.moved - slack * radius;
-  if (!(moment.moved < list_.inner_until[n])) {
-    const double least = choose_inner(n, mesh, center, reach + margin);
-    list_.inner_until[n] = awake + margin;
-    if (list_.inner_count[n] == 0) {
-      list_.inner_until[n] = list_.asleep_until[n] = awake + (least - reach);
-      found_.contacts.clear();
-      return;
-    }
+  double gone = norm(center - list_.chosen_at[n]);
+  const auto is_clear = [&] { return gone < list_.clearance[n]; };
+  if (list_.inner_count[n] < 0 || (!(gone < margin) && !is_clear())) {
+    choose_inner(n, mesh, center, reach, margin);
+    gone = 0;
   }
-  const std::span<const std::int32_t> inner(list_.inner.data() + list_.begin[n], list_.inner_count[n]);
-  const double least = find_mesh_contacts(mesh, moment.mesh.sides, inner, center, reach, held, found_);
-  list_.asleep_until[n] = std::min(list_.inner_until[n], awake + (least - reach));
+  if (is_clear()) {
+    list_.asleep_until[n] = awake + (list_.clearance[n] - gone);
+    found_.contacts.clear();
+    return;
+  }
+  const double least =
+      find_mesh_contacts(mesh, moment.mesh.sides, list_.inner_of(n), center, reach, held, found_);
+  // others were farther than the margin
+  list_.asleep_until[n] = awake + std::min(least - reach, margin - gone);
 }
 
 std::int32_t MeshNeighbors::handed_on(const TriangleMesh& mesh, const MeshContact& contact,
@@ -120,7 +149,8 @@ void MeshNeighbors::add_found(const MeshShape& mesh, std::int32_t slot, const Ve
     contacts.slots.push_back(slot);
     contacts.features.push_back(contact.feature);
     contacts.contact.push_back(same ? std::exchange(last_.contact[p], 0) : 0);
-    all_.push_back({contact.feature, mesh.to_space(contact.direction), contact.distance});
+    MeshContact& own = all_.emplace_back();
+    own.direction = mesh.to_space(contact.direction), own.distance = contact.distance;
   }
   for (std::size_t n = first; n < contacts.slots.size() && from < to; ++n) {
     if (contacts.contact[n] == 0)
@@ -142,8 +172,17 @@ void MeshNeighbors::find_contacts(const MeshMoment& moment, int width, std::int3
       if (last_.contact[p] != 0) histories.give_back(last_.contact[p]);
     }
   };
+  awake_.clear();
   for (std::size_t n = 0; n < list_.slots.size(); ++n) {
-    if (moment.moved < list_.asleep_until[n]) continue;
+    if (!(moment.moved < list_.asleep_until[n])) awake_.push_back(n);
+  }
+  for (std::size_t k = 0; k < awake_.size(); ++k) {
+    if (k + ahead < awake_.size()) {
+      const std::size_t later = awake_[k + ahead];
+      __builtin_prefetch(moment.rows.position_radius.data() + list_.slots[later] * position_radius_size);
+      fetch(*moment.mesh.mesh, list_.inner_of(later));
+    }
+    const std::size_t n = awake_[k];
     const std::int32_t slot = list_.slots[n];
     give_back_until(slot);
     const std::size_t from = p;

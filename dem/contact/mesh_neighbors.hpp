@@ -21,8 +21,9 @@ struct MeshMoment {
 };
 
 /// Spheres of a part near a mesh, by rising number, and the triangles that each may touch until the neighbor
-/// list is built again. Of these, the inner ones are looked at, which it may touch soon; a sphere that
-/// touches none sleeps until it has gone as far as the nearest was away. What is skipped could not have
+/// list is built again. Of these, the inner ones are looked at, which it may touch until it has gone by a
+/// margin; a sphere that touches none sleeps until the fastest of the part could have gone as far as its
+/// nearest triangle was away, and on if it has not gone so far itself. What is skipped could not have
 /// touched.
 class MeshNeighbors {
  public:
@@ -45,8 +46,9 @@ class MeshNeighbors {
  private:
   /// Contacts of the n-th sphere, to found_.contacts.
   void look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius, bool held);
-  /// Of its triangles those nearer than `within`; the least distance of all [m].
-  double choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center, double within);
+  /// Its inner triangles, nearer than `reach` and a margin, and its clearance here.
+  void choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center, double reach,
+                    double margin);
   /// Adds what was found to the contacts; those of the step before are [from, to) of last_.
   void add_found(const MeshShape& mesh, std::int32_t slot, const Vec<double, 3>& center, std::size_t from,
                  std::size_t to, WallNeighbors& contacts, ContactHistories& histories);
@@ -57,19 +59,25 @@ class MeshNeighbors {
   /// The spheres and what is near each.
   struct List {
     std::vector<std::int32_t> slots;
-    std::vector<std::size_t> begin{0};              ///< of each in triangles and inner, and the end
-    std::vector<std::int32_t> triangles, inner;     ///< by rising number
-    std::vector<std::int32_t> inner_count;          ///< of each in inner
-    std::vector<double> inner_until, asleep_until;  ///< of MeshMoment::moved
+    std::vector<std::size_t> begin{0};           ///< of each in triangles and inner, and the end
+    std::vector<std::int32_t> triangles, inner;  ///< by rising number
+    std::vector<std::int32_t> inner_count;       ///< of each in inner; -1: not chosen yet
+    std::vector<Vec<double, 3>> chosen_at;       ///< center, in the mesh, where inner ones were chosen [m]
+    std::vector<double> clearance;               ///< from touching anything, there [m]
+    std::vector<double> asleep_until;            ///< of MeshMoment::moved
 
     void clear();
     void append(std::int32_t slot, std::span<const std::int32_t> near);
+    /// The n-th of another list with all that is known of it.
+    void append(const List& other, std::size_t n);
     /// Of the n-th sphere.
     std::span<const std::int32_t> triangles_of(std::size_t n) const;
+    std::span<const std::int32_t> inner_of(std::size_t n) const;
   };
 
   List list_;
   std::vector<std::int32_t> asked_;  ///< of update()
+  std::vector<std::size_t> awake_;   ///< of find_contacts(): numbers in the list
   WallNeighbors last_{};
   MeshContactScratch found_;
   std::vector<MeshContact> all_;  ///< found in this step, in space

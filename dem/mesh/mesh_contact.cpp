@@ -1,6 +1,7 @@
 #include "dem/mesh/mesh_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,9 +23,75 @@ ClosestPoint closest_on_edge(const TriangleMesh& mesh, std::int32_t number, cons
   return {mesh.edge_feature(number), to, dot(to, to)};
 }
 
-ClosestPoint closest_on_face(const TrianglePlane& plane, std::int32_t triangle, const Vec<double, 3>& from) {
-  const double height = dot(from, plane.normal);
-  return {triangle, -height * plane.normal, height * height};
+/// Where a place is over a triangle; reads nothing but its plane.
+struct PlaceOver {
+  double height;  ///< over the plane [m]
+  std::array<double, 3>
+      side;              ///< inside of each side, from its corner to the next: share of the third corner
+  double squared_bound;  ///< of the distance, from below: of the plane, and of the side's line beyond one
+
+  bool is_inside() const { return side[0] > 0 && side[1] > 0 && side[2] > 0; }
+};
+
+PlaceOver place_over(const TrianglePlane& plane, const Vec<double, 3>& center) {
+  const Vec<double, 3> from = center - plane.corner;
+  const double second = dot(from, plane.to_second), third = dot(from, plane.to_third);
+  PlaceOver place{dot(from, plane.normal), {third, 1 - second - third, second}, 0};
+  // shares of corners rise by their gradients' sizes per length
+  const auto beyond = [](double share, const Vec<double, 3>& gradient) {
+    return share < 0 ? share * share / dot(gradient, gradient) : 0.0;
+  };
+  place.squared_bound =
+      place.height * place.height + std::max({beyond(place.side[0], plane.to_third),
+                                              beyond(place.side[1], plane.to_second + plane.to_third),
+                                              beyond(place.side[2], plane.to_second)});
+  return place;
+}
+
+/// Whether a center that is over the inside of one face is nearest to another face on a side that both share,
+/// and so not at a least distance of its own.
+bool is_nearest_at_shared_side(const TriangleMesh& mesh, const BesideTriangle& beside, std::int32_t over) {
+  if (over < 0 || beside.only_side < 0) return false;
+  const std::int32_t edge = mesh.edges_of[beside.triangle][beside.only_side];
+  const auto& sides = mesh.edges_of[over];
+  return edge == sides[0] || edge == sides[1] || edge == sides[2];
+}
+
+/// The number of the only side that a place is beyond; -1 if there are two.
+int only_side(const PlaceOver& place) {
+  int side = -1, count = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (!(place.side[k] > 0)) side = k, ++count;
+  }
+  return count == 1 ? side : -1;
+}
+
+/// The closest points of triangles that are nearer than `reach`, but for some that are at no least distance;
+/// the least distance of all, or what is less [m^2].
+double collect_points(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+                      const Vec<double, 3>& center, double reach, MeshContactScratch& scratch) {
+  constexpr double round_off = 1 + 1e-9;  // of a bound
+  const double reached = reach * reach * round_off;
+  scratch.points.clear(), scratch.beside.clear();
+  double least = std::numeric_limits<double>::infinity();
+  std::int32_t over = -1;
+  for (const std::int32_t t : triangles) {
+    const PlaceOver place = place_over(mesh.planes[t], center);
+    least = std::min(least, place.squared_bound);
+    if (place.squared_bound > reached) continue;
+    if (!place.is_inside()) {
+      scratch.beside.push_back({t, only_side(place)});
+    } else if (std::abs(place.height) < reach) {
+      scratch.points.push_back({t, -place.height * mesh.planes[t].normal, place.height * place.height});
+      over = t;
+    }
+  }
+  for (const BesideTriangle& beside : scratch.beside) {
+    if (is_nearest_at_shared_side(mesh, beside, over)) continue;
+    const ClosestPoint point = closest_point(mesh, beside.triangle, center);
+    if (std::sqrt(point.squared) < reach) scratch.points.push_back(point);
+  }
+  return least / round_off;
 }
 
 /// Normal of the surface at a feature, of any length.
@@ -70,16 +137,12 @@ void add_contact(const TriangleMesh& mesh, const ClosestPoint& point, std::vecto
 }  // namespace
 
 ClosestPoint closest_point(const TriangleMesh& mesh, std::int32_t t, const Vec<double, 3>& center) {
-  const TrianglePlane& plane = mesh.planes[t];
-  const Vec<double, 3> from = center - plane.corner;
-  const double second = dot(from, plane.to_second), third = dot(from, plane.to_third),
-               first = 1 - second - third;
-  if (first > 0 && second > 0 && third > 0) return closest_on_face(plane, t, from);
+  const PlaceOver place = place_over(mesh.planes[t], center);
+  if (place.is_inside()) return {t, -place.height * mesh.planes[t].normal, place.height * place.height};
   // it is on a side that the center is beyond
   ClosestPoint best{0, {}, std::numeric_limits<double>::infinity()};
-  const double beyond[3] = {third, first, second};  // of the sides from the first, second, third corner
   for (int k = 0; k < 3; ++k) {
-    if (beyond[k] > 0) continue;
+    if (place.side[k] > 0) continue;
     const ClosestPoint own = closest_on_edge(mesh, mesh.edges_of[t][k], center);
     if (is_nearer(own, best)) best = own;
   }
@@ -122,13 +185,8 @@ double find_mesh_contacts(const TriangleMesh& mesh, MeshSides sides, std::span<c
                           const Vec<double, 3>& center, double reach, bool held,
                           MeshContactScratch& scratch) {
   std::vector<ClosestPoint>& points = scratch.points;
-  points.clear(), scratch.contacts.clear();
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::int32_t t : triangles) {
-    const ClosestPoint point = closest_point(mesh, t, center);
-    least = std::min(least, point.squared);
-    if (std::sqrt(point.squared) < reach) points.push_back(point);
-  }
+  scratch.contacts.clear();
+  const double least = collect_points(mesh, triangles, center, reach, scratch);
   if (points.empty()) return std::sqrt(least);
   if (points.size() > 1) {
     keep_least_distances(mesh, points);

@@ -49,16 +49,23 @@ struct MeshContact {
   double distance;           ///< [m]; negative behind a mesh of one side
 };
 
+/// A triangle that a center is beside of.
+struct BesideTriangle {
+  std::int32_t triangle;
+  int only_side;  ///< which it is beyond; -1 if there are two
+};
+
 /// Memory kept between calls.
 struct MeshContactScratch {
   std::vector<ClosestPoint> points;
+  std::vector<BesideTriangle> beside;
   std::vector<MeshContact> contacts;
 };
 
 /// Contacts of a sphere nearer than `reach` [m] among these triangles, to scratch.contacts by rising feature;
 /// the triangles must be all within `reach`, and may be more. `held`: the sphere touched the outside of the
 /// mesh the step before, so that it is pressed in where its center is behind an open mesh. Returns the least
-/// distance from any of the triangles [m]; infinite if there are none.
+/// distance from any of the triangles or less, where none touches [m]; infinite if there are none.
 double find_mesh_contacts(const TriangleMesh& mesh, MeshSides sides, std::span<const std::int32_t> triangles,
                           const Vec<double, 3>& center, double reach, bool held, MeshContactScratch& scratch);
 
