@@ -38,7 +38,7 @@ inline __attribute__((always_inline)) void fetch(const TriangleMesh& mesh,
 
 void MeshNeighbors::List::clear() {
   slots.clear(), triangles.clear(), inner.clear(), inner_count.clear();
-  chosen_at.clear(), clearance.clear(), asleep_until.clear();
+  chosen_at.clear(), clearance.clear(), flat.clear(), asleep_until.clear();
   begin.assign(1, 0);
 }
 
@@ -48,7 +48,7 @@ void MeshNeighbors::List::append(std::int32_t slot, std::span<const std::int32_t
   inner.resize(triangles.size());
   begin.push_back(triangles.size());
   inner_count.push_back(-1);
-  chosen_at.emplace_back(), clearance.push_back(0);
+  chosen_at.emplace_back(), clearance.push_back(0), flat.emplace_back();
   asleep_until.push_back(whenever);
 }
 
@@ -57,7 +57,7 @@ void MeshNeighbors::List::append(const List& other, std::size_t n) {
   std::copy_n(other.inner.begin() + static_cast<std::ptrdiff_t>(other.begin[n]),
               std::max(other.inner_count[n], 0), inner.end() - std::ssize(other.triangles_of(n)));
   inner_count.back() = other.inner_count[n];
-  chosen_at.back() = other.chosen_at[n], clearance.back() = other.clearance[n];
+  chosen_at.back() = other.chosen_at[n], clearance.back() = other.clearance[n], flat.back() = other.flat[n];
   asleep_until.back() = other.asleep_until[n];
 }
 
@@ -101,6 +101,22 @@ void MeshNeighbors::choose_inner(std::size_t n, const TriangleMesh& mesh, const 
   list_.inner_count[n] = static_cast<std::int32_t>(to - (list_.inner.data() + list_.begin[n]));
   list_.chosen_at[n] = center;
   list_.clearance[n] = std::sqrt(least) - reach;
+  list_.flat[n] = flat_place(mesh, list_.inner_of(n), center, margin);
+}
+
+double MeshNeighbors::find(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
+                           double reach, bool held) {
+  const FlatPlace& flat = list_.flat[n];
+  if (flat.face >= 0) {
+    const double height = height_over(flat, center);
+    if (height > 0 || moment.mesh.sides == MeshSides::both) {
+      found_.contacts.clear();
+      if (std::abs(height) < reach) found_.contacts.push_back(contact_at(flat, height));
+      return std::abs(height);
+    }
+  }
+  return find_mesh_contacts(*moment.mesh.mesh, moment.mesh.sides, list_.inner_of(n), center, reach, held,
+                            found_);
 }
 
 void MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius,
@@ -119,8 +135,7 @@ void MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<doub
     found_.contacts.clear();
     return;
   }
-  const double least =
-      find_mesh_contacts(mesh, moment.mesh.sides, list_.inner_of(n), center, reach, held, found_);
+  const double least = find(n, moment, center, reach, held);
   // others were farther than the margin
   list_.asleep_until[n] = awake + std::min(least - reach, margin - gone);
 }
@@ -180,7 +195,7 @@ void MeshNeighbors::find_contacts(const MeshMoment& moment, int width, std::int3
     if (k + ahead < awake_.size()) {
       const std::size_t later = awake_[k + ahead];
       __builtin_prefetch(moment.rows.position_radius.data() + list_.slots[later] * position_radius_size);
-      fetch(*moment.mesh.mesh, list_.inner_of(later));
+      if (list_.flat[later].face < 0) fetch(*moment.mesh.mesh, list_.inner_of(later));
     }
     const std::size_t n = awake_[k];
     const std::int32_t slot = list_.slots[n];

@@ -46,6 +46,8 @@ class MeshNeighbors {
  private:
   /// Contacts of the n-th sphere, to found_.contacts.
   void look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius, bool held);
+  /// The same, from its inner triangles; the least distance of all or less [m].
+  double find(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double reach, bool held);
   /// Its inner triangles, nearer than `reach` and a margin, and its clearance here.
   void choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center, double reach,
                     double margin);
@@ -64,6 +66,7 @@ class MeshNeighbors {
     std::vector<std::int32_t> inner_count;       ///< of each in inner; -1: not chosen yet
     std::vector<Vec<double, 3>> chosen_at;       ///< center, in the mesh, where inner ones were chosen [m]
     std::vector<double> clearance;               ///< from touching anything, there [m]
+    std::vector<FlatPlace> flat;                 ///< for as long as it has not gone by the margin
     std::vector<double> asleep_until;            ///< of MeshMoment::moved
 
     void clear();

@@ -181,6 +181,22 @@ Vec<double, 3> direction_of(const TriangleMesh& mesh, const ClosestPoint& closes
   return length > 0 ? (-1 / length) * outward : Vec<double, 3>{0, 0, -1};
 }
 
+FlatPlace flat_place(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+                     const Vec<double, 3>& center, double margin) {
+  if (triangles.size() != 1) return {};
+  const std::int32_t face = triangles.front();
+  const TrianglePlane& plane = mesh.planes[face];
+  const PlaceOver place = place_over(plane, center);
+  const bool stays = place.side[0] > margin * norm(plane.to_third) &&
+                     place.side[1] > margin * norm(plane.to_second + plane.to_third) &&
+                     place.side[2] > margin * norm(plane.to_second);
+  return stays ? FlatPlace{face, plane.corner, plane.normal} : FlatPlace{};
+}
+
+MeshContact contact_at(const FlatPlace& place, double height) {
+  return {place.face, height < 0 ? place.normal : -place.normal, std::sqrt(height * height)};
+}
+
 double find_mesh_contacts(const TriangleMesh& mesh, MeshSides sides, std::span<const std::int32_t> triangles,
                           const Vec<double, 3>& center, double reach, bool held,
                           MeshContactScratch& scratch) {

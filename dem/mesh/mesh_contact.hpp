@@ -43,6 +43,16 @@ bool is_outside(const TriangleMesh& mesh, const ClosestPoint& closest);
 /// A unit vector to a closest point; through the surface where the center lies on it.
 Vec<double, 3> direction_of(const TriangleMesh& mesh, const ClosestPoint& closest);
 
+/// A place over the inside of a face, where nothing else of a mesh is near.
+struct FlatPlace {
+  std::int32_t face = -1;         ///< -1: the place is not such
+  Vec<double, 3> corner, normal;  ///< of the face's plane
+};
+
+/// Whether a center that goes no farther than `margin` [m] stays over one face of these, its only neighbor.
+FlatPlace flat_place(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
+                     const Vec<double, 3>& center, double margin);
+
 struct MeshContact {
   std::int32_t feature;
   Vec<double, 3> direction;  ///< unit vector from the center to the mesh
@@ -54,6 +64,13 @@ struct BesideTriangle {
   std::int32_t triangle;
   int only_side;  ///< which it is beyond; -1 if there are two
 };
+
+/// With the face of a flat place: what find_mesh_contacts() finds there, to the bit, seen from the side of
+/// the normal or where fibers touch both.
+MeshContact contact_at(const FlatPlace& place, double height);
+inline double height_over(const FlatPlace& place, const Vec<double, 3>& center) {
+  return dot(center - place.corner, place.normal);
+}
 
 /// Memory kept between calls.
 struct MeshContactScratch {
