@@ -68,7 +68,7 @@ void bind_frame(py::module_& module) {
   py::class_<TrajectoryFrame, std::shared_ptr<TrajectoryFrame>>(
       module, "Frame", "All spheres at one moment, fiber after fiber. Arrays are views: they keep the frame.")
       .def_readonly("time", &TrajectoryFrame::time, "[s]")
-      .def_readonly("step", &TrajectoryFrame::step)
+      .def_readonly("step", &TrajectoryFrame::step, "Steps done.")
       .def_property_readonly(
           "low", [](const TrajectoryFrame& f) { return tuple_of(f.low); },
           "Low corner of the box that is shown, or of the periodic cell [m].")

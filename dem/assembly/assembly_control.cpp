@@ -38,10 +38,12 @@ const V& Assembly::gravity() const { return state_->domain.gravity; }
 void Assembly::set_gravity(const V& gravity) {
   require_finite("gravity", gravity);
   State& s = *state_;
-  const double before = s.options.account_energy ? s.sample().energy.gravity : 0;
+  // of height, and of velocities, whose half kick to this moment is another one
+  const auto stored = [&] { return sum_of(s.sample().energy, EnergyRole::stored); };
+  const double before = s.options.account_energy ? stored() : 0;
   s.domain.gravity = gravity;
   for (GroupKind& kind : s.kinds) kind.weight = kind.mass * gravity;
-  if (s.options.account_energy) s.inserted += s.sample().energy.gravity - before;
+  if (s.options.account_energy) s.inserted += stored() - before;
 }
 
 void Assembly::set_wall_velocity(int wall, const V& velocity) {

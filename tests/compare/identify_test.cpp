@@ -122,13 +122,17 @@ BOOST_AUTO_TEST_CASE(one_percent_of_noise_leaves_xi_to_two_percent) {
 BOOST_AUTO_TEST_CASE(without_noise_it_is_exact) {
   std::mt19937_64 random(9);
   for (const double xi : {1e-3, 0.02, 0.3}) {
-    const Made one = made(4.4e8, xi, {.noise = 0, .periods = 10, .samples = 500, .second = 0.1}, random);
+    const double second = xi < 0.1 ? 0.1 : 0;
+    const Made one = made(4.4e8, xi, {.noise = 0, .periods = 10, .samples = 500, .second = second}, random);
     const Identification found = identify({.record = one.record, .fiber = one.fiber});
     BOOST_TEST(std::abs(found.damping_ratio.value / xi - 1) < 1e-6);
     BOOST_TEST(std::abs(found.youngs_modulus->value / 4.4e8 - 1) < 1e-6);
     BOOST_TEST(std::abs(found.log_decrement.value / (2 * pi * xi / std::sqrt(1 - xi * xi)) - 1) < 1e-6);
-    BOOST_TEST(found.fit.modes.size() == 2u);
+    BOOST_TEST(found.fit.modes.size() == (second > 0 ? 2u : 1u));
   }
+  // two modes that are gone within a period are not told apart: what is left tells so
+  const Made gone = made(4.4e8, 0.3, {.noise = 0, .periods = 10, .samples = 500, .second = 0.1}, random);
+  BOOST_TEST(identify({.record = gone.record}).warnings.size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(samples_need_not_be_even_in_time) {

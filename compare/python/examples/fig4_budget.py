@@ -16,8 +16,9 @@ for ratio in ratios:
     left.semilogx(own["load"], 100 * own["departure_y"], label=f"$r_f$ = {ratio}")
 own = rows[rows["aspect_ratio"] == 10]
 parts = [f"{part}_y" for part in ("shear", "stretch", "discretization")]
-right.stackplot(own["load"], *(100 * own[part] for part in parts), labels=[part[:-2] for part in parts], alpha=0.5)
-right.plot(own["load"], 100 * own["departure_y"], "k", label="departure")
+for part in parts:
+    right.semilogx(own["load"], 100 * own[part], "--", label=part[:-2])
+right.semilogx(own["load"], 100 * own["departure_y"], "k", label="departure")
 for axes in (left, right):
     axes.set_xlabel("$PL^2/(EI)$"), axes.set_ylabel("departure of y [%]"), axes.legend()
 print(f"r_f = 10: {100 * own['departure_y'][0]:.4f} % at a small load; the sum of its parts is off by "

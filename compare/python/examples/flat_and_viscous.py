@@ -9,8 +9,8 @@ options = arguments(__doc__)
 periods = 8 if options.small else 30
 
 fiber = fc.Fiber("2 mm", 12, youngs_modulus="2.6 MPa", poisson_ratio=0.3, density=1000)
-first = fc.calibrate(fiber, loss_factor=0.05)["natural_frequency_hertz"]
-flat = fc.damp_by_material(fiber, loss_factor=0.05, band=(first / 3, 300 * first))
+first = fc.calibrate(fiber, loss_factor=0.02)["natural_frequency_hertz"]
+flat = fc.damp_by_material(fiber, loss_factor=0.02, band=(first / 3, 300 * first))
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 for name, one in (("flat loss factor", flat.fiber), ("dashpots", flat.dashpots)):

@@ -33,7 +33,7 @@ class Fiber(_core.Fiber):
             "material_damping": material_damping,
         }
         self._bond = {"model": bond_model, "damping": bond_damping, "rolling_friction": rolling_friction}
-        scene = {"scene": "release", "fiber": self._keys, "bond": self._bond, "load": {"reduced": 0},
+        scene = {"scene": "release", "fiber": self._keys, "bond": self._bond, "load": {"reduced": 1},
                  "periods": 1}
         super().__init__(text_of(scene, "fiber")[0])
 
