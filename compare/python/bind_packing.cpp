@@ -30,7 +30,7 @@ py::dict measured(const LivePacking& packing) {
   const dem::RunMoment moment = packing.measure();
   py::dict all;
   all["step"] = moment.step;
-  all["time"] = moment.time;
+  all["simulated_time"] = moment.time;
   all["contacts"] = moment.contacts;
   all["height"] = moment.height;
   all["bending_mean"] = moment.bending_mean;

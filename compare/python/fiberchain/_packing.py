@@ -209,7 +209,7 @@ class Packing:
         return self.frame().contacts
 
     def observables(self):
-        """A line of the program's log: step, time, contacts, height, bending_mean, overlaps, energies [J]."""
+        """A line of the program's log: step, simulated_time [s], contacts, height [m], bending_mean [rad], overlaps, energies [J]."""
         return self._core.measure()
 
     def structure(self):
