@@ -88,6 +88,8 @@ py::dict damp_by_material(const Fiber& fiber, const std::optional<std::string>& 
   const compare::MaterialAnswer answer = compare::answer_material({fiber, damping});
   py::dict all;
   all["fiber"] = answer.damped.fiber;
+  const std::optional<dem::FrequencyBand>& taken = answer.asked.damping.band;
+  all["band"] = taken ? py::object(py::make_tuple(taken->low, taken->high)) : py::none();
   all["dashpots"] = answer.dashpots ? py::cast(answer.dashpots->fiber) : py::none();
   all["table"] = dict_of(compare::material_answer_table(answer, name.value_or("")));
   all["modes"] =

@@ -88,6 +88,7 @@ void bind_motion(py::class_<LivePacking>& packing) {
       .def(
           "march",
           [](LivePacking& p, std::int64_t steps, bool kept) {
+            const LivePacking::Working working(p);
             released([&](const dem::StopRequest& asked) { p.march(steps, kept, asked); });
           },
           py::arg("steps"), py::arg("keep_forces"))

@@ -13,6 +13,8 @@ namespace {
 /// Steps between two looks at whether to stop: those of the program.
 constexpr std::int64_t kStride = 64;
 
+constexpr const char* kAtWork = "this packing is stepped by another thread";
+
 dem::PackingJob job_of(dem::SceneText text, int threads) {
   dem::PackingJob job{
       .text = std::move(text), .scene = {}, .files = {}, .threads = threads, .provenance = {}};
@@ -54,7 +56,19 @@ void LivePacking::march(std::int64_t steps, bool kept, const dem::StopRequest& a
   }
 }
 
+LivePacking::Working::Working(LivePacking& packing) : packing_(packing) {
+  packing_.require_idle();
+  packing_.at_work_ = true;
+}
+
+LivePacking::Working::~Working() { packing_.at_work_ = false; }
+
+void LivePacking::require_idle() const {
+  if (at_work_) throw std::runtime_error(kAtWork);
+}
+
 dem::TrajectoryFrame LivePacking::frame(bool contacts) const {
+  require_idle();
   dem::PackingScene scene = begin_.scene;
   scene.output.contacts = contacts;
   return dem::present_part(dem::frame_of(begin_.assembly, scene, batches_->inserted()));

@@ -65,6 +65,18 @@ class Materials(unittest.TestCase):
         self.assertAlmostEqual(modes["mode_damping_dashpots"][0] / modes["mode_damping"][0], 1, delta=1e-6)
         self.assertGreater(modes["mode_damping_dashpots"][1], 4 * modes["mode_damping"][1])
 
+    def test_a_damped_fiber_is_the_same_in_a_scene(self):
+        stick = fc.Fiber("5 mm", 20, material="spruce")
+        flat = odd_fiber(13)
+        for damped in (fc.damp_by_material(stick), fc.damp_by_material(stick, band=(10, 1e4)),
+                       fc.damp_by_material(fc.Fiber("20 um", 20, material="carbon-steel")),
+                       fc.damp_by_material(flat, loss_factor=0.03, band=(5, 500))):
+            again = damped.fiber.replace()
+            self.assertGreater(again.branch_count, 0)
+            self.assertEqual(again.branch_count, damped.fiber.branch_count)
+            self.assertAlmostEqual(again.youngs_modulus / damped.fiber.youngs_modulus, 1, delta=1e-14)
+        self.assertLess(again.youngs_modulus, flat.youngs_modulus)
+
 
 if __name__ == "__main__":
     unittest.main()

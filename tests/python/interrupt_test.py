@@ -55,6 +55,30 @@ class Interrupt(InDirectory):
         self.check_stops(lambda: fc.flow(fiber, {"viscosity": 50, "flow": "shear", "rate": 1}, strain=1e5,
                                          samples=100000, start={"direction": [-1, 0.1, 0], "bend": 0.01}))
 
+    def test_what_two_threads_cannot_do_at_once_is_refused(self):
+        packing = fc.Packing(packing_scene(count=12, duration=0.4))
+        other = threading.Thread(target=packing.run)
+        other.start()
+        while other.is_alive():
+            try:
+                packing.positions
+            except RuntimeError as error:
+                self.assertIn("another thread", str(error))
+                break
+        else:
+            self.fail("was not refused")
+        other.join()
+        self.assertEqual(packing.steps, packing.total_steps)
+        scene = packing_scene(count=12, duration=0.4, output={"samples": 2, "frames": 200, "checkpoints": 0})
+        other = threading.Thread(target=fc.run, args=(scene,), kwargs={"name": "p.yaml"})
+        other.start()
+        while not os.path.exists("p.h5"):
+            time.sleep(0.001)
+        with self.assertRaisesRegex(RuntimeError, "another thread"):
+            fc.Trajectory("p.h5")
+        other.join()
+        self.assertEqual(len(fc.Trajectory("p.h5")), 201)
+
 
 if __name__ == "__main__":
     unittest.main()

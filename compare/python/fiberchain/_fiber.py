@@ -117,8 +117,8 @@ def damp_by_material(fiber, material=None, *, loss_factor=None, band=None):
     """
     name = material or fiber._keys.get("material")
     found = _core.damp_by_material(fiber, name, loss_factor, band)
-    damping = "from-material" if loss_factor is None else {"loss_factor": loss_factor, "band": band}
     damped = Fiber._of(found["fiber"], fiber)
+    damping = {"from_material": True if name else None, "loss_factor": loss_factor, "band": found["band"]}
     damped._keys.update(material=name, material_damping=damping)
     only = found["dashpots"]
     dashpots = None if only is None else Fiber._of(only, fiber, damping=only.bond_damping)
