@@ -60,14 +60,16 @@ def release(fiber, load, *, direction=None, periods=10, **keys):
                                         **keys})
 
 
-def flow(fiber, fluid, *, strain, **keys):
+def flow(fiber, fluid, *, strain, start=None, **keys):
     """A free fiber in a creeping flow.
 
     fluid: the keys of a scene's fluid: {"viscosity": "50 Pa s", "flow": "shear", "rate": 1}. strain: length of the
-    run, time times rate. keys: further ones of `scene: flow`: start, samples, shapes, motion, dimension.
+    run, time times rate. start: {"direction": (0, 1, 0), "bend": 0.01, ...}. keys: further ones of `scene: flow`:
+    samples, shapes, motion, dimension.
     Returns a namespace as run(): history (a table), shapes (moments, spheres, 3) [m], shape_times [s].
     """
-    return _of_fiber(fiber, "flow", {"fluid": fluid, "strain": strain, **keys})
+    return _of_fiber(fiber, "flow", {"fluid": fluid, "strain": strain,
+                                     "start": start or {"direction": (0, 1, 0)}, **keys})
 
 
 def static_table(*, aspect_ratios, loads, poisson_ratios=(0.3,), bond_models=("paper",), jobs=1):
