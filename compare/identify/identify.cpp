@@ -51,6 +51,18 @@ bool is_another(const DampedSine& sine, const std::vector<DampedSine>& modes) {
   });
 }
 
+/// By which a sine as it was guessed lowers n ln(squares) of what is left.
+double gain_of(const DampedSine& sine, const std::vector<double>& times, const SineFit& fit) {
+  double squares = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double t = times[i] - times[0], angle = sine.w * t,
+                 left = fit.residuals[i] -
+                        std::exp(-sine.s * t) * (sine.a * std::cos(angle) + sine.b * std::sin(angle));
+    squares += left * left;
+  }
+  return static_cast<double>(times.size()) * std::log(fit.squares / squares);
+}
+
 /// As many modes as stand out.
 SineFit fit_of(const RingDownRecord& record) {
   SineFit best = mean_of(record);
@@ -59,6 +71,9 @@ SineFit fit_of(const RingDownRecord& record) {
   while (best.modes.size() < kMostModes && best.squares > least) {
     const DampedSine more = strongest_sine({record.time, best.residuals}, highest);
     if (!is_another(more, best.modes)) break;
+    // fits take long: of a guess that gains not half of what it must none is made
+    const double needed = sine_parameters * std::log(static_cast<double>(record.time.size())) + kStandsOut;
+    if (!best.modes.empty() && !(gain_of(more, record.time, best) > 0.5 * needed)) break;
     std::vector<DampedSine> start = best.modes;
     start.push_back(more);
     SineFit fit = fit_sines(record, best.offset, start);
