@@ -78,6 +78,21 @@ Value choice(const Arguments& arguments, const std::string& option, Value usual,
   return chosen.front();
 }
 
+/// Size, bond and mass model that were typed, of the nominal material.
+dem::Fiber shaped_fiber(const Arguments& arguments, const Quantities& typed) {
+  using dem::BondModel;
+  using dem::MassModel;
+  int aspect_ratio = 0;
+  read_number(arguments, "--aspect-ratio", {.low = 1, .high = 1000}, aspect_ratio);
+  dem::Fiber fiber = compare::nominal_fiber(aspect_ratio, 0.3, BondModel::paper);
+  fiber.diameter = typed.quantity("--diameter", "m", fiber.diameter);
+  fiber.bond_model = choice<BondModel>(arguments, "--bond", BondModel::paper,
+                                       {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
+  fiber.mass = choice<MassModel>(arguments, "--mass", fiber.mass,
+                                 {{"spheres", MassModel::spheres}, {"cylinder", MassModel::cylinder}});
+  return fiber;
+}
+
 }  // namespace
 
 std::vector<std::string> calibration_targets(const Arguments& arguments) {
@@ -101,13 +116,8 @@ std::string known_target(const Arguments& arguments) {
 }
 
 CalibratedFiber calibrated_fiber(const Arguments& arguments, const Quantities& typed) {
-  using dem::BondModel;
-  using dem::MassModel;
   refuse_both(typed, "--poisson-ratio", "--shear-modulus");
-  int aspect_ratio = 0;
-  read_number(arguments, "--aspect-ratio", {.low = 1, .high = 1000}, aspect_ratio);
-  CalibratedFiber found{compare::nominal_fiber(aspect_ratio, 0.3, BondModel::paper),
-                        is_dimensional(arguments), std::nullopt};
+  CalibratedFiber found{shaped_fiber(arguments, typed), is_dimensional(arguments), std::nullopt};
   dem::Fiber& fiber = found.fiber;
   if (arguments.has("--material")) {
     found.material = dem::find_material(arguments.text("--material"), {}, typed.units());
@@ -115,16 +125,17 @@ CalibratedFiber calibrated_fiber(const Arguments& arguments, const Quantities& t
   } else {
     fiber.material = material_of(typed, fiber.material);
   }
-  fiber.diameter = typed.quantity("--diameter", "m", fiber.diameter);
-  fiber.bond_model = choice<BondModel>(arguments, "--bond", BondModel::paper,
-                                       {{"paper", BondModel::paper}, {"corrected", BondModel::corrected}});
-  fiber.mass = choice<MassModel>(arguments, "--mass", fiber.mass,
-                                 {{"spheres", MassModel::spheres}, {"cylinder", MassModel::cylinder}});
   fiber.dashpots = choice<DashpotLaw>(arguments, "--dashpots", DashpotLaw::bond_damping,
                                       {{"bond_damping", DashpotLaw::bond_damping},
                                        {"retardation_time", DashpotLaw::retardation_time},
                                        {"bending_only", DashpotLaw::bending_only}});
   return found;
+}
+
+dem::Fiber identified_fiber(const Arguments& arguments, const Quantities& typed) {
+  dem::Fiber fiber = shaped_fiber(arguments, typed);
+  fiber.material = material_of(typed, fiber.material);
+  return fiber;
 }
 
 }  // namespace fiberchain::app

@@ -22,6 +22,9 @@ struct CalibratedFiber {
 };
 CalibratedFiber calibrated_fiber(const Arguments& arguments, const Quantities& typed);
 
+/// The fiber that `identify` is asked of: its Young's modulus is the nominal one's.
+dem::Fiber identified_fiber(const Arguments& arguments, const Quantities& typed);
+
 /// The answer to --material, or to --loss-factor with --band: by the material's own damping.
 int run_calibrate_material(const Arguments& arguments, Context& context);
 

@@ -12,6 +12,7 @@ Command calibrate_command();       ///< damping of the bonds for a damping of th
 Command check_command();           ///< what a scene will take, without running it
 Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
+Command identify_command();        ///< Young's modulus and damping from a ring-down
 Command materials_command();       ///< the materials of data/materials
 Command render_command();          ///< pictures of a trajectory, Fig 11
 Command export_command();          ///< a trajectory as text for other programs
@@ -53,6 +54,7 @@ inline std::vector<Command> all_commands() {
           tables_press_command(),
           fit_command(),
           calibrate_command(),
+          identify_command(),
           materials_command(),
           stability_command(),
           bench_command(),

@@ -162,6 +162,17 @@ class Assembly {
   std::vector<WallSample> held_samples() const;
   void begin_held_interval();
   const std::vector<Grip>& grips() const;
+
+  /// From the next step on; the rest of a run is as if it had begun so. None of these is in a saved state.
+  /// Throws InvalidInput for numbers that are not finite and walls that are not there.
+  void set_gravity(const Vec<double, 3>& gravity);  ///< [m/s^2]
+  /// Another constant velocity of a wall [m/s], which goes on from where it is; beside its other motion.
+  void set_wall_velocity(int wall, const Vec<double, 3>& velocity);
+  /// Puts a wall elsewhere at once [m]. Throws InvalidInput also where the center of a sphere would be behind
+  /// it, and where energies are accounted: what contacts gain by it is nobody's.
+  void shift_wall(int wall, const Vec<double, 3>& by);
+  const Vec<double, 3>& gravity() const;  ///< [m/s^2]
+
   const std::vector<Wall>& walls() const;  ///< those that are driven stand where they are now
   std::int64_t sort_count() const;         ///< how often fibers have been sorted in space since the start
   EnergyBalance energy() const;

@@ -93,6 +93,12 @@ class Contacts {
   void end_forces(double time);
   /// Driven walls to the next moment, together with the spheres.
   void move_walls();
+  /// Another constant velocity of a wall from now on [m/s]: it goes on from where it is.
+  void set_wall_velocity(std::size_t wall, const Vec<double, 3>& velocity, double time);
+  /// Puts a wall elsewhere at once.
+  void shift_wall(std::size_t wall, const Vec<double, 3>& by);
+  /// Whether it may stand where the neighbor list does not know it: time for rebuild_neighbor_list().
+  bool is_listed_elsewhere(std::size_t wall, double time) const;
   /// Of each wall over the interval up to now.
   std::vector<WallSample> wall_samples(double time) const;
   /// A new interval for all walls.
@@ -226,6 +232,8 @@ class Contacts {
   /// A contact that is known already, behind those of its part that come before it.
   void put_mesh_contact(Part& part, const MeshShape& mesh, const SavedContact& contact);
   void add_mesh_ways(double time);
+  /// Counts where a wall stands from another place at t = 0, without moving it or where it was listed.
+  void count_from(std::size_t wall, const Vec<double, 3>& offset);
   /// How far its surface may be, where spheres are, from where it was when the list was built [m].
   double wall_displacement(std::size_t wall, double time) const;
   void measure_turn_reach();

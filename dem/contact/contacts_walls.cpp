@@ -57,6 +57,32 @@ void Contacts::move_walls() {
   }
 }
 
+void Contacts::count_from(std::size_t w, const Vec<double, 3>& offset) {
+  Wall& wall = domain_.walls[w];
+  wall.shape = wall.shape.moved({.shift = offset});
+  if (wall.motion.about) wall.motion.about->point = wall.motion.about->point + offset;
+  const auto recount = [&](WallPose& pose) {
+    pose.center = pose.center + offset;
+    pose.shift = pose.shift - offset;
+  };
+  recount(reference_poses_[w]);
+  if (!mesh_poses_.empty()) recount(mesh_poses_[w]);
+}
+
+void Contacts::set_wall_velocity(std::size_t w, const Vec<double, 3>& velocity, double time) {
+  Vec<double, 3>& before = domain_.walls[w].velocity;
+  count_from(w, time * (before - velocity));
+  before = velocity;
+}
+
+void Contacts::shift_wall(std::size_t w, const Vec<double, 3>& by) { count_from(w, by); }
+
+bool Contacts::is_listed_elsewhere(std::size_t w, double time) const {
+  const double displacement = wall_displacement(w, time);
+  // walls at rest are not looked at any more
+  return is_at_rest(domain_.walls[w]) ? displacement > 0 : displacement > 0.5 * skin_;
+}
+
 void Contacts::begin_wall_interval(double time) {
   for (WallRecord& record : records_) {
     record.impulse = {};

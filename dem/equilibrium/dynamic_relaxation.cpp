@@ -17,6 +17,8 @@
 namespace fiberchain::dem {
 namespace {
 
+constexpr const char* kStopped = "stopped on the way to rest";
+
 void check_option(bool allowed, const char* key, double value, const char* allowed_text) {
   if (!allowed) throw InvalidInput(fmt::format("{} = {} is not allowed: {}", key, value, allowed_text));
 }
@@ -138,6 +140,7 @@ void march_block(std::vector<Lane<Dim>>& lanes, const RelaxOptions& options) {
       block.set_ramp(i, phase == 0 ? Boundary<Dim>{} : loading[phase - 1], loading[phase], ramp_steps);
     }
     for (double ramped = 0; ramped < ramp_steps; ramped += check_every) {
+      stop_if_asked(options.asked_to_stop, kStopped);
       block.march(check_every);
       done += check_every;
     }
@@ -145,6 +148,7 @@ void march_block(std::vector<Lane<Dim>>& lanes, const RelaxOptions& options) {
   const double limit = done + options.max_periods * steps_per_period;
   std::size_t resting = 0;
   while (resting < lanes.size()) {
+    stop_if_asked(options.asked_to_stop, kStopped);
     block.march(check_every);
     done += check_every;
     for (int i = 0; i < block.lanes(); ++i) {

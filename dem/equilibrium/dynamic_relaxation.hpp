@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dem/chain/residual.hpp"
+#include "dem/model/interrupted.hpp"
 #include "dem/motion/physics.hpp"
 #include "dem/simd/instruction_set.hpp"
 
@@ -22,6 +23,7 @@ struct RelaxOptions {
   double residual = 1e-10;      ///< at rest: Imbalance::moment and speed / (omega_1 L) both below this
   double max_periods = 2000.0;  ///< of the first bending mode, after the last ramp
   InstructionSet instruction_set = best_instruction_set();
+  StopRequest asked_to_stop = {};
 };
 
 /// One chain and the loads it sees one after the other; the last is the one it rests under. Clamps and loads
@@ -44,7 +46,7 @@ struct RelaxResult {
 
 /// Marches every case to rest, in the order given; each stops at its own residual whatever its neighbors do.
 /// Throws InvalidInput for options or cases out of range (an unstable step among them), Diverged when numbers
-/// stop being finite, NoConvergence when max_periods pass.
+/// stop being finite, NoConvergence when max_periods pass, Interrupted when asked to stop.
 template <int Dim>
 std::vector<RelaxResult<Dim>> relax_to_equilibrium(const std::vector<RelaxCase<Dim>>& cases,
                                                    const RelaxOptions& options = {});

@@ -96,8 +96,12 @@ FlowRecord record_motion(const FlowCase<Dim>& flow, Motion motion, const std::ve
 
 template <int Dim>
 FlowRecord integrate_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
-                             const FlowOptions& options, const FlowSample<Dim>& sample) {
+                             const FlowOptions& options, const FlowSample<Dim>& handed_out) {
   check_case(flow, times, options);
+  const FlowSample<Dim> sample = [&](double time, const ChainState<Dim>& state) {
+    stop_if_asked(options.asked_to_stop, "stopped in the flow");
+    handed_out(time, state);
+  };
   switch (options.method) {
     case FlowMethod::inertialess:
       return record_motion<Dim>(flow, InertialessMotion<Dim>(flow, options.tolerance), times, sample);

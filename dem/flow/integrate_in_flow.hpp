@@ -7,6 +7,7 @@
 
 #include "dem/chain/chain_state.hpp"
 #include "dem/model/fluid.hpp"
+#include "dem/model/interrupted.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/physics.hpp"
 #include "dem/simd/instruction_set.hpp"
@@ -66,6 +67,7 @@ struct FlowOptions {
                                                     ///< stable step, or of the stiff one's limits
   bool allow_unstable = false;                      ///< leapfrog: march even beyond the stable step
   InstructionSet instruction_set = best_instruction_set();
+  StopRequest asked_to_stop = {};  ///< asked at every time of interest
 };
 
 /// The state at a time of interest; velocities are those of that moment.
@@ -81,7 +83,7 @@ struct FlowRecord {
 
 /// Integrates the motion of one fiber and hands its state out at the times, which must rise from 0 or later.
 /// The leapfrog takes whole steps to each of them. Throws InvalidInput for a case that makes no sense or is
-/// not built.
+/// not built, Interrupted when asked to stop.
 template <int Dim>
 FlowRecord integrate_in_flow(const FlowCase<Dim>& flow, const std::vector<double>& times,
                              const FlowOptions& options, const FlowSample<Dim>& sample);

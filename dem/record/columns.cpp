@@ -10,6 +10,7 @@
 #include "dem/record/columns/equilibrium.hpp"
 #include "dem/record/columns/fit.hpp"
 #include "dem/record/columns/flow.hpp"
+#include "dem/record/columns/identify.hpp"
 #include "dem/record/columns/material.hpp"
 #include "dem/record/columns/material_study.hpp"
 #include "dem/record/columns/packing.hpp"
@@ -28,9 +29,10 @@ constexpr auto joined(const Column (&... parts)[n]) {
   return all;
 }
 
-constexpr auto kColumns = joined(columns::equilibrium, columns::damping, columns::flow, columns::fit,
-                                 columns::benchmark, columns::validation, columns::packing, columns::material,
-                                 columns::material_study, columns::press, columns::contact);
+constexpr auto kColumns =
+    joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
+           columns::validation, columns::packing, columns::material, columns::material_study, columns::press,
+           columns::contact, columns::identify);
 
 }  // namespace
 

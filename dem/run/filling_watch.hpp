@@ -2,17 +2,12 @@
 
 #include <functional>
 #include <ostream>
-#include <stdexcept>
 
 #include "dem/insertion/random_insertion.hpp"
+#include "dem/model/interrupted.hpp"
 #include "dem/run/files.hpp"
 
 namespace fiberchain::dem {
-
-/// A filling that was asked to stop.
-struct Interrupted : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Shows how far a filling is, on the terminal if somebody watches, else as a message every ten seconds;
 /// throws Interrupted when it is asked to stop.

@@ -6,6 +6,7 @@
 
 #include "dem/chain/chain.hpp"
 #include "dem/chain/chain_state.hpp"
+#include "dem/model/interrupted.hpp"
 #include "dem/model/loads.hpp"
 #include "dem/motion/integrator.hpp"
 #include "dem/motion/physics.hpp"
@@ -39,6 +40,7 @@ struct ReleaseOptions {
   int samples_per_period = 200;
   bool energy = false;  ///< record the energy with each sample
   InstructionSet instruction_set = best_instruction_set();
+  StopRequest asked_to_stop = {};
 };
 
 /// The free end at one moment.
@@ -83,7 +85,7 @@ double stiff_release_step(const Release<Dim>& release, double turn);
 
 /// Lets every chain go. A record does not depend on what marches beside it but by round-off where a chain
 /// marches alone. One that blows up stops, the others go on. Throws InvalidInput for cases that make no
-/// sense.
+/// sense, Interrupted when asked to stop.
 template <int Dim>
 std::vector<ReleaseRecord<Dim>> ring_down(const std::vector<Release<Dim>>& releases,
                                           const ReleaseOptions& options = {});

@@ -46,12 +46,14 @@ CvodeTolerance tolerance_of(const Release<Dim>& release, const ChainState<Dim>& 
 
 /// Records what `at(n)`, the state at sample n, gives until it throws.
 template <int Dim, class At>
-void record(ReleaseRecord<Dim>& record, const Release<Dim>& release, int samples, bool energy, const At& at) {
+void record(ReleaseRecord<Dim>& record, const Release<Dim>& release, int samples,
+            const ReleaseOptions& options, const At& at) {
   const double interval = record.time_step;
   try {
     for (int n = 0; n <= samples; ++n) {
+      stop_if_asked(options.asked_to_stop, "stopped in the release");
       record.last = at(n);
-      record.samples.push_back(sample(release, record.last, n * interval, energy));
+      record.samples.push_back(sample(release, record.last, n * interval, options.energy));
     }
   } catch (const Diverged& error) {
     record.failure = error.what();
@@ -71,11 +73,11 @@ ReleaseRecord<Dim> integrate_release(const Release<Dim>& release, int stride, in
   const Boundary<Dim> clamp{{0}, {}};
   if (options.integrator == Integrator::cvode) {
     CvodeMotion<Dim> motion(release.chain, clamp, start, tolerance_of(release, start, options.tolerance));
-    record(result, release, samples, options.energy, [&](int n) { return motion.at(n * interval); });
+    record(result, release, samples, options, [&](int n) { return motion.at(n * interval); });
     result.work = motion.work();
   } else {
     ImplicitMotion<Dim> motion(release.chain, clamp, start);
-    record(result, release, samples, options.energy, [&](int n) {
+    record(result, release, samples, options, [&](int n) {
       for (int k = 0; n > 0 && k < stride; ++k) motion.step(interval / stride);
       return motion.state();
     });

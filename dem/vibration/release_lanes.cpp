@@ -202,6 +202,7 @@ void march_releases(const std::vector<Release<Dim>>& all, const std::vector<std:
   std::vector<double> saved = march.block.saved();
   int saved_at = 0;
   for (int n = 1; n <= samples; ++n) {
+    stop_if_asked(options.asked_to_stop, "stopped in the release");
     march.block.march(stride);
     march.record(static_cast<double>(n) * stride);
     if (n - saved_at < between && n < samples) continue;

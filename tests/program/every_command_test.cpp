@@ -1,6 +1,10 @@
 #define BOOST_TEST_MODULE every_command_test
 #include <boost/test/unit_test.hpp>
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "tests/program/packings.hpp"
 
 // Every command once, on the smallest case that goes through all of it: what the sanitizers look at in CI,
@@ -79,6 +83,9 @@ BOOST_AUTO_TEST_CASE(a_packing_stops_goes_on_and_is_drawn) {
 
 BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
   const Scratch scratch;
+  std::string record = "t,y\n";
+  for (int i = 0; i < 200; ++i) record += fmt::format("{},{}\n", i, std::exp(-0.01 * i) * std::cos(0.6 * i));
+  scratch.file("ring.csv", record);
   for (const Words& words :
        {Words{"tables", "static", "--aspect-ratio", "5", "--load", "1", "--method", "solve,march"},
         {"tables", "damping", "--aspect-ratio", "5", "--peaks", "0..2", "--bond-damping", "3"},
@@ -96,6 +103,7 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
         {"materials"},
         {"calibrate", "--material", "carbon-steel", "--diameter", "20 um", "--aspect-ratio", "7"},
         {"calibrate", "--damping-ratio", "0.02", "--aspect-ratio", "7", "--verify"},
+        {"identify", "ring.csv", "--diameter", "1 mm", "--aspect-ratio", "9", "--density", "900"},
         {"validate", "--part", "beams"}}) {
     check_fine(run(words, {.directory = scratch.path}), words);
   }
