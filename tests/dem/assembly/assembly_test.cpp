@@ -190,8 +190,14 @@ BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit) {
   goes_on_to_the_bit(odd_fiber(6), box_with_gravity(1.1), {}, 2500);
 }
 
+/// Under a sanitizer one form: threads share the same in both.
 BOOST_AUTO_TEST_CASE(threads_and_a_pause_change_no_bit_where_bonds_are_solved_for) {
-  for (const auto form : {dem::BondForm::incremental, dem::BondForm::total}) {
+#ifdef FIBERCHAIN_SANITIZED
+  const std::vector<dem::BondForm> forms = {dem::BondForm::incremental};
+#else
+  const std::vector<dem::BondForm> forms = {dem::BondForm::incremental, dem::BondForm::total};
+#endif
+  for (const auto form : forms) {
     goes_on_to_the_bit(stiff_fiber(6), with_soft_surface(box_with_gravity(1.1)), stiff_options(form), 6000);
   }
 }
