@@ -20,7 +20,7 @@ const std::vector<std::string> kDem{"math",      "files",       "model",     "me
                                     "insertion", "equilibrium", "vibration", "flow",  "assembly", "analysis",
                                     "scene",     "trajectory",  "run"};
 const std::vector<std::string> kCompare{"study",    "figures", "measure",  "static", "calibration", "fit",
-                                        "render",   "flow",    "packing",  "press",  "stability",   "damping",
+                                        "render",   "flow",    "packing",  "press", "breaking",  "stability",   "damping",
                                         "friction", "contact", "material", "bench",  "scenes",      "app"};
 
 /// The room of `root` that a line includes; nothing if it includes none.

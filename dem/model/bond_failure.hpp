@@ -23,11 +23,11 @@ struct WeibullSpread {
 /// Stresses that bonds bear [Pa]; none where left out. N is the bond's force along its axis, positive in
 /// tension, M its bending moment, Q its shear force, T its torque, of the springs alone, at its middle.
 struct BondStrength {
-  std::optional<double> tension;      ///< of N/A + |M| R/I
-  std::optional<double> compression;  ///< of -N/A + |M| R/I
-  std::optional<double> shear;        ///< of |Q|/A
-  std::optional<double> torsion;      ///< of |T| R/(2 I)
-  std::optional<WeibullSpread> weibull;
+  std::optional<double> tension = {};      ///< of N/A + |M| R/I
+  std::optional<double> compression = {};  ///< of -N/A + |M| R/I
+  std::optional<double> shear = {};        ///< of |Q|/A
+  std::optional<double> torsion = {};      ///< of |T| R/(2 I)
+  std::optional<WeibullSpread> weibull = {};
 
   bool any() const { return tension || compression || shear || torsion; }
 };

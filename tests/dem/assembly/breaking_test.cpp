@@ -1,0 +1,325 @@
+// Bonds that break: at which stress, what becomes of their energy, what the pieces do.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "dem/model/errors.hpp"
+#include "tests/dem/assembly/breaking_scenes.hpp"
+#include "tests/dem/small_packing.hpp"
+
+BOOST_AUTO_TEST_SUITE(breaking_test)
+
+using namespace scenes;
+
+namespace {
+
+using dem::BreakCause;
+
+constexpr dem::BondForm forms[] = {dem::BondForm::total, dem::BondForm::incremental};
+constexpr dem::Integrator schemes[] = {dem::Integrator::leapfrog, dem::Integrator::leapfrog_stiff};
+
+dem::Fiber fiber_of(int bonds, const dem::BondStrength& strength, double damping = 0) {
+  dem::Fiber fiber = odd_fiber(bonds);
+  fiber.bond_damping = damping;
+  fiber.strength = strength;
+  return fiber;
+}
+
+dem::AssemblyOptions options_of(dem::BondForm form, dem::Integrator scheme = dem::Integrator::leapfrog) {
+  return {.integrator = scheme, .form = form, .account_energy = true, .allow_passage = true};
+}
+
+double total_of(const dem::Assembly& assembly) { return dem::total(assembly.energy()); }
+
+/// A strain and the stress that it is, by the beam's own formulas.
+struct Case {
+  BreakCause cause;
+  OneBond strain;
+  double stress;
+  std::optional<double> dem::BondStrength::*strength;
+};
+
+std::vector<Case> cases() {
+  const dem::Fiber fiber = odd_fiber(1);
+  const double E = fiber.material.youngs_modulus, G = fiber.material.shear_modulus,
+               R = 0.5 * fiber.diameter, l = fiber.diameter;
+  using S = dem::BondStrength;
+  return {{BreakCause::tension, {.stretch = 0.004}, E * 0.004, &S::tension},
+          {BreakCause::tension, {.bend = {0, 0.003, -0.004}}, E * R * 0.005 / l, &S::tension},
+          {BreakCause::tension,
+           {.stretch = 0.002, .bend = {0, 0.003, -0.004}},
+           E * (0.002 + R * 0.005 / l),
+           &S::tension},
+          {BreakCause::tension,
+           {.stretch = -0.001, .bend = {0, 0, 0.009}},
+           E * (-0.001 + R * 0.009 / l),
+           &S::tension},
+          {BreakCause::compression, {.stretch = -0.003}, E * 0.003, &S::compression},
+          {BreakCause::compression,
+           {.stretch = -0.003, .bend = {0, 0.005, 0}},
+           E * (0.003 + R * 0.005 / l),
+           &S::compression},
+          {BreakCause::shear, {.shear = 0.007}, G * 0.007, &S::shear},
+          {BreakCause::torsion, {.bend = {-0.008, 0, 0}}, G * R * 0.008 / l, &S::torsion}};
+}
+
+}  // namespace
+
+/// Strengths just above the stress bear it, just below they do not.
+BOOST_AUTO_TEST_CASE(a_bond_breaks_at_its_strength_exactly) {
+  for (const dem::BondForm form : forms) {
+    for (const dem::Integrator scheme : schemes) {
+      for (const Case& c : cases()) {
+        for (const double side : {1 - 1e-9, 1 + 1e-9}) {
+          dem::BondStrength strength;
+          strength.*c.strength = side * c.stress;
+          const dem::Fiber fiber = fiber_of(1, strength);
+          dem::Assembly assembly({one_bond(fiber, c.strain)}, {}, options_of(form, scheme));
+          const dem::Vec<double, 3> middle =
+              0.5 * (assembly.state(0, 0).poses[0].position + assembly.state(0, 0).poses[1].position);
+          assembly.march(1);
+          const auto breaks = assembly.take_breaks();
+          BOOST_TEST_CONTEXT(name(c.cause) << ", " << name(form) << ", " << name(scheme) << ", " << side) {
+            BOOST_TEST(assembly.is_broken(0, 0, 0) == (side < 1));
+            BOOST_TEST(assembly.pieces() == (side < 1 ? 2 : 1));
+            BOOST_REQUIRE(breaks.size() == (side < 1 ? 1u : 0u));
+            if (breaks.empty()) continue;
+            BOOST_TEST(name(breaks[0].cause) == name(c.cause));
+            BOOST_TEST(std::abs(breaks[0].stress / c.stress - 1) < 1e-10);
+            BOOST_TEST(breaks[0].step == 0);
+            BOOST_TEST(norm(breaks[0].place - middle) < 1e-15);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// What remains are free spheres: they go on as they are, and the book is what it was.
+BOOST_AUTO_TEST_CASE(energy_of_breaking_closes_to_round_off) {
+  const double E = odd_fiber(1).material.youngs_modulus;
+  for (const dem::BondForm form : forms) {
+    for (const double damping : {0.0, 0.4}) {
+      const dem::Fiber fiber = fiber_of(1, {.tension = 0.004 * E, .torsion = 0.01 * E}, damping);
+      dem::FiberGroup group = one_bond(fiber, {.stretch = 1e-4, .bend = {1e-3, 4e-4, 0}});
+      const double v = 0.011 * std::sqrt(E / fiber.material.density);
+      group.fibers[0].velocity = {{-0.5 * v, 0.1 * v, 0}, {0.5 * v, -0.1 * v, 0.02 * v}};
+      dem::Assembly assembly({group}, {}, options_of(form));
+      double before = total_of(assembly), after = before, steps = 0;
+      for (; !assembly.is_broken(0, 0, 0) && steps < 1000; ++steps) {
+        before = after;
+        assembly.march(1);
+        after = total_of(assembly);
+      }
+      BOOST_TEST(assembly.is_broken(0, 0, 0));
+      const auto breaks = assembly.take_breaks();
+      const dem::EnergyBalance energy = assembly.energy();
+      BOOST_TEST(energy.bonds == 0);
+      BOOST_TEST(energy.breaking == breaks.at(0).energy);
+      BOOST_TEST(energy.breaking > 0.1 * before);
+      BOOST_TEST(std::abs(after - before) < 1e-12 * before, name(form) << ": " << (after - before) / before);
+      assembly.march(500);
+      BOOST_TEST(std::abs(total_of(assembly) - before) < 1e-12 * before);
+    }
+  }
+}
+
+namespace {
+
+/// A fiber that is drawn out, bent and turned, without damping.
+dem::FiberGroup drawn(const dem::Fiber& fiber) {
+  const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
+  const double n = fiber.aspect_ratio, l = fiber.diameter, c = std::sqrt(3.7e5 / 431.0);
+  dem::ChainState<3> state = strained(
+      chain, [&](int i) { return V{0.01 * l * (i - n / 2), 0.02 * l * std::sin(i * 0.7), 0}; },
+      [&](int i) { return V{0.01 * i, 0, 0.014 * std::cos(i * 0.7)}; });
+  for (int i = 0; i <= n; ++i) {
+    state.velocity[i] = 0.02 * c * V{i / n - 0.5, 0.3 * std::sin(2.0 * i), 0.2 * std::cos(3.0 * i)};
+    state.spin[i] = 0.01 * c / l * V{std::sin(1.0 * i), 0.4, std::cos(2.0 * i)};
+  }
+  return {chain, {state}};
+}
+
+}  // namespace
+
+/// From the moment a bond breaks at, its fiber is two fibers that start there; what is gone is the bond's energy.
+BOOST_AUTO_TEST_CASE(a_broken_fiber_is_two_fibers_from_that_moment_on) {
+  const int n = 9, broken = 3;
+  const dem::Fiber fiber = fiber_of(n, {.tension = 1e9});
+  dem::AssemblyOptions options = options_of(dem::BondForm::total);
+  options.step = 0.3 * dem::bond_time_step(fiber);
+  dem::Assembly whole({drawn(fiber)}, {}, options);
+  whole.march(37);
+  const dem::ChainState<3> now = whole.state(0, 0);
+  const double before = total_of(whole);
+  dem::Fiber first = fiber, second = fiber;
+  first.aspect_ratio = broken, second.aspect_ratio = n - broken - 1;
+  dem::Assembly parts({{dem::straight_chain<3>(first), {part_of(now, 0, broken)}},
+                       {dem::straight_chain<3>(second), {part_of(now, broken + 1, n)}}},
+                      {}, options);
+  const double left = total_of(parts);
+  whole.break_bond(0, 0, broken);
+  whole.march(400), parts.march(400);
+  const auto breaks = whole.take_breaks();
+  BOOST_REQUIRE(breaks.size() == 1);
+  BOOST_TEST(name(breaks[0].cause) == "by_hand");
+  BOOST_TEST(breaks[0].step == 37);
+  BOOST_TEST(std::abs(before - left - breaks[0].energy) < 1e-12 * before);
+  const dem::ChainState<3> end = whole.state(0, 0), a = parts.state(0, 0), b = parts.state(1, 0);
+  double off = 0;
+  for (int i = 0; i <= n; ++i) {
+    const bool in_first = i <= broken;
+    const auto& other = in_first ? a : b;
+    const int j = in_first ? i : i - broken - 1;
+    off = std::max(off, norm(end.poses[i].position - other.poses[j].position) / fiber.diameter);
+    off = std::max(off, norm(end.spin[i] - other.spin[j]) / norm(end.spin[i]));
+  }
+  BOOST_TEST_MESSAGE("pieces are off two fibers by " << off);
+  BOOST_TEST(off < 1e-10);
+  BOOST_TEST(std::abs(total_of(whole) - breaks[0].energy - total_of(parts)) < 1e-12 * before);
+}
+
+/// Overlapping spheres that are left by a pressed bond push each other off: their contact's energy comes out of
+/// the bond's. The error of the kick in which the contact begins falls with the step.
+BOOST_AUTO_TEST_CASE(a_bond_that_breaks_pressed_leaves_a_contact) {
+  for (const dem::Integrator scheme : schemes) {
+    double error[2];
+    for (int half = 0; half < 2; ++half) {
+      dem::Fiber fiber = fiber_of(1, {.compression = 0.02 * 3.7e5});
+      dem::FiberGroup group = one_bond(fiber, {.stretch = -0.03});
+      dem::Domain around;
+      around.contacts.restitution = 1;
+      dem::AssemblyOptions options = options_of(dem::BondForm::total, scheme);
+      options.step = (half == 0 ? 0.1 : 0.05) * dem::bond_time_step(fiber);
+      dem::Assembly assembly({group}, around, options);
+      const double before = total_of(assembly);
+      assembly.march(1);
+      BOOST_TEST(assembly.touching() == 1);
+      const double released = assembly.energy().breaking, bond = assembly.take_breaks().at(0).energy;
+      BOOST_TEST(released > 0.05 * bond);
+      BOOST_TEST(released < 0.99 * bond);
+      assembly.march(half == 0 ? 2000 : 4000);
+      BOOST_TEST(assembly.touching() == 0);
+      BOOST_TEST(assembly.energy().kinetic > 0.05 * before);
+      error[half] = std::abs(total_of(assembly) / before - 1);
+    }
+    BOOST_TEST_MESSAGE(name(scheme) << ": energy off by " << error[0] << ", at half the step " << error[1]);
+    BOOST_TEST(error[0] < 1e-2);
+    BOOST_TEST(error[1] < 0.6 * error[0]);
+  }
+}
+
+namespace {
+
+/// Strong bends and torsions among many fibers that meet in a box.
+std::vector<dem::FiberGroup> brittle(std::vector<dem::FiberGroup> groups) {
+  for (dem::FiberGroup& group : groups) {
+    dem::Fiber& fiber = group.chain.fiber;
+    const double E = fiber.material.youngs_modulus;
+    fiber.strength = dem::BondStrength{.tension = 0.015 * E,
+                                       .compression = 0.02 * E,
+                                       .shear = 0.01 * E,
+                                       .torsion = 0.01 * E,
+                                       .weibull = dem::WeibullSpread{4, dem::fiber_length(fiber), 11}};
+  }
+  return groups;
+}
+
+dem::Assembly brittle_packing(const dem::AssemblyOptions& options) {
+  const SmallPacking packing = packing_in_a_box(24, 18);
+  return {brittle(packing.groups), packing.around, options};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(runs_go_on_to_the_bit_through_breaks_on_any_threads) {
+  for (const dem::BondForm form : forms) {
+    for (const dem::Integrator scheme : schemes) {
+      dem::AssemblyOptions options = options_of(form, scheme);
+      options.step = scheme == dem::Integrator::leapfrog ? 5e-6 : 2e-5;
+      dem::Assembly run = brittle_packing(options), again = brittle_packing(options);
+      options.threads = 3;
+      dem::Assembly threads = brittle_packing(options);
+      const int steps = scheme == dem::Integrator::leapfrog ? 1500 : 400;
+      run.march(steps), threads.march(steps);
+      const auto early = run.take_breaks();
+      again.restore(run.saved());
+      BOOST_TEST(again.pieces() == run.pieces());
+      run.march(steps), again.march(steps), threads.march(steps);
+      const auto late = run.take_breaks(), same = again.take_breaks();
+      BOOST_TEST_MESSAGE(name(form) << ", " << name(scheme) << ": " << early.size() << " breaks, then "
+                                    << late.size());
+      BOOST_TEST(early.size() > 3);
+      BOOST_TEST(late.size() > 3);
+      BOOST_REQUIRE(late.size() == same.size());
+      for (std::size_t n = 0; n < late.size(); ++n) {
+        BOOST_TEST(late[n].step == same[n].step);
+        BOOST_TEST(late[n].fiber == same[n].fiber);
+        BOOST_TEST(late[n].bond == same[n].bond);
+        BOOST_TEST(late[n].stress == same[n].stress);
+      }
+      BOOST_TEST((run.saved() == again.saved()));
+      BOOST_TEST((run.saved() == threads.saved()));
+      BOOST_TEST(run.pieces() == 42 + static_cast<int>(early.size() + late.size()));
+    }
+  }
+}
+
+/// The book of a packing that breaks closes as one that does not.
+BOOST_AUTO_TEST_CASE(energy_of_a_breaking_packing_closes) {
+  for (const dem::Integrator scheme : schemes) {
+    dem::AssemblyOptions options = options_of(dem::BondForm::incremental, scheme);
+    options.step = scheme == dem::Integrator::leapfrog ? 4e-6 : 1e-5;
+    dem::Assembly assembly = brittle_packing(options);
+    const double before = total_of(assembly), kinetic = assembly.energy().kinetic;
+    assembly.march(scheme == dem::Integrator::leapfrog ? 4000 : 1600);
+    const dem::EnergyBalance energy = assembly.energy();
+    const std::size_t breaks = assembly.take_breaks().size();
+    BOOST_TEST_MESSAGE(name(scheme) << ": " << breaks << " breaks took " << energy.breaking / kinetic
+                                    << " of the kinetic energy; the total is off by "
+                                    << (dem::total(energy) - before) / kinetic);
+    BOOST_TEST(breaks > 5u);
+    BOOST_TEST(energy.breaking > 2e-3 * kinetic);
+    BOOST_TEST(std::abs(dem::total(energy) - before) < 2e-3 * kinetic);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pieces_keep_momentum_and_angular_momentum) {
+  for (const dem::BondForm form : forms) {
+    dem::FiberGroup group = scattered(dem::straight_chain<3>(odd_fiber(11)), 13, 0.03, 3);
+    const dem::Fiber plain = group.chain.fiber;
+    dem::Assembly assembly(brittle({group}), {}, options_of(form));
+    const auto sums = [&] {
+      V p{}, L{};
+      for (int f = 0; f < assembly.fibers(0); ++f) {
+        const dem::ChainState<3> s = assembly.state(0, f);
+        const double m = dem::sphere_mass(plain), J = dem::sphere_inertia(plain);
+        for (std::size_t i = 0; i < s.poses.size(); ++i) {
+          p = p + m * s.velocity[i];
+          L = L + m * cross(s.poses[i].position, s.velocity[i]) + J * s.spin[i];
+        }
+      }
+      return std::pair{p, L};
+    };
+    const auto before = sums();
+    assembly.march(1500);
+    const auto after = sums();
+    BOOST_TEST(assembly.take_breaks().size() > 20u);
+    BOOST_TEST(norm(after.first - before.first) < 1e-12 * norm(before.first));
+    BOOST_TEST(norm(after.second - before.second) < 1e-12 * norm(before.second));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_built_together_is_refused) {
+  dem::Fiber fiber = fiber_of(3, {.tension = -1});
+  BOOST_CHECK_THROW(dem::check(fiber), dem::InvalidInput);
+  fiber = fiber_of(3, {.tension = 1e5});
+  fiber.rolling_friction = 0.1;
+  BOOST_CHECK_THROW(dem::check(fiber), dem::InvalidInput);
+  fiber = odd_fiber(3);
+  fiber.yield = dem::BondYield{1e-3, 1};
+  BOOST_CHECK_THROW(dem::check(fiber), dem::InvalidInput);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
