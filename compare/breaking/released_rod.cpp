@@ -10,7 +10,12 @@ namespace {
 using V = dem::Vec<double, 3>;
 using std::numbers::pi;
 
-/// An arc of straight bonds, spheres turned with it: a moment at its ends holds it.
+std::int64_t steps_of(const ReleasedRod& rod, double step) {
+  return std::llround(time_of_way(rod.fiber, undisturbed_way(rod.fiber.aspect_ratio)) / step);
+}
+
+}  // namespace
+
 dem::ChainState<3> arc(const dem::Chain<3>& chain, double angle) {
   const double l = dem::bond_length(chain.fiber);
   dem::ChainState<3> state = dem::at_rest<3>(chain.poses);
@@ -22,12 +27,6 @@ dem::ChainState<3> arc(const dem::Chain<3>& chain, double angle) {
   }
   return state;
 }
-
-std::int64_t steps_of(const ReleasedRod& rod, double step) {
-  return std::llround(time_of_way(rod.fiber, undisturbed_way(rod.fiber.aspect_ratio)) / step);
-}
-
-}  // namespace
 
 ReleasedRod released_rod(int aspect_ratio) {
   dem::Fiber fiber{dem::isotropic_material(3.7e5, 0.17, 431), 0.0262, aspect_ratio};

@@ -34,6 +34,9 @@ double largest_curvature_of_beam();
 /// Bending stress of the rod before it is let go, E R kappa_0 [Pa].
 double stress_at_rest(const ReleasedRod& rod);
 
+/// Straight bonds with this angle between their ends, spheres turned with them: a moment at its ends holds it.
+dem::ChainState<3> arc(const dem::Chain<3>& chain, double angle);
+
 /// The rod at the moment its end begins to be let go.
 /// @throws dem::InvalidInput for a step or a scheme that its bonds do not bear
 dem::Assembly assembly_of(const ReleasedRod& rod, dem::AssemblyOptions options);
