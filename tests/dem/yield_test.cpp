@@ -169,16 +169,17 @@ BOOST_AUTO_TEST_CASE(a_rod_that_yielded_stays_bent) {
     dem::Fiber fiber = hinge(hardening, 6);
     fiber.bond_damping = 3;
     const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
-    dem::Grip clamp, turn;
+    dem::Grip clamp, turn, back;
     clamp.place = clamp.turn = {true, true, true}, clamp.spheres = {{0, 0, 0}};
     turn.moment = {0, 0, load * fiber.yield->moment}, turn.spheres = {{0, 0, 6}};
     const double period = 4e3 * dem::bond_time_step(fiber);
-    turn.ramp = 3 * period, turn.body.active_until = 4 * period;
+    turn.ramp = 3 * period;
+    back = turn, back.moment = -turn.moment, back.body.active_from = 4 * period;
     dem::Assembly assembly({{chain, {dem::at_rest<3>(chain.poses)}}}, {},
                            {.integrator = dem::Integrator::leapfrog_stiff,
                             .form = form,
                             .account_energy = true,
-                            .grips = {clamp, turn}});
+                            .grips = {clamp, turn, back}});
     assembly.march(static_cast<int>(4 * period / assembly.step()));
     for (const dem::BondState& bond : assembly.bonds(0, 0)) {
       // the incremental strain is the elastic part
