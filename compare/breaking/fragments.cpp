@@ -27,9 +27,9 @@ dem::FiberGroup rods_of(const FragmentCase& asked) {
   fiber.mass = dem::MassModel::cylinder;
   fiber.dashpots = dem::DashpotLaw::retardation_time;
   fiber.retardation_time = time_of_way(fiber, asked.damping_way * asked.aspect_ratio);
-  fiber.strength = dem::BondStrength{
-      .tension = asked.strength * stress_at_rest(rod),
-      .weibull = dem::WeibullSpread{asked.modulus, dem::fiber_length(fiber), asked.seed}};
+  fiber.strength =
+      dem::BondStrength{.tension = asked.strength * stress_at_rest(rod),
+                        .weibull = dem::WeibullSpread{asked.modulus, dem::fiber_length(fiber), asked.seed}};
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   dem::FiberGroup group{chain, {}};
   const dem::ChainState<3> one = arc(chain, rod.curvature * dem::bond_length(fiber));
@@ -47,8 +47,9 @@ Fragments break_rods(const FragmentCase& asked) {
   dem::FiberGroup group = rods_of(asked);
   const dem::Fiber fiber = group.chain.fiber;
   const double end = time_of_way(fiber, 3.0 * asked.aspect_ratio), step = 2 * dem::bond_time_step(fiber);
-  dem::Assembly assembly({std::move(group)}, {},
-                         {.step = step, .integrator = dem::Integrator::leapfrog_stiff, .form = dem::BondForm::total});
+  dem::Assembly assembly(
+      {std::move(group)}, {},
+      {.step = step, .integrator = dem::Integrator::leapfrog_stiff, .form = dem::BondForm::total});
   assembly.march(std::llround(end / step));
   std::vector<int> pieces(static_cast<std::size_t>(asked.rods), 1);
   for (const dem::BondBreak& one : assembly.take_breaks()) ++pieces[static_cast<std::size_t>(one.fiber)];

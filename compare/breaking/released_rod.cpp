@@ -35,7 +35,8 @@ ReleasedRod released_rod(int aspect_ratio) {
 
 double time_of_way(const dem::Fiber& fiber, double diameters) {
   const double s = diameters * fiber.diameter,
-               c = std::sqrt(dem::bending_stiffness(fiber) * dem::bond_length(fiber) / dem::sphere_mass(fiber));
+               c = std::sqrt(dem::bending_stiffness(fiber) * dem::bond_length(fiber) /
+                             dem::sphere_mass(fiber));
   return s * s / (4 * pi * c);
 }
 

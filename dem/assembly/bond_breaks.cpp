@@ -132,17 +132,16 @@ void Assembly::State::settle_breaks() {
       // both spheres have moved on since
       const Vec<double, 3> middle = 0.5 * (rows.position(row) + rows.position(row + 1)) -
                                     0.5 * step * (rows.velocity(row) + rows.velocity(row + 1));
-      breaks.push_back({.step = steps - 1,
-                        .time = time() - step,
-                        .group = block.group(),
-                        .fiber = order[block.group()].fiber(first_place + broken.lane),
-                        .bond = broken.bond,
-                        .cause = cause,
-                        .stress = cause == BreakCause::by_hand
-                                      ? 0
-                                      : failure.stress / section_area(kind.chain.fiber),
-                        .energy = failure.energy,
-                        .place = middle});
+      breaks.push_back(
+          {.step = steps - 1,
+           .time = time() - step,
+           .group = block.group(),
+           .fiber = order[block.group()].fiber(first_place + broken.lane),
+           .bond = broken.bond,
+           .cause = cause,
+           .stress = cause == BreakCause::by_hand ? 0 : failure.stress / section_area(kind.chain.fiber),
+           .energy = failure.energy,
+           .place = middle});
       released += failure.energy;
       ++broken_bonds;
       parted.push_back(row);

@@ -129,8 +129,7 @@ void HeldSpheres::before_step(const Assembly::State& s, std::size_t number) {
   const FiberBlock& block = s.blocks[number];
   const GroupKind& kind = s.kinds[block.group()];
   BlockSnapshot snapshot;
-  if (solved)
-    block.snapshot(kind, s.rows, s.loads.of(s.part_of(block)), s.gradient.data(), snapshot, true);
+  if (solved) block.snapshot(kind, s.rows, s.loads.of(s.part_of(block)), s.gradient.data(), snapshot, true);
   for (const int f : of_block_[number]) {
     HeldFiber& fiber = fibers_[f];
     fiber.before.clear();

@@ -79,11 +79,11 @@ void Contacts::part_behind(const std::vector<std::int64_t>& rows) {
 double Contacts::brought_between(std::int64_t first, std::int64_t second) const {
   const Part& part = parts_[neighbors_.parts().of(static_cast<std::int32_t>(first))];
   for (std::size_t p = 0; p < part.pairs.count; ++p) {
-    if (part.pairs.first[p] != first || part.pairs.second[p] != second || part.pairs.contact[p] == 0) continue;
-    const SavedContact contact = part.histories.at(part.pairs.contact[p],
-                                                   {sphere_primitive(first), sphere_primitive(second)});
-    return law_.normal_energy(parameters_of(contact), contact.history) -
-           0.5 * step_ * closing_power(contact);
+    if (part.pairs.first[p] != first || part.pairs.second[p] != second || part.pairs.contact[p] == 0)
+      continue;
+    const SavedContact contact =
+        part.histories.at(part.pairs.contact[p], {sphere_primitive(first), sphere_primitive(second)});
+    return law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
   }
   return 0;
 }

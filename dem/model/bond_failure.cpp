@@ -51,8 +51,8 @@ void check_failure(const Fiber& fiber) {
   if (fiber.yield) {
     check_positive(fiber.yield->moment, "yield moment");
     if (!(fiber.yield->hardening >= 0 && fiber.yield->hardening < 1)) {
-      throw InvalidInput(fmt::format("hardening = {} is not allowed: it must be from 0 to below 1",
-                                     fiber.yield->hardening));
+      throw InvalidInput(
+          fmt::format("hardening = {} is not allowed: it must be from 0 to below 1", fiber.yield->hardening));
     }
   }
   if (!fails(fiber)) return;

@@ -134,20 +134,6 @@ class RunWriter {
   TrajectoryFrame frame_{};  ///< its memory is kept from one to the next
 };
 
-void say_if_any(const std::string& words, const Say& say) {
-  if (!words.empty()) say(words);
-}
-
-void say_how_deep(const RunMoment& last, double longest_path, const Say& say) {
-  say(
-      fmt::format("overlap over the smaller radius: largest {:.2g}, mean of the contacts {:.2g}{}; longest "
-                  "path of a step {:.2g} of the smallest",
-                  last.overlap_peak, last.overlap_mean,
-                  presses_at_rest(last) ? " at rest" : " at the end, in motion", longest_path));
-  say_if_any(impact_warning(last), say);
-  say_if_any(rest_warning(last), say);
-}
-
 /// Says a warning of each kind once, when it begins.
 class OverlapWatch {
  public:

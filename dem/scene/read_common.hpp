@@ -5,6 +5,7 @@
 
 #include "dem/scene/key_table.hpp"
 #include "dem/scene/material_ranges.hpp"
+#include "dem/scene/read_failure.hpp"
 #include "dem/scene/read_material_damping.hpp"
 #include "dem/scene/scene.hpp"
 
@@ -89,26 +90,6 @@ struct ReadFiber {
 /// @throws SceneError at `key` of the mapping for numbers that make no sense together
 ReadFiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys);
 
-/// Mapping "weibull" of a strength as typed.
-struct WeibullKeys {
-  double modulus = 0;
-  std::optional<double> reference_length;  ///< [m]
-  std::uint64_t seed = 1;
-};
-
-/// Mapping "strength" of bonds as typed.
-struct StrengthKeys {
-  std::optional<double> tension, compression, shear, torsion;  ///< [Pa]
-  std::optional<WeibullKeys> weibull;
-};
-
-/// Mapping "yield" of bonds as typed.
-struct YieldKeys {
-  std::optional<double> moment;  ///< [N m], or
-  std::optional<double> stress;  ///< [Pa]
-  double hardening = 0;
-};
-
 /// Mapping "bond" as typed.
 struct BondKeys {
   BondModel model = BondModel::paper;
@@ -128,13 +109,6 @@ struct BondParts {
   bool failure = false;               ///< keys strength and yield
 };
 KeyTable<BondKeys> bond_keys(const BondParts& parts);
-
-/// Declares keys strength and yield.
-void declare_failure(KeyTable<BondKeys>& table);
-/// Gives the fiber what its bonds bear.
-void apply_failure(const BondKeys& keys, Fiber& fiber);
-/// Refuses what is not built together with bonds that break or yield.
-void check_failure(const StrictMapping& top, const Fiber& fiber);
 
 /// Gives the fiber its bonds.
 void apply(const BondKeys& keys, Fiber& fiber);

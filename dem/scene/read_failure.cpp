@@ -22,7 +22,7 @@ KeyTable<WeibullKeys> weibull_keys() {
 KeyTable<StrengthKeys> strength_keys() {
   KeyTable<StrengthKeys> table;
   const auto declare = [&](const char* key, std::optional<double> StrengthKeys::*member,
-                            const char* meaning) {
+                           const char* meaning) {
     table.quantity(key, "Pa", member, kPositive, meaning).otherwise("none");
   };
   declare("tension", &StrengthKeys::tension, "of N/A + |M| R/I, N positive in tension, M the bending moment");

@@ -59,7 +59,8 @@ KeyTable<FiberKindKeys> fiber_kind_keys() {
   const auto store_bond = [](const StrictMapping&, const BondKeys& bond, FiberKindKeys& kind) {
     kind.bond = bond;
   };
-  table.mapping("bond", bond_keys({.rolling_friction = true, .failure = true}), store_bond, "the bonds between the spheres");
+  table.mapping("bond", bond_keys({.rolling_friction = true, .failure = true}), store_bond,
+                "the bonds between the spheres");
   table.mapping("curvature", curvature_keys(), &store_curvature, "arc at rest").otherwise("straight");
   table
       .word("name", &FiberKindKeys::name, "text",

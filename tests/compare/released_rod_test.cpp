@@ -1,4 +1,5 @@
-// A rod of uniform curvature let go at one end: its curvature rises to 1.428 of what it was, and breaks it or not.
+// A rod of uniform curvature let go at one end: its curvature rises to 1.428 of what it was, and breaks it or
+// not.
 #include "compare/breaking/released_rod.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -50,7 +51,8 @@ BOOST_AUTO_TEST_CASE(strength_of_1_40_breaks_and_of_1_46_does_not) {
       const auto breaks = breaks_of(rod, options_of(rod, dem::BondForm::total, scheme));
       BOOST_TEST(breaks.empty() == (part > 1.428), name(scheme) << " " << part << ": " << breaks.size());
       if (breaks.empty()) continue;
-      BOOST_TEST_MESSAGE(name(scheme) << ": breaks " << 160 - breaks[0].bond << " diameters from the free end");
+      BOOST_TEST_MESSAGE(name(scheme)
+                         << ": breaks " << 160 - breaks[0].bond << " diameters from the free end");
       BOOST_TEST(breaks[0].stress >= strength);
       BOOST_TEST(breaks[0].stress < 1.01 * strength);
       BOOST_TEST(breaks[0].time > time_of_way(rod.fiber, rod.release_way));

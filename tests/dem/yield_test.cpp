@@ -23,8 +23,8 @@ dem::Fiber hinge(double hardening, int bonds = 1) {
 /// Angle to and fro, and where it turns in units of the yield angle.
 const std::vector<double> turns = {4.2, -3.1, 5.5, 0.4, 2.0, -6.0};
 
-/// The hinge in closed form over K: elastic up to a yield moment that rises with the plastic angle, moment and
-/// work where each stroke ends.
+/// The hinge in closed form over K: elastic up to a yield moment that rises with the plastic angle, moment
+/// and work where each stroke ends.
 struct Hinge {
   double hardening, moment = 0, yield = yield_angle, angle = 0, work = 0;
 
@@ -116,14 +116,16 @@ BOOST_AUTO_TEST_CASE(moment_follows_the_loop_of_a_hinge) {
 
 namespace {
 
-/// A bond whose spheres begin to turn against each other, fast enough to yield; its energy off by, at the end.
+/// A bond whose spheres begin to turn against each other, fast enough to yield; its energy off by, at the
+/// end.
 struct Swing {
   double error, lost, rest;
 };
 
 Swing swing(double hardening, dem::BondForm form, double step, dem::Integrator scheme) {
   const dem::Fiber fiber = hinge(hardening, 3);
-  dem::FiberGroup group{dem::straight_chain<3>(fiber), {dem::at_rest<3>(dem::straight_chain<3>(fiber).poses)}};
+  dem::FiberGroup group{dem::straight_chain<3>(fiber),
+                        {dem::at_rest<3>(dem::straight_chain<3>(fiber).poses)}};
   const double rate =
       5 * yield_angle * std::sqrt(dem::bond_stiffness(fiber).bend / dem::sphere_inertia(fiber));
   for (int i = 0; i <= 3; ++i) {
@@ -149,10 +151,11 @@ BOOST_AUTO_TEST_CASE(plastic_work_is_booked_to_second_order) {
   for (const auto scheme : {dem::Integrator::leapfrog, dem::Integrator::leapfrog_stiff}) {
     for (const dem::BondForm form : {dem::BondForm::total, dem::BondForm::incremental}) {
       for (const double hardening : {0.0, 0.2}) {
-        const Swing coarse = swing(hardening, form, 0.04, scheme), fine = swing(hardening, form, 0.01, scheme);
-        BOOST_TEST_MESSAGE(name(scheme) << ", " << name(form) << ", hardening " << hardening << ": "
-                                        << fine.lost << " lost, energy off by " << coarse.error << ", "
-                                        << fine.error);
+        const Swing coarse = swing(hardening, form, 0.04, scheme),
+                    fine = swing(hardening, form, 0.01, scheme);
+        BOOST_TEST_MESSAGE(name(scheme)
+                           << ", " << name(form) << ", hardening " << hardening << ": " << fine.lost
+                           << " lost, energy off by " << coarse.error << ", " << fine.error);
         BOOST_TEST(fine.lost > 0.2);
         BOOST_TEST(fine.error < 1e-3);
         BOOST_TEST(fine.error < 0.2 * coarse.error + 2e-5);
@@ -161,8 +164,8 @@ BOOST_AUTO_TEST_CASE(plastic_work_is_booked_to_second_order) {
   }
 }
 
-/// A rod whose ends are turned by a moment beyond the yield moment keeps a curvature when they are let go: what
-/// is beyond it over the hardening, less what springs back.
+/// A rod whose ends are turned by a moment beyond the yield moment keeps a curvature when they are let go:
+/// what is beyond it over the hardening, less what springs back.
 BOOST_AUTO_TEST_CASE(a_rod_that_yielded_stays_bent) {
   for (const dem::BondForm form : {dem::BondForm::total, dem::BondForm::incremental}) {
     const double hardening = 0.25, load = 1.6;

@@ -13,9 +13,10 @@ namespace {
 std::string brittle_fibers() {
   std::string scene = short_fibers(15000, few);
   const std::string bond = "bond: {damping: 1}";
-  scene.replace(scene.find(bond), bond.size(),
-                "bond: {damping: 1, strength: {tension: 20 kPa, compression: 40 kPa, shear: 20 kPa, torsion: 20 "
-                "kPa, weibull: {modulus: 3, seed: 5}}, yield: {stress: 30 kPa, hardening: 0.1}}");
+  scene.replace(
+      scene.find(bond), bond.size(),
+      "bond: {damping: 1, strength: {tension: 20 kPa, compression: 40 kPa, shear: 20 kPa, torsion: 20 "
+      "kPa, weibull: {modulus: 3, seed: 5}}, yield: {stress: 30 kPa, hardening: 0.1}}");
   return scene;
 }
 
@@ -43,9 +44,10 @@ BOOST_AUTO_TEST_CASE(killed_and_resumed_it_ends_the_same_with_its_breaks) {
   BOOST_TEST(same_end(whole, killed));
   const auto rows = rows_of(whole.out("s-breaks.csv"));
   BOOST_TEST(rows == rows_of(killed.out("s-breaks.csv")), boost::test_tools::per_element());
-  BOOST_TEST(rows.at(0) ==
-             "step,simulated_time,break_fiber,break_bond,break_cause,break_stress,break_energy,break_x,break_y,"
-             "break_z");
+  BOOST_TEST(
+      rows.at(0) ==
+      "step,simulated_time,break_fiber,break_bond,break_cause,break_stress,break_energy,break_x,break_y,"
+      "break_z");
   BOOST_TEST(rows.size() > 5u);
   const auto log = rows_of(whole.out("s-log.csv"));
   BOOST_TEST(holds(log.at(0), ",pieces,"));

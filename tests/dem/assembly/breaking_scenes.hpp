@@ -31,8 +31,12 @@ inline dem::FiberGroup one_bond(const dem::Fiber& fiber, const OneBond& strain) 
   return {chain,
           {strained(
               chain,
-              [&](int i) { return V{(i - 0.5) * strain.stretch * dem::bond_length(fiber), 0, 0}; },
-              [&](int i) { return (i - 0.5) * strain.bend + V{0, 0, strain.shear}; })}};
+              [&](int i) {
+                return V{(i - 0.5) * strain.stretch * dem::bond_length(fiber), 0, 0};
+              },
+              [&](int i) {
+                return (i - 0.5) * strain.bend + V{0, 0, strain.shear};
+              })}};
 }
 
 /// A state of an assembly's fiber from a sphere to another.

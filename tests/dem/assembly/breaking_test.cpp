@@ -42,8 +42,8 @@ struct Case {
 
 std::vector<Case> cases() {
   const dem::Fiber fiber = odd_fiber(1);
-  const double E = fiber.material.youngs_modulus, G = fiber.material.shear_modulus,
-               R = 0.5 * fiber.diameter, l = fiber.diameter;
+  const double E = fiber.material.youngs_modulus, G = fiber.material.shear_modulus, R = 0.5 * fiber.diameter,
+               l = fiber.diameter;
   using S = dem::BondStrength;
   return {{BreakCause::tension, {.stretch = 0.004}, E * 0.004, &S::tension},
           {BreakCause::tension, {.bend = {0, 0.003, -0.004}}, E * R * 0.005 / l, &S::tension},
@@ -160,8 +160,13 @@ dem::FiberGroup drawn(const dem::Fiber& fiber) {
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const double n = fiber.aspect_ratio, l = fiber.diameter, c = std::sqrt(3.7e5 / 431.0);
   dem::ChainState<3> state = strained(
-      chain, [&](int i) { return V{0.03 * l * (i - n / 2), 0.01 * l * std::sin(i * 0.7), 0}; },
-      [&](int i) { return V{0.01 * i, 0, 0.014 * std::cos(i * 0.7)}; });
+      chain,
+      [&](int i) {
+        return V{0.03 * l * (i - n / 2), 0.01 * l * std::sin(i * 0.7), 0};
+      },
+      [&](int i) {
+        return V{0.01 * i, 0, 0.014 * std::cos(i * 0.7)};
+      });
   for (int i = 0; i <= n; ++i) {
     state.velocity[i] = 0.02 * c * V{i / n - 0.5, 0.3 * std::sin(2.0 * i), 0.2 * std::cos(3.0 * i)};
     state.spin[i] = 0.01 * c / l * V{std::sin(1.0 * i), 0.4, std::cos(2.0 * i)};
@@ -171,7 +176,8 @@ dem::FiberGroup drawn(const dem::Fiber& fiber) {
 
 }  // namespace
 
-/// From the moment a bond breaks at, its fiber is two fibers that start there; what is gone is the bond's energy.
+/// From the moment a bond breaks at, its fiber is two fibers that start there; what is gone is the bond's
+/// energy.
 BOOST_AUTO_TEST_CASE(a_broken_fiber_is_two_fibers_from_that_moment_on) {
   const int n = 9, broken = 3;
   const dem::Fiber fiber = fiber_of(n, {.tension = 1e9});
@@ -209,8 +215,8 @@ BOOST_AUTO_TEST_CASE(a_broken_fiber_is_two_fibers_from_that_moment_on) {
   BOOST_TEST(std::abs(total_of(whole) - breaks[0].energy - total_of(parts)) < 1e-12 * before);
 }
 
-/// Overlapping spheres that are left by a pressed bond push each other off: their contact's energy comes out of
-/// the bond's. Half of the kick that the contact begins with counts: second order in the step.
+/// Overlapping spheres that are left by a pressed bond push each other off: their contact's energy comes out
+/// of the bond's. Half of the kick that the contact begins with counts: second order in the step.
 BOOST_AUTO_TEST_CASE(a_bond_that_breaks_pressed_leaves_a_contact) {
   for (const dem::Integrator scheme : schemes) {
     double error[2];
@@ -320,8 +326,9 @@ BOOST_AUTO_TEST_CASE(energy_of_a_breaking_packing_closes) {
     dem::EnergyBalance end{}, plain_end{};
     const double error = book_error(brittle_packing(options), 0.016, end),
                  plain = book_error(packing_in_a_box(24, 18).assembly(options), 0.016, plain_end);
-    BOOST_TEST_MESSAGE(name(scheme) << ": breaking took " << end.breaking << " of the kinetic energy; the total is off by "
-                                    << error << ", without strengths by " << plain);
+    BOOST_TEST_MESSAGE(name(scheme) << ": breaking took " << end.breaking
+                                    << " of the kinetic energy; the total is off by " << error
+                                    << ", without strengths by " << plain);
     BOOST_TEST(end.breaking > 0.02);
     BOOST_TEST(std::abs(error) < 1e-3);
   }

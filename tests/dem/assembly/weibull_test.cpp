@@ -17,15 +17,17 @@ constexpr double modulus = 5.3, reference_length = 0.31, strength = 4.1e3;
 dem::Assembly drawn_fibers(double length, int bonds, double stress, int count, std::uint64_t seed) {
   dem::Fiber fiber = odd_fiber(bonds);
   fiber.diameter = length / bonds;
-  fiber.strength = dem::BondStrength{
-      .tension = strength, .weibull = dem::WeibullSpread{modulus, reference_length, seed}};
+  fiber.strength =
+      dem::BondStrength{.tension = strength, .weibull = dem::WeibullSpread{modulus, reference_length, seed}};
   const dem::Chain<3> chain = dem::straight_chain<3>(fiber);
   const double strain = stress / fiber.material.youngs_modulus;
   dem::FiberGroup group{chain, {}};
   for (int f = 0; f < count; ++f)
     group.fibers.push_back(strained(
         chain,
-        [&](int i) { return V{i * strain * fiber.diameter, f * 2 * fiber.diameter, 0}; },
+        [&](int i) {
+          return V{i * strain * fiber.diameter, f * 2 * fiber.diameter, 0};
+        },
         [](int) { return V{}; }));
   return {{group}, {}, {.form = dem::BondForm::total}};
 }
@@ -50,8 +52,7 @@ BOOST_AUTO_TEST_CASE(refining_a_fiber_does_not_change_its_strength) {
   const int count = 3000;
   for (const double length : {0.31, 0.62}) {
     for (const double stress : {0.8 * strength, 1.0 * strength}) {
-      const double expected =
-          1 - std::exp(-length / reference_length * std::pow(stress / strength, modulus));
+      const double expected = 1 - std::exp(-length / reference_length * std::pow(stress / strength, modulus));
       const double deviation = std::sqrt(expected * (1 - expected) / count);
       for (const int bonds : {3, 13, 31}) {
         const double part = part_broken(length, bonds, stress, count, 7);
@@ -78,12 +79,13 @@ BOOST_AUTO_TEST_CASE(strengths_are_functions_of_seed_fiber_and_bond) {
 /// A factor's mean is Gamma(1 + 1/m) of its scale, its median (ln 2)^(1/m).
 BOOST_AUTO_TEST_CASE(factors_have_the_law_of_weibull) {
   const dem::WeibullSpread spread{modulus, 0.31};
-  BOOST_TEST(std::abs(dem::weibull_factor(spread, 0.031, 0.5) / std::pow(10 * std::log(2.0), 1 / modulus) - 1) <
-             1e-14);
+  BOOST_TEST(std::abs(dem::weibull_factor(spread, 0.031, 0.5) / std::pow(10 * std::log(2.0), 1 / modulus) -
+                      1) < 1e-14);
   double sum = 0;
   const int count = 40000;
   for (int n = 0; n < count; ++n)
-    sum += dem::weibull_factor(spread, 0.31, dem::uniform_numbers(5, {static_cast<std::uint64_t>(n), 0, 0})[1]);
+    sum +=
+        dem::weibull_factor(spread, 0.31, dem::uniform_numbers(5, {static_cast<std::uint64_t>(n), 0, 0})[1]);
   BOOST_TEST(std::abs(sum / count - std::tgamma(1 + 1 / modulus)) < 4 * 0.22 / std::sqrt(count));
 }
 

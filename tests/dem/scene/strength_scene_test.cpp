@@ -11,7 +11,8 @@ namespace dem = fiberchain::dem;
 namespace {
 
 std::string scene_with(const std::string& bond, const std::string& more = "") {
-  return "scene: packing\nfibers:\n  - {diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, poisson_ratio: 0.3, "
+  return "scene: packing\nfibers:\n  - {diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, "
+         "poisson_ratio: 0.3, "
          "density: 1000" +
          more + ", count: 4, bond: " + bond +
          "}\nfilling: {region: {x: [0, 3 cm], y: [0, 3 cm], z: [0, 3 cm]}}\nsteps: 20\n";
@@ -68,8 +69,9 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_by_its_key) {
   BOOST_TEST(holds(refusal("{yield: {moment: 1e-5, stress: 1 MPa}}"), "stress"));
   BOOST_TEST(holds(refusal("{yield: {moment: 1e-5, hardening: 1}}"), "hardening"));
   BOOST_TEST(holds(refusal("{strength: {tension: 1 MPa}, rolling_friction: 0.1}"), "not built together"));
-  BOOST_TEST(holds(refusal("{yield: {moment: 1e-5}}", ", material_damping: {loss_factor: 0.02, band: [10, 100]}"),
-                   "not built together"));
+  BOOST_TEST(
+      holds(refusal("{yield: {moment: 1e-5}}", ", material_damping: {loss_factor: 0.02, band: [10, 100]}"),
+            "not built together"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
