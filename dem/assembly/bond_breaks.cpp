@@ -150,6 +150,7 @@ void Assembly::State::settle_breaks() {
   if (!any) return;
   part_pieces();
   rebuild_neighbor_list();
+  sort_where_mixed();
 }
 
 void Assembly::State::part_pieces() {

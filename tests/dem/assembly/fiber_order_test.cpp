@@ -140,6 +140,46 @@ BOOST_AUTO_TEST_CASE(sorting_changes_nothing_but_round_off) {
   }
 }
 
+namespace {
+
+/// The streams with bonds that break.
+dem::Assembly brittle_streams(bool sorted) {
+  SmallPacking packing = streams();
+  for (dem::FiberGroup& group : packing.groups) {
+    dem::Fiber& fiber = group.chain.fiber;
+    fiber.strength = dem::BondStrength{.tension = 0.1 * fiber.material.youngs_modulus,
+                                       .weibull = dem::WeibullSpread{5, dem::fiber_length(fiber), 3}};
+  }
+  return packing.assembly(options(sorted));
+}
+
+}  // namespace
+
+/// Fibers and what is left of them go to their new places, strengths with them.
+BOOST_AUTO_TEST_CASE(sorting_keeps_what_is_broken) {
+  dem::Assembly sorted = brittle_streams(true), as_numbered = brittle_streams(false);
+  sorted.march(steps), as_numbered.march(steps);
+  BOOST_TEST(sorted.sort_count() >= 1);
+  const auto by_fiber = [](std::vector<dem::BondBreak> breaks) {
+    std::ranges::sort(breaks, {}, [](const dem::BondBreak& b) {
+      return std::tuple(b.step, b.group, b.fiber, b.bond);
+    });
+    return breaks;
+  };
+  const auto breaks = by_fiber(sorted.take_breaks()), others = by_fiber(as_numbered.take_breaks());
+  BOOST_TEST_MESSAGE(breaks.size() << " breaks, " << sorted.sort_count() << " times sorted");
+  BOOST_TEST(breaks.size() > 20u);
+  BOOST_REQUIRE(breaks.size() == others.size());
+  for (std::size_t n = 0; n < breaks.size(); ++n) {
+    BOOST_TEST(breaks[n].step == others[n].step);
+    BOOST_TEST(breaks[n].fiber == others[n].fiber);
+    BOOST_TEST(breaks[n].bond == others[n].bond);
+    BOOST_TEST(sorted.is_broken(breaks[n].group, breaks[n].fiber, breaks[n].bond));
+  }
+  BOOST_TEST(sorted.contacts().size() == as_numbered.contacts().size());
+  BOOST_TEST(difference(numbers(sorted), numbers(as_numbered)) < 1e-7);
+}
+
 BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   const dem::SavedState one = marched(options(true), steps).saved();
   for (const int threads : {2, 3}) BOOST_TEST((marched(options(true, threads), steps).saved() == one));
