@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "compare/breaking/fragments.hpp"
 #include "compare/breaking/released_rod.hpp"
 #include "compare/study/validation.hpp"
 
@@ -35,11 +36,24 @@ std::vector<Measured> weakest_that_bears(const ValidationInput&) {
   return {{high, {runs}}};
 }
 
+/// Pieces of rods with strengths by Weibull's law, cut into more bonds.
+std::vector<Measured> fragments(const ValidationInput& in) {
+  const std::vector<int> aspect_ratios{40, 60};
+  std::vector<Fragments> all(2);
+  constexpr int rods = 1600;
+  in.jobs.run(all.size(), [&](std::size_t n) {
+    all[n] = break_rods({.aspect_ratio = aspect_ratios[n], .rods = rods, .strength = 1.2});
+  });
+  return {{all[1].mean / all[0].mean,
+           {rods, aspect_ratios[0], all[0].mean, all[0].deviation, aspect_ratios[1], all[1].mean, all[1].deviation}}};
+}
+
 }  // namespace
 
 const Checks& breaking_checks() {
   static const Checks checks{{.ids = {"rod-flexural-wave"}, .measure = flexural_wave, .cost = 1},
-                             {.ids = {"rod-strength"}, .measure = weakest_that_bears, .cost = 1}};
+                             {.ids = {"rod-strength"}, .measure = weakest_that_bears, .cost = 1},
+                             {.ids = {"rod-fragments"}, .measure = fragments, .cost = 80}};
   return checks;
 }
 

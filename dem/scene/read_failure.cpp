@@ -25,10 +25,10 @@ KeyTable<StrengthKeys> strength_keys() {
                            const char* meaning) {
     table.quantity(key, "Pa", member, kPositive, meaning).otherwise("none");
   };
-  declare("tension", &StrengthKeys::tension, "of N/A + |M| R/I, N positive in tension, M the bending moment");
-  declare("compression", &StrengthKeys::compression, "of -N/A + |M| R/I");
-  declare("shear", &StrengthKeys::shear, "of the shear force over the section, |Q|/A");
-  declare("torsion", &StrengthKeys::torsion, "of the shear stress at the surface by the torque, |T| R/(2 I)");
+  declare("tension", &StrengthKeys::tension, "of N/A + M R/I, N positive in tension, M the size of the bending moment");
+  declare("compression", &StrengthKeys::compression, "of -N/A + M R/I");
+  declare("shear", &StrengthKeys::shear, "of the shear force over the section, Q/A");
+  declare("torsion", &StrengthKeys::torsion, "of the shear stress at the surface by the torque, T R/(2 I)");
   table.one_or_more_of({"tension", "compression", "shear", "torsion"});
   const auto store = [](const StrictMapping&, const WeibullKeys& keys, StrengthKeys& strength) {
     strength.weibull = keys;
