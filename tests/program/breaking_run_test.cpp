@@ -10,6 +10,8 @@ using namespace fiberchain::test;
 
 namespace {
 
+bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
 std::string brittle_fibers() {
   std::string scene = short_fibers(15000, few);
   const std::string bond = "bond: {damping: 1}";
