@@ -6,7 +6,6 @@
 
 #include "dem/model/errors.hpp"
 #include "tests/dem/assembly/breaking_scenes.hpp"
-#include "tests/dem/small_packing.hpp"
 
 BOOST_AUTO_TEST_SUITE(breaking_test)
 
@@ -245,118 +244,20 @@ BOOST_AUTO_TEST_CASE(a_bond_that_breaks_pressed_leaves_a_contact) {
   }
 }
 
-namespace {
-
-/// Strong bends and torsions among many fibers that meet in a box.
-std::vector<dem::FiberGroup> brittle(std::vector<dem::FiberGroup> groups) {
-  for (dem::FiberGroup& group : groups) {
-    dem::Fiber& fiber = group.chain.fiber;
-    const double E = fiber.material.youngs_modulus;
-    fiber.strength = dem::BondStrength{.tension = 0.015 * E,
-                                       .compression = 0.02 * E,
-                                       .shear = 0.01 * E,
-                                       .torsion = 0.01 * E,
-                                       .weibull = dem::WeibullSpread{4, dem::fiber_length(fiber), 11}};
-  }
-  return groups;
-}
-
-dem::Assembly brittle_packing(const dem::AssemblyOptions& options) {
-  const SmallPacking packing = packing_in_a_box(24, 18);
-  return {brittle(packing.groups), packing.around, options};
-}
-
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(runs_go_on_to_the_bit_through_breaks_on_any_threads) {
+/// The kick of spheres that no bond joins is that of free ones: nothing of it is left in the matrix.
+BOOST_AUTO_TEST_CASE(a_broken_bond_has_no_stiffness_where_bonds_are_solved_for) {
   for (const dem::BondForm form : forms) {
-    for (const dem::Integrator scheme : schemes) {
-      dem::AssemblyOptions options = options_of(form, scheme);
-      options.step = scheme == dem::Integrator::leapfrog ? 5e-6 : 2e-5;
-      dem::Assembly run = brittle_packing(options), again = brittle_packing(options);
-      options.threads = 3;
-      dem::Assembly threads = brittle_packing(options);
-      const int steps = scheme == dem::Integrator::leapfrog ? 2000 : 500;
-      std::vector<dem::BondBreak> early;
-      while (early.size() < 20) {
-        run.march(20);
-        for (const dem::BondBreak& one : run.take_breaks()) early.push_back(one);
-      }
-      threads.march(run.steps());
-      again.restore(run.saved());
-      BOOST_TEST(again.pieces() == run.pieces());
-      run.march(steps), again.march(steps), threads.march(steps);
-      const auto late = run.take_breaks(), same = again.take_breaks();
-      BOOST_TEST_MESSAGE(name(form) << ", " << name(scheme) << ": " << early.size() << " breaks, then "
-                                    << late.size());
-      BOOST_TEST(early.size() > 3);
-      BOOST_TEST(late.size() > 3);
-      BOOST_REQUIRE(late.size() == same.size());
-      for (std::size_t n = 0; n < late.size(); ++n) {
-        BOOST_TEST(late[n].step == same[n].step);
-        BOOST_TEST(late[n].fiber == same[n].fiber);
-        BOOST_TEST(late[n].bond == same[n].bond);
-        BOOST_TEST(late[n].stress == same[n].stress);
-      }
-      BOOST_TEST((run.saved() == again.saved()));
-      BOOST_TEST((run.saved() == threads.saved()));
-      BOOST_TEST(run.pieces() == 42 + static_cast<int>(early.size() + late.size()));
+    dem::Assembly assembly = torn(form, 0.2, 5, dem::Integrator::leapfrog_stiff);
+    assembly.march(20);
+    BOOST_REQUIRE(assembly.is_broken(0, 0, 0));
+    const dem::ChainState<3> before = assembly.state(0, 0);
+    assembly.march(100);
+    const dem::ChainState<3> after = assembly.state(0, 0);
+    for (int i : {0, 1}) {
+      BOOST_TEST(norm(after.velocity[i] - before.velocity[i]) < 1e-14 * norm(before.velocity[i]));
+      BOOST_TEST(norm(after.spin[i] - before.spin[i]) <= 1e-14 * norm(before.spin[i]));
     }
-  }
-}
-
-namespace {
-
-/// Error of the whole book over the kinetic energy at first.
-double book_error(dem::Assembly assembly, double time, dem::EnergyBalance& end) {
-  const double before = total_of(assembly), kinetic = assembly.energy().kinetic;
-  assembly.march(std::llround(time / assembly.step()));
-  end = assembly.energy();
-  end.breaking /= kinetic;
-  return (dem::total(assembly.energy()) - before) / kinetic;
-}
-
-}  // namespace
-
-/// The book of a packing that breaks closes about as that of one that does not.
-BOOST_AUTO_TEST_CASE(energy_of_a_breaking_packing_closes) {
-  for (const dem::Integrator scheme : schemes) {
-    dem::AssemblyOptions options = options_of(dem::BondForm::incremental, scheme);
-    options.step = 4e-6;
-    dem::EnergyBalance end{}, plain_end{};
-    const double error = book_error(brittle_packing(options), 0.016, end),
-                 plain = book_error(packing_in_a_box(24, 18).assembly(options), 0.016, plain_end);
-    BOOST_TEST_MESSAGE(name(scheme) << ": breaking took " << end.breaking
-                                    << " of the kinetic energy; the total is off by " << error
-                                    << ", without strengths by " << plain);
-    BOOST_TEST(end.breaking > 0.02);
-    BOOST_TEST(std::abs(error) < 1e-3);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(pieces_keep_momentum_and_angular_momentum) {
-  for (const dem::BondForm form : forms) {
-    dem::FiberGroup group = scattered(dem::straight_chain<3>(odd_fiber(11)), 13, 0.03, 3);
-    const dem::Fiber plain = group.chain.fiber;
-    dem::Assembly assembly(brittle({group}), {}, options_of(form));
-    const auto sums = [&] {
-      V p{}, L{};
-      for (int f = 0; f < assembly.fibers(0); ++f) {
-        const dem::ChainState<3> s = assembly.state(0, f);
-        const double m = dem::sphere_mass(plain), J = dem::sphere_inertia(plain);
-        for (std::size_t i = 0; i < s.poses.size(); ++i) {
-          p = p + m * s.velocity[i];
-          L = L + m * cross(s.poses[i].position, s.velocity[i]) + J * s.spin[i];
-        }
-      }
-      return std::pair{p, L};
-    };
-    const auto before = sums();
-    assembly.march(1500);
-    const auto after = sums();
-    BOOST_TEST(assembly.take_breaks().size() > 20u);
-    BOOST_TEST(norm(after.first - before.first) < 1e-12 * norm(before.first));
-    BOOST_TEST(norm(after.second - before.second) < 1e-12 * norm(before.second));
+    BOOST_TEST(norm(before.velocity[1] - before.velocity[0]) > 0.1 * norm(before.velocity[0]));
   }
 }
 
