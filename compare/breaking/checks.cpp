@@ -45,7 +45,8 @@ std::vector<Measured> fragments(const ValidationInput& in) {
     all[n] = break_rods({.aspect_ratio = aspect_ratios[n], .rods = rods, .strength = 1.2});
   });
   return {{all[1].mean / all[0].mean,
-           {rods, aspect_ratios[0], all[0].mean, all[0].deviation, aspect_ratios[1], all[1].mean, all[1].deviation}}};
+           {rods, aspect_ratios[0], all[0].mean, all[0].deviation, aspect_ratios[1], all[1].mean,
+            all[1].deviation}}};
 }
 
 }  // namespace

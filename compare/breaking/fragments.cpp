@@ -46,7 +46,8 @@ dem::FiberGroup rods_of(const FragmentCase& asked) {
 Fragments break_rods(const FragmentCase& asked) {
   dem::FiberGroup group = rods_of(asked);
   const dem::Fiber fiber = group.chain.fiber;
-  const double end = time_of_way(fiber, 3.0 * asked.aspect_ratio), step = 0.1 * asked.aspect_ratio * dem::bond_time_step(fiber);
+  const double end = time_of_way(fiber, 3.0 * asked.aspect_ratio),
+               step = 0.1 * asked.aspect_ratio * dem::bond_time_step(fiber);
   dem::Assembly assembly(
       {std::move(group)}, {},
       {.step = step, .integrator = dem::Integrator::leapfrog_stiff, .form = dem::BondForm::total});

@@ -92,12 +92,12 @@ struct Assembly::State {
   double inserted = 0;                                   ///< energy supplied with inserted fibers [J]
   std::optional<std::vector<ContactState>> last_forces;  ///< by rows, where the last march has kept them
   HeldSpheres held;                                      ///< by grips
-  bool may_break = false;               ///< fibers there have bonds that break
-  double released = 0;                  ///< energy that bonds stored as they broke, less that of contacts between
-                                        ///< what they joined as these began [J]
+  bool may_break = false;                                ///< fibers there have bonds that break
+  double released = 0;  ///< energy that bonds stored as they broke, less that of contacts between
+                        ///< what they joined as these began [J]
   std::int64_t broken_bonds = 0;
-  std::vector<BondBreak> breaks;        ///< since they were asked for
-  std::vector<std::int64_t> parted;     ///< rows before bonds broken in the last step: contacts begin there
+  std::vector<BondBreak> breaks;     ///< since they were asked for
+  std::vector<std::int64_t> parted;  ///< rows before bonds broken in the last step: contacts begin there
 
   State(Domain around, AssemblyOptions how, double dt)
       : domain(std::move(around)),

@@ -14,9 +14,9 @@ struct BondBreak {
   int group, fiber;   ///< number of the fiber in its group
   int bond;           ///< from its sphere of this number to the next
   BreakCause cause;
-  double stress;           ///< that was the largest part of its strength [Pa]; 0 by hand
-  double energy;           ///< that it stored [J]
-  Vec<double, 3> place;    ///< of its middle [m]
+  double stress;         ///< that was the largest part of its strength [Pa]; 0 by hand
+  double energy;         ///< that it stored [J]
+  Vec<double, 3> place;  ///< of its middle [m]
 };
 
 }  // namespace fiberchain::dem

@@ -12,9 +12,9 @@ struct EnergyBalance {
       bond_friction;  ///< dissipated by the dashpots and branches, by the rolling friction of bonds
   double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
   double scheme;  ///< work on the springs' part of the mass matrix, where bonds are solved for; falls as dt^2
-  double breaking;  ///< stored by bonds as they broke, less what contacts between their spheres began with
-  double yielding;  ///< plastic work of bonds
-  double fluid;   ///< dissipated by the fluid, negative where it drives
+  double breaking;   ///< stored by bonds as they broke, less what contacts between their spheres began with
+  double yielding;   ///< plastic work of bonds
+  double fluid;      ///< dissipated by the fluid, negative where it drives
   double wall_work;  ///< supplied by moving walls
   double held_work;  ///< supplied by what holds, drives and loads spheres
   double inserted;   ///< supplied with inserted fibers

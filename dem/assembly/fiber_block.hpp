@@ -108,8 +108,8 @@ class FiberBlock {
   bool is_broken(const GroupKind& kind, int lane, int bond) const {
     return kind.law->intact_place >= 0 && *intact(kind, kind.history_of(history_, lane, bond)) == 0;
   }
-  /// Breaks a bond for good, one of the library's laws in the next step. Throws InvalidInput where the law has
-  /// no broken bonds.
+  /// Breaks a bond for good, one of the library's laws in the next step. Throws InvalidInput where the law
+  /// has no broken bonds.
   void break_bond(const GroupKind& kind, int lane, int bond);
   /// Whether bonds have broken in the last step.
   bool has_breaks() const { return has_breaks_; }

@@ -14,10 +14,10 @@ namespace fiberchain::dem {
 
 /// Over bonds.
 struct BondSums {
-  double energy;             ///< stored [J]
-  double bending;            ///< angles [rad]
-  double plastic_work = 0;   ///< of all, broken ones included [J]
-  std::int64_t whole = 0;    ///< that are not broken, of which energy and bending are
+  double energy;            ///< stored [J]
+  double bending;           ///< angles [rad]
+  double plastic_work = 0;  ///< of all, broken ones included [J]
+  std::int64_t whole = 0;   ///< that are not broken, of which energy and bending are
 };
 
 /// Functions of one law. BondParameters are those of the chain's fiber.

@@ -58,7 +58,8 @@ struct Physics {
   Rolling rolling = Rolling::none;
   bool fluid = false;     ///< Stokes' drag of a flow on every sphere, solved within the step
   bool branches = false;  ///< Maxwell branches beside the bonds' springs; built with dashpots, for some
-  bool fails = false;  ///< bonds break or yield; built with dashpots, for fibers among others (failing_physics)
+  bool fails =
+      false;  ///< bonds break or yield; built with dashpots, for fibers among others (failing_physics)
 
   constexpr bool operator==(const Physics&) const = default;
 };
@@ -173,12 +174,8 @@ namespace physics_detail {
 /// Both forms, rest shapes and schemes, and in a fluid the explicit one.
 template <class Emit>
 constexpr void each_failing_physics(const Emit& emit) {
-  Physics physics{.dimension = 3,
-                  .form = {},
-                  .damped = true,
-                  .settling_damping = false,
-                  .curved = false,
-                  .fails = true};
+  Physics physics{
+      .dimension = 3, .form = {}, .damped = true, .settling_damping = false, .curved = false, .fails = true};
   const auto forms = [&] {
     rest_shapes<BondForm::incremental>(physics, emit);
     rest_shapes<BondForm::total>(physics, emit);

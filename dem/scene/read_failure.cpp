@@ -25,7 +25,8 @@ KeyTable<StrengthKeys> strength_keys() {
                            const char* meaning) {
     table.quantity(key, "Pa", member, kPositive, meaning).otherwise("none");
   };
-  declare("tension", &StrengthKeys::tension, "of N/A + M R/I, N positive in tension, M the size of the bending moment");
+  declare("tension", &StrengthKeys::tension,
+          "of N/A + M R/I, N positive in tension, M the size of the bending moment");
   declare("compression", &StrengthKeys::compression, "of -N/A + M R/I");
   declare("shear", &StrengthKeys::shear, "of the shear force over the section, Q/A");
   declare("torsion", &StrengthKeys::torsion, "of the shear stress at the surface by the torque, T R/(2 I)");

@@ -1,7 +1,7 @@
 // A rod of uniform curvature let go at one end: its curvature rises to 1.428 of what it was, and breaks it or
 // not.
-#include "compare/breaking/fragments.hpp"
 #include "compare/breaking/released_rod.hpp"
+#include "compare/breaking/fragments.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -65,7 +65,8 @@ BOOST_AUTO_TEST_CASE(strength_of_1_40_breaks_and_of_1_46_does_not) {
 BOOST_AUTO_TEST_CASE(rods_break_into_pieces_by_their_strength) {
   const Fragments weak = break_rods({.aspect_ratio = 20, .rods = 160, .strength = 1.2}),
                   strong = break_rods({.aspect_ratio = 20, .rods = 160, .strength = 1.6});
-  BOOST_TEST_MESSAGE(weak.mean << " +- " << weak.deviation << " pieces, " << strong.mean << " +- " << strong.deviation);
+  BOOST_TEST_MESSAGE(weak.mean << " +- " << weak.deviation << " pieces, " << strong.mean << " +- "
+                               << strong.deviation);
   BOOST_TEST(std::abs(weak.mean - 2.25) < 3 * weak.deviation + 0.05);
   BOOST_TEST(strong.mean < weak.mean - 0.5);
   BOOST_TEST(weak.longest < strong.longest);

@@ -31,7 +31,8 @@ constexpr EnergyBalance balance{.kinetic = 1,
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_total_is_stored_and_dissipated_less_supplied) {
-  BOOST_TEST(total(balance) == 1 + 2 + 4 - 8 + 16 + 32 + 64 + 128 + 256 + 4096 + 8192 + 16384 - 512 - 1024 - 2048);
+  BOOST_TEST(total(balance) ==
+             1 + 2 + 4 - 8 + 16 + 32 + 64 + 128 + 256 + 4096 + 8192 + 16384 - 512 - 1024 - 2048);
   BOOST_TEST(sum_of(balance, EnergyRole::stored) == -1);
   BOOST_TEST(sum_of(balance, EnergyRole::dissipated) == 4080 + 8192 + 16384);
   BOOST_TEST(sum_of(balance, EnergyRole::supplied) == 3072);

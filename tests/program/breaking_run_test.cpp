@@ -10,7 +10,9 @@ using namespace fiberchain::test;
 
 namespace {
 
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+bool holds(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
 
 std::string brittle_fibers() {
   std::string scene = short_fibers(15000, few);

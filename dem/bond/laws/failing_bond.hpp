@@ -14,7 +14,8 @@ template <class Real>
 struct BondFailure {
   Real limit[4];    ///< strengths times A, in the order of BreakCause from tension on; huge where none [N]
   Real yield;       ///< moment at which it yields now; huge where it does not [N m]
-  Real plastic[2];  ///< bend that stays, in the mid-frame (form total; the incremental strain is elastic) [rad]
+  Real plastic[2];  ///< bend that stays, in the mid-frame (form total; the incremental strain is elastic)
+                    ///< [rad]
   Real work;        ///< plastic, so far [J]
   Real stress;      ///< that it broke at, times A [N]
   Real cause;       ///< BreakCause; of one that is to break in the next step by hand already
@@ -72,8 +73,7 @@ Real yielded_share(const BondParameters<Real>& bond, const Real& bend_squared, B
   const auto over = bond.bend * bond.bend * bend_squared > failure.yield * failure.yield;
   if (!any_lane(over)) return Real(0.0);
   const Real size = sqrt(bend_squared);
-  const Real angle =
-      select(over, (bond.bend * size - failure.yield) / (bond.bend + hardening), Real(0.0));
+  const Real angle = select(over, (bond.bend * size - failure.yield) / (bond.bend + hardening), Real(0.0));
   const Real more = hardening * angle;
   failure.work = failure.work + (failure.yield + Real(0.5) * more) * angle;
   failure.yield = failure.yield + more;
@@ -92,8 +92,7 @@ void find_cause(const BondParameters<Real>& bond, const SectionForces<Real>& s, 
   const auto& limit = failure.limit;
   const auto torn = (stress[0] > limit[0]) | (stress[1] > limit[1]) | (stress[2] > limit[2]) |
                     (stress[3] > limit[3]) | (failure.cause > Real(0.0));
-  const auto breaks =
-      (failure.intact == Real(1.0)) & (bond.own[may_break_place] > Real(0.0)) & torn;
+  const auto breaks = (failure.intact == Real(1.0)) & (bond.own[may_break_place] > Real(0.0)) & torn;
   Real ratio = stress[0] / limit[0], largest = stress[0], cause(1.0);
   for (int n = 1; n < 4; ++n) {
     const Real own = stress[n] / limit[n];
@@ -117,8 +116,7 @@ bool may_be_beyond(const BondParameters<Real>& bond, const SectionForces<Real>& 
   const Real edge = Real(4.0) * (arm * arm) * s.bend_squared;  // (|M| A R/I)^2
   const Real left = failure.limit[0] - s.N, right = failure.limit[1] + s.N;
   const auto beyond = (left < Real(0.0)) | (edge > left * left) | (right < Real(0.0)) |
-                      (edge > right * right) |
-                      (s.shear_squared > failure.limit[2] * failure.limit[2]) |
+                      (edge > right * right) | (s.shear_squared > failure.limit[2] * failure.limit[2]) |
                       ((arm * arm) * (s.torque * s.torque) > failure.limit[3] * failure.limit[3]) |
                       (failure.cause > Real(0.0));
   return any_lane((failure.intact == Real(1.0)) & beyond);
@@ -175,9 +173,8 @@ struct FailingBond : Base {
   }
 
   template <class History>
-  static double bending_angle(const History& history, const BondConfiguration<double, 3>& now)
-    requires(!Base::from_poses)
-  {
+  static double bending_angle(const History& history,
+                              const BondConfiguration<double, 3>& now) requires(!Base::from_poses) {
     return Base::bending_angle(history.base, now);
   }
 
@@ -223,8 +220,7 @@ struct FailingBond : Base {
     const Vec<Real, 3>& m = stress.moment;
     const Vec<Real, 3> along = (Real(1.0) / norm(k.separation)) * k.separation;
     const auto s = section_forces(stress.force, along, m[0], m[1] * m[1] + m[2] * m[2]);
-    if (may_be_beyond(bond, s, failure))
-      find_cause(bond, s, failure, energy_from_poses(bond, k, failure));
+    if (may_be_beyond(bond, s, failure)) find_cause(bond, s, failure, energy_from_poses(bond, k, failure));
     return bond_loads(k, stress);
   }
 
@@ -245,8 +241,8 @@ struct FailingBond : Base {
     strain.rotation = strain.rotation - share * bend;
     const BondAction<Real, 3> action = Base::template action<false>(bond, strain, now);
     const Real torque = dot(action.moment, e);
-    const auto s = section_forces(action.force, e, torque,
-                                  dot(action.moment, action.moment) - torque * torque);
+    const auto s =
+        section_forces(action.force, e, torque, dot(action.moment, action.moment) - torque * torque);
     if (may_be_beyond(bond, s, history.failure))
       find_cause(bond, s, history.failure, Base::stored_energy(bond, strain, now));
     return act_at_middle(now.line.vector, action);

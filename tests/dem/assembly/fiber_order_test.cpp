@@ -146,7 +146,8 @@ namespace {
 dem::Assembly broken_streams(bool sorted) {
   SmallPacking packing = streams();
   for (dem::FiberGroup& group : packing.groups)
-    group.chain.fiber.strength = dem::BondStrength{.tension = 1e3 * group.chain.fiber.material.youngs_modulus};
+    group.chain.fiber.strength =
+        dem::BondStrength{.tension = 1e3 * group.chain.fiber.material.youngs_modulus};
   dem::Assembly assembly = packing.assembly(options(sorted));
   for (int f = 0; f < 300; f += 60) assembly.break_bond(0, f, f % 8), assembly.break_bond(1, f, f % 13);
   assembly.march(steps);
@@ -169,11 +170,11 @@ BOOST_AUTO_TEST_CASE(sorting_keeps_what_is_broken) {
   const auto contacts = sorted.contacts(), others = as_numbered.contacts();
   BOOST_TEST(contacts.size() == others.size());
   const auto between_pieces = [](const dem::ContactState& contact) {
-    return dem::is_sphere(contact.key.second) &&
-           contact.key.second.number == contact.key.first.number + 1;
+    return dem::is_sphere(contact.key.second) && contact.key.second.number == contact.key.first.number + 1;
   };
   BOOST_TEST_MESSAGE(std::ranges::count_if(contacts, between_pieces) << " contacts between pieces");
-  BOOST_TEST(std::ranges::count_if(contacts, between_pieces) == std::ranges::count_if(others, between_pieces));
+  BOOST_TEST(std::ranges::count_if(contacts, between_pieces) ==
+             std::ranges::count_if(others, between_pieces));
   BOOST_TEST(difference(numbers(sorted), numbers(as_numbered)) < 1e-7);
 }
 
