@@ -19,10 +19,10 @@ const std::vector<std::string> kDem{"math",      "files",       "model",     "me
                                     "parallel",  "record",      "bond",      "chain", "motion",   "contact",
                                     "insertion", "equilibrium", "vibration", "flow",  "assembly", "analysis",
                                     "scene",     "trajectory",  "run"};
-const std::vector<std::string> kCompare{"study",    "figures",   "measure", "static",   "calibration",
-                                        "identify", "fit",       "render",  "flow",     "packing",
-                                        "press",    "stability", "damping", "friction", "contact",
-                                        "material", "bench",     "scenes",  "python",   "app"};
+const std::vector<std::string> kCompare{
+    "study",    "figures", "measure",  "static", "calibration", "identify",  "fit",
+    "render",   "flow",    "packing",  "press",  "breaking",    "stability", "damping",
+    "friction", "contact", "material", "bench",  "scenes",      "python",    "app"};
 
 /// The room of `root` that a line includes; nothing if it includes none.
 std::optional<std::string> included_room(const std::string& line, const std::string& root) {

@@ -75,6 +75,9 @@ const Checks& packing_checks();
 /// Beds under a plate: van Wyk's exponent.
 const Checks& press_checks();
 
+/// Bonds that break: rods of uniform curvature that are let go.
+const Checks& breaking_checks();
+
 /// A subject of the matrix, which has a file of claims and a table of measures.
 struct ValidationSubject {
   std::string_view name;  ///< of the file, and on the command line

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/assembly/bond_breaks.hpp"
 #include "dem/assembly/carried_state.hpp"
 #include "dem/assembly/energy_balance.hpp"
 #include "dem/assembly/saved_state.hpp"
@@ -75,12 +76,13 @@ struct BondState {
 /// Sums over an assembly.
 struct AssemblySample {
   EnergyBalance energy;
-  double bending;            ///< angles of all bonds [rad]
+  double bending;            ///< angles of all bonds that are not broken [rad]
   std::int64_t bonds;        ///< how many
   double overlap;            ///< of contacts, each over its smaller radius
   std::int64_t overlapping;  ///< how many
 
-  double bending_mean() const { return bending / static_cast<double>(bonds); }
+  /// 0 where none is whole.
+  double bending_mean() const { return bonds > 0 ? bending / static_cast<double>(bonds) : 0; }
   /// 0 where nothing touches.
   double overlap_mean() const { return overlapping > 0 ? overlap / static_cast<double>(overlapping) : 0; }
 };
@@ -131,8 +133,12 @@ class Assembly {
   /// Bonds that can break (a law with the flag `intact`, laws/breakable.hpp); no others are ever broken.
   /// Spheres beside a broken bond may touch.
   bool is_broken(int group, int fiber, int bond) const;
-  /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
+  /// Breaks a bond for good, of a fiber with strengths or yielding in the next step, as if it were beyond its
+  /// strength. Throws InvalidInput where the law has no broken bonds.
   void break_bond(int group, int fiber, int bond);
+  /// Those that broke since this was asked last, in the order of time, groups and places in memory.
+  std::vector<BondBreak> take_breaks();
+  std::int64_t pieces() const;  ///< fibers, and one more for each broken bond
   /// Of all fibers of a group, at a fraction of the cost of one after the other.
   std::vector<ChainState<3>> states(int group) const;
   std::vector<std::vector<BondState>> bonds(int group) const;

@@ -51,6 +51,7 @@ FieldValues reference_positions(State& s, const Places&) {
 void set_reference_positions(State& s, const FieldValues& values) {
   std::vector<Vec<double, 3>> listed;
   const Reals& x = std::get<Reals>(values);
+  s.part_pieces();
   for (std::size_t i = 0; i < x.size(); i += 3) listed.push_back({x[i], x[i + 1], x[i + 2]});
   s.contacts.rebuild_neighbor_list(std::move(listed), s.contacts.reference_time(), s.pool);
   s.contacts.clear();
@@ -144,6 +145,8 @@ const std::vector<FieldRule>& fields() {
       number_field<&State::steps>("steps"),
       number_field<&State::displacement_budget>("displacement_budget"),
       number_field<&State::inserted>("inserted_energy"),
+      number_field<&State::released>("released_energy"),
+      number_field<&State::broken_bonds>("broken_bonds"),
       number_field<&State::longest_path>("longest_path"),
       number_field<&State::best_cross_part_fraction>("best_cross_part_fraction"),
       number_field<&State::sort_count>("sort_count"),

@@ -120,6 +120,8 @@ void Assembly::State::move_to(std::vector<FiberOrder> after, const std::vector<s
   if (rows.oriented()) rows.orientation = moved(rows.orientation, new_row, quaternion_size);
   order = std::move(after);
   ++sort_count;
+  part_pieces();
+  for (std::int64_t& row : parted) row = new_row[row];
   contacts.reorder_rows(new_row, rows, time(), pool);
   displacement_budget = 0.5 * contacts.skin();
   held.locate(*this);

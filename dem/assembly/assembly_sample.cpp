@@ -23,7 +23,7 @@ struct BlockSums {
 };
 
 /// Half of the work of the kick that is centered on this moment.
-double damping_now(const Assembly::State& s, const FiberBlock& block, const FiberReader& reader) {
+double damping_now(const Assembly::State& s, const FiberBlock& block, const FiberReader& reader, int lane) {
   const GroupKind& kind = s.kinds[block.group()];
   const ChainState<3>& state = reader.state();
   const auto sphere = [&](int i) {
@@ -31,6 +31,7 @@ double damping_now(const Assembly::State& s, const FiberBlock& block, const Fibe
   };
   double sum = 0;
   for (int i = 0; i + 1 < kind.spheres(); ++i) {
+    if (block.is_broken(kind, lane, i)) continue;
     sum += 0.5 * s.step * dashpot_power(kind.parameters.bond, sphere(i), sphere(i + 1));
   }
   return sum;
@@ -57,8 +58,9 @@ BlockSums sums_of(const Assembly::State& s, const FiberBlock& block, FiberReader
                                         kind.kernel->width, kind.memory.bond * kind.kernel->width);
     sums.bonds.energy += own.energy;
     sums.bonds.bending += own.bending;
-    sums.count += kind.chain.fiber.aspect_ratio;
-    if (s.options.account_energy && block.moved()) energy.bond_damping += damping_now(s, block, reader);
+    sums.count += own.whole;
+    energy.yielding += own.plastic_work;
+    if (s.options.account_energy && block.moved()) energy.bond_damping += damping_now(s, block, reader, lane);
   }
   const FiberBlock::Taken taken = block.taken(kind, s.rows);
   energy.bond_damping += taken.damping;
@@ -83,6 +85,7 @@ AssemblySample Assembly::State::sample() {
     energy.bond_damping += own.energy.bond_damping;
     energy.bond_friction += own.energy.bond_friction;
     energy.scheme += own.energy.scheme;
+    energy.yielding += own.energy.yielding;
     energy.fluid += own.energy.fluid;
     all.bending += own.bonds.bending;
     all.bonds += own.count;
@@ -96,6 +99,7 @@ AssemblySample Assembly::State::sample() {
   energy.contact_rolling = dissipated.rolling;
   energy.wall_work = contacts.wall_work();
   energy.held_work = options.account_energy ? held.work(*this) : 0;
+  energy.breaking = released;
   energy.inserted = inserted;
   return all;
 }

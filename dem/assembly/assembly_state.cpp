@@ -59,14 +59,18 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
     first_block.push_back(static_cast<int>(blocks.size()));
     order.push_back(order_at_start(group, options.sort_in_space && is_worth_sorting(count), domain));
     contacts.add(group.chain, fibers.back());
+    may_break = may_break || kind.law->failure_place >= 0;
     scratch_size = std::max(scratch_size, kind.kernel->scratch(group.chain.fiber.aspect_ratio));
     for (std::size_t f = 0; f < group.fibers.size(); f += static_cast<std::size_t>(kind.kernel->width)) {
       const std::size_t end = std::min(group.fibers.size(), f + kind.kernel->width);
       std::vector<ChainState<3>> lanes;
-      for (std::size_t place = f; place < end; ++place)
-        lanes.push_back(group.fibers[order.back().fiber(static_cast<std::int64_t>(place))]);
+      std::vector<std::int32_t> numbers;
+      for (std::size_t place = f; place < end; ++place) {
+        numbers.push_back(order.back().fiber(static_cast<std::int64_t>(place)));
+        lanes.push_back(group.fibers[numbers.back()]);
+      }
       blocks.emplace_back(kind, number, static_cast<int>(blocks.size()) - first_block.back(), row, lanes,
-                          options.account_energy, rows);
+                          numbers, options.account_energy, rows);
       row = blocks.back().end(kind);
     }
     if (gradient.size() == 0) gradient = LaneArray(9 * kind.kernel->width);
@@ -74,6 +78,7 @@ int Assembly::State::add(const std::vector<FiberGroup>& groups) {
   scratch.clear();
   for (int t = 0; t < options.threads; ++t) scratch.emplace_back(scratch_size);
   set_gradient();
+  part_pieces();
   const std::vector<double> loads_before = loads.all();
   contacts.begin(rows, partition_of_blocks(), time(), pool);
   loads = ForceBuffers(contacts.parts(), options.threads);

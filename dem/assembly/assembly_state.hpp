@@ -92,6 +92,12 @@ struct Assembly::State {
   double inserted = 0;                                   ///< energy supplied with inserted fibers [J]
   std::optional<std::vector<ContactState>> last_forces;  ///< by rows, where the last march has kept them
   HeldSpheres held;                                      ///< by grips
+  bool may_break = false;                                ///< fibers there have bonds that break
+  double released = 0;  ///< energy that bonds stored as they broke, less that of contacts between
+                        ///< what they joined as these began [J]
+  std::int64_t broken_bonds = 0;
+  std::vector<BondBreak> breaks;     ///< since they were asked for
+  std::vector<std::int64_t> parted;  ///< rows before bonds broken in the last step: contacts begin there
 
   State(Domain around, AssemblyOptions how, double dt)
       : domain(std::move(around)),
@@ -146,6 +152,14 @@ struct Assembly::State {
   /// Those of a group as they lie now.
   FiberOrder order_now(int group) const;
   void march(std::int64_t count, ContactForces at_end);
+  /// Bonds that have broken in the last step are gone, and spheres beside them may touch.
+  void settle_breaks();
+  /// The pieces of fibers as their bonds are; the neighbor list is built anew behind it.
+  void part_pieces();
+  /// Bonds of the first groups that were broken elsewhere stay so, what they bear is this assembly's.
+  void adopt_failures(int groups);
+  /// Once contacts are worked out: what those store that begin between spheres parted in the last step.
+  void account_parted();
   AssemblySample sample();
   std::string place_of(std::int64_t sphere) const;  ///< "fiber 3, sphere 0"
   std::int64_t fastest_sphere() const;

@@ -112,7 +112,8 @@ double Assembly::State::step_block(std::size_t number, LoadRange own_loads, Lane
   }
   if (!options.account_energy || !domain.fluid)
     return block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
-  const BlockSnapshot before = block.snapshot(kind, rows, own_loads, gradient.data());
+  BlockSnapshot before;
+  block.snapshot(kind, rows, own_loads, gradient.data(), before, true);
   const double fastest = block.step(kind, rows, own_loads, own_scratch, gradient.data(), next, ahead);
   block.add_fluid_dissipation(fluid_dissipation(block, before));
   return fastest;
@@ -184,7 +185,9 @@ bool Assembly::State::march_some(int count, ContactForces at_end) {
   if (watch.on) pool.measure_idle_times();
   for (int n = 0; n < count; ++n) {
     n == 0 ? move() : touch_and_move();
+    account_parted();
     try {
+      settle_breaks();
       if (update_neighbor_list()) watch.lap(&StepTimes::search);
     } catch (const InvalidInput&) {
       for (int k = 0; k < contacts.parts().count(); ++k)
@@ -193,6 +196,7 @@ bool Assembly::State::march_some(int count, ContactForces at_end) {
     }
   }
   at_end == ContactForces::kept ? touch_and_keep() : touch();
+  account_parted();
   return true;
 }
 

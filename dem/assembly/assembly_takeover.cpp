@@ -46,12 +46,14 @@ void put_histories(State& s, const CarriedGroup& group, int g, double step, Carr
   const std::int64_t bonds = kind.spheres() - 1, width = kind.kernel->width,
                      of_bond = static_cast<std::int64_t>(kind.memory.bond),
                      law = static_cast<std::int64_t>(kind.kernel->history), all = s.fibers[g] * bonds;
-  const bool same_law = !group.histories.empty() && group.form == kind.law->form && group.law_numbers == law;
+  // bonds that break or yield go on from the same law that did not
+  const bool same_law = !group.histories.empty() && group.form == kind.law->form &&
+                        (group.law_numbers == law || group.law_numbers == kind.law->failure_place);
   const bool same_branches = same_law && group.bond_numbers == of_bond;
   if (!same_law) losses.bonds_without += law > 0 ? all : 0;
   if (!same_branches && of_bond > law) losses.branches_without += all;
   if (!same_law) return;
-  const std::int64_t taken = same_branches ? of_bond : law;
+  const std::int64_t taken = same_branches ? of_bond : std::min<std::int64_t>(law, group.law_numbers);
   for (std::int64_t place = 0; place < s.order[g].count(); ++place) {
     FiberBlock& block = s.blocks[s.first_block[g] + place / width];
     const double* from = group.histories.data() + s.order[g].fiber(place) * bonds * group.bond_numbers;
@@ -190,6 +192,7 @@ CarriedLosses Assembly::take_over(const CarriedState& carried) {
   CarriedLosses losses;
   const int groups = static_cast<int>(carried.groups.size());
   for (int g = 0; g < groups; ++g) put_histories(s, carried.groups[g], g, carried.step, losses);
+  s.adopt_failures(groups);
   if (carried.step == 0) return losses;
   for (int g = 0; g < groups; ++g) put_velocities(s, carried.groups[g], g);
   put_loads(s, carried, put_contacts(s, carried, losses));

@@ -12,7 +12,9 @@ struct EnergyBalance {
       bond_friction;  ///< dissipated by the dashpots and branches, by the rolling friction of bonds
   double contact_normal, contact_tangential, contact_rolling;  ///< dissipated by contacts
   double scheme;  ///< work on the springs' part of the mass matrix, where bonds are solved for; falls as dt^2
-  double fluid;   ///< dissipated by the fluid, negative where it drives
+  double breaking;   ///< stored by bonds as they broke, less what contacts between their spheres began with
+  double yielding;   ///< plastic work of bonds
+  double fluid;      ///< dissipated by the fluid, negative where it drives
   double wall_work;  ///< supplied by moving walls
   double held_work;  ///< supplied by what holds, drives and loads spheres
   double inserted;   ///< supplied with inserted fibers
@@ -55,6 +57,11 @@ inline constexpr std::array energy_mechanisms = {
     EnergyMechanism{&EnergyBalance::scheme, EnergyRole::dissipated, "taken_scheme", "taken by the scheme",
                     "work of beta dt^2 K, which stands beside the masses where bonds are "
                     "solved for within the step"},
+    EnergyMechanism{&EnergyBalance::breaking, EnergyRole::dissipated, "taken_breaking", "taken by breaking",
+                    "stored by bonds as they broke, less what contacts of the spheres that they joined began "
+                    "with"},
+    EnergyMechanism{&EnergyBalance::yielding, EnergyRole::dissipated, "taken_yielding", "taken by yielding",
+                    "plastic work of bonds that bend beyond their yield moment"},
     EnergyMechanism{&EnergyBalance::fluid, EnergyRole::dissipated, "taken_fluid", "taken by the fluid",
                     "taken by the fluid"},
     EnergyMechanism{&EnergyBalance::wall_work, EnergyRole::supplied, "given_walls", "given by walls",

@@ -82,6 +82,13 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
   kind.weight = kind.mass * domain.gravity;
   if (domain.fluid) kind.drag = stokes_drag(*domain.fluid, fiber);
   kind.parameters = march_parameters<3>(fiber, kind.drag, step);
+  if (physics.fails) {
+    BondParameters<double>& bond = kind.parameters.bond;
+    bond.own[inverse_radius_place] = 2 / sphere_radius(fiber);
+    // plastic angle takes 1/H of what the whole takes by 1/(h K) and the elastic one by 1/K
+    const double h = fiber.yield ? fiber.yield->hardening : 0;
+    bond.own[hardening_place] = h / (1 - h) * bond.bend;
+  }
   if (physics.solved == Solved::bonds) kind.bearable_tension = largest_tension(fiber, step);
   kind.half = half_step(fiber, 1, kind.drag, step);
   kind.end_half = half_step(fiber, end_mass_share(fiber), kind.drag, step);
@@ -100,7 +107,8 @@ GroupKind group_kind(const Chain<3>& chain, std::size_t fibers, const AssemblyOp
 }
 
 FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t first,
-                       const std::vector<ChainState<3>>& fibers, bool accounted, SphereStorage& rows)
+                       const std::vector<ChainState<3>>& fibers, const std::vector<std::int32_t>& numbers,
+                       bool accounted, SphereStorage& rows)
     : group_(group),
       lanes_(static_cast<int>(fibers.size())),
       history_(kind.histories.data() + number * kind.history_size()),
@@ -117,6 +125,7 @@ FiberBlock::FiberBlock(GroupKind& kind, int group, int number, std::int64_t firs
       kind.law->start(kind.chain, fibers[fiber], i, kind.history_of(history_, lane, i), width);
     }
   }
+  put_limits(kind, numbers);
   for (int lane = 0; lane < lanes_; ++lane)
     put_rows(rows, first_[lane], fibers[lane], sphere_radius(kind.chain.fiber));
 }
@@ -149,9 +158,11 @@ double FiberBlock::step(const GroupKind& kind, SphereStorage& rows, LoadRange lo
                         const double* gradient, const FiberBlock* next, std::int64_t rows_ahead) {
   PackingBlock block = view(kind, rows, loads, scratch, gradient);
   block.rows_ahead = rows_ahead;
+  block.may_break = true;
   if (next != nullptr) block.next_history = next->history_;
   const double fastest = kind.kernel->step(block);
   previous_step_ = kind.parameters.step;
+  if (kind.law->failure_place >= 0) has_breaks_ = look_for_breaks(kind);
   return fastest;
 }
 
@@ -184,7 +195,7 @@ BlockSnapshot FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& r
 }
 
 void FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
-                          const double* gradient, BlockSnapshot& into) const {
+                          const double* gradient, BlockSnapshot& into, bool may_break) const {
   const auto fit = [](LaneArray& array, std::size_t size) {
     if (array.size() != size) array = LaneArray(size);
   };
@@ -193,7 +204,9 @@ void FiberBlock::snapshot(const GroupKind& kind, const SphereStorage& rows, Load
   fit(into.workspace, workspace_.size());
   std::copy_n(history_, history_size_, into.history.data());
   std::copy_n(workspace_.data(), workspace_.size(), into.workspace.data());
-  kind.kernel->snapshot(snapshot_view(kind, rows, loads, gradient, into));
+  PackingBlock view = snapshot_view(kind, rows, loads, gradient, into);
+  view.may_break = may_break;
+  kind.kernel->snapshot(view);
 }
 
 PackingBlock FiberBlock::snapshot_view(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
@@ -231,14 +244,6 @@ void FiberBlock::start(const GroupKind& kind, SphereStorage& rows, LoadRange loa
       double* own = rows.velocity_row(first_[lane] + i);
       for (int c = 0; c < 3; ++c) own[c] = s.velocity[c], own[spin_offset + c] = s.spin[c];
     }
-  }
-}
-
-void FiberBlock::break_bond(const GroupKind& kind, int lane, int bond) {
-  if (kind.law->intact_place < 0) throw InvalidInput("a broken bond is not allowed: this bond law has none");
-  for (int k = lane; k < (lane + 1 == lanes_ ? kind.kernel->width : lane + 1);
-       ++k) {  // unused lanes repeat the last fiber
-    *intact(kind, kind.history_of(history_, k, bond)) = 0;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem/assembly/packing_law.hpp"
+#include "dem/bond/laws/failing_bond.hpp"
 #include "dem/chain/chain_state.hpp"
 #include "dem/chain/sphere_storage.hpp"
 #include "dem/model/domain.hpp"
@@ -64,9 +65,11 @@ struct BlockSnapshot {
 /// SphereStorage.
 class FiberBlock {
  public:
-  /// Block `number` of its kind: fibers with consecutive rows from `first` on, which are set from the states.
+  /// Block `number` of its kind: fibers with consecutive rows from `first` on, which are set from the states;
+  /// `numbers` are those that they have in the group.
   FiberBlock(GroupKind& kind, int group, int number, std::int64_t first,
-             const std::vector<ChainState<3>>& fibers, bool accounted, SphereStorage& rows);
+             const std::vector<ChainState<3>>& fibers, const std::vector<std::int32_t>& numbers,
+             bool accounted, SphereStorage& rows);
 
   int group() const { return group_; }
   int lanes() const { return lanes_; }
@@ -87,9 +90,10 @@ class FiberBlock {
 
   BlockSnapshot snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
                          const double* gradient) const;
-  /// Into the arrays of another one, which are kept if they fit.
+  /// Into the arrays of another one, which are kept if they fit. With `may_break` bonds break in it as they
+  /// will in the next step.
   void snapshot(const GroupKind& kind, const SphereStorage& rows, LoadRange loads, const double* gradient,
-                BlockSnapshot& into) const;
+                BlockSnapshot& into, bool may_break = false) const;
   MovingSphere<double, 3> sphere(const GroupKind& kind, const BlockSnapshot& snapshot, int lane,
                                  int index) const;
   /// Velocities of a snapshot half a step on where those of a fiber's spheres depend on each other; else they
@@ -104,8 +108,22 @@ class FiberBlock {
   bool is_broken(const GroupKind& kind, int lane, int bond) const {
     return kind.law->intact_place >= 0 && *intact(kind, kind.history_of(history_, lane, bond)) == 0;
   }
-  /// Breaks a bond for good. Throws InvalidInput where the law has no broken bonds.
+  /// Breaks a bond for good, one of the library's laws in the next step. Throws InvalidInput where the law
+  /// has no broken bonds.
   void break_bond(const GroupKind& kind, int lane, int bond);
+  /// Whether bonds have broken in the last step.
+  bool has_breaks() const { return has_breaks_; }
+  /// A bond that has.
+  struct Broken {
+    int lane, bond;
+    BondFailure<double> failure;
+  };
+  /// Those, which are broken from then on: lane by lane along the fibers.
+  std::vector<Broken> settle_breaks(const GroupKind& kind);
+  /// Plastic work counts from now on; how many of its bonds are broken.
+  std::int64_t begin_failures(const GroupKind& kind);
+  /// What bonds of the lanes bear, of fibers with these numbers; strengths that are given anew.
+  void put_limits(const GroupKind& kind, const std::vector<std::int32_t>& numbers);
 
   /// Since the start, up to this moment but for half of the kick that is centered on it [J].
   struct Taken {
@@ -128,6 +146,9 @@ class FiberBlock {
   static double* intact(const GroupKind& kind, double* history) {
     return history + kind.law->intact_place * static_cast<std::size_t>(kind.kernel->width);
   }
+  BondFailure<double> failure(const GroupKind& kind, int lane, int bond) const;
+  void put(const GroupKind& kind, int lane, int bond, const BondFailure<double>& failure);
+  bool look_for_breaks(const GroupKind& kind) const;
   PackingBlock snapshot_view(const GroupKind& kind, const SphereStorage& rows, LoadRange loads,
                              const double* gradient, BlockSnapshot& into) const;
   PackingBlock view(const GroupKind& kind, SphereStorage& rows, LoadRange loads, LaneArray& scratch,
@@ -138,6 +159,7 @@ class FiberBlock {
   std::size_t history_size_;
   double previous_step_ = 0, fluid_dissipated_ = 0;
   std::vector<std::int64_t> first_;
+  bool has_breaks_ = false;
   BondExtremes extremes_;
   LaneArray workspace_, previous_, dissipated_;
 };

@@ -28,7 +28,7 @@ void add(Matrix::Block& block, const Square<double, 6>& more) {
 }
 
 Matrix matrix_of(const GroupKind& kind, const std::vector<MovingSphere<double, 3>>& spheres,
-                 KickMatrix matrix) {
+                 KickMatrix matrix, const std::vector<double>& parts) {
   Matrix A(kind.spheres());
   for (int i = 0; i < kind.spheres(); ++i) {
     const Vec<double, 6> inertias = inertias_of(kind.parameters, step_of(kind, i));
@@ -41,7 +41,8 @@ Matrix matrix_of(const GroupKind& kind, const std::vector<MovingSphere<double, 3
     bond.dash_stretch = bond.dash_shear = bond.dash_twist = bond.dash_bend = 0;
   const BondParameters<double> law = solved_dashpots<solved_bonds, double>(p);
   for (int i = 0; i + 1 < kind.spheres(); ++i) {
-    const auto between = bond_matrix<solved_bonds, double>(p, law, spheres[i], spheres[i + 1]);
+    auto between = bond_matrix<solved_bonds, double>(p, law, spheres[i], spheres[i + 1]);
+    if (parts[i] < 1) scale(between, parts[i]);
     add(A.diagonal[i], between.first);
     add(A.diagonal[i + 1], between.second);
     add(A.upper[i], between.coupling);
@@ -73,10 +74,19 @@ void fix(Matrix& A, Vectors& b, int sphere, int c, double value) {
 
 }  // namespace
 
+std::vector<double> bond_parts(const GroupKind& kind, const double* histories, int lane) {
+  std::vector<double> parts(static_cast<std::size_t>(kind.chain.fiber.aspect_ratio), 1);
+  if (kind.law->failure_place < 0) return parts;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i] =
+        kind.history_of(histories, lane, static_cast<int>(i))[kind.law->intact_place * kind.kernel->width];
+  return parts;
+}
+
 HeldKick held_kick(const GroupKind& kind, const std::vector<MovingSphere<double, 3>>& spheres,
-                   const std::vector<HeldChange>& held, KickMatrix matrix) {
+                   const std::vector<HeldChange>& held, KickMatrix matrix, const std::vector<double>& parts) {
   const double dt = kind.parameters.step;
-  const Matrix whole = matrix_of(kind, spheres, matrix);
+  const Matrix whole = matrix_of(kind, spheres, matrix, parts);
   Vectors forces(spheres.size());
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     for (int c = 0; c < 3; ++c) {

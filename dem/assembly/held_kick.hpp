@@ -31,8 +31,12 @@ enum class KickMatrix { masses, bonds, springs };
 /// A d = dt F + i, where d is given of what is held and i is 0 of all else: A has the masses, and dt/2 C +
 /// beta dt^2 K of bonds that are solved for (implicit_kick.hpp). What A has of bonds acts between two spheres
 /// in balance: the impulses i and the forces from outside change the momentum, nothing else. Forces are those
-/// of `spheres`.
+/// of `spheres`, `parts` how much of each bond acts (bond_parts).
 HeldKick held_kick(const GroupKind& kind, const std::vector<MovingSphere<double, 3>>& spheres,
-                   const std::vector<HeldChange>& held, KickMatrix matrix);
+                   const std::vector<HeldChange>& held, KickMatrix matrix, const std::vector<double>& parts);
+
+/// How much of each bond of a fiber acts in the kick to come by histories of a block (BondFailure::intact): 1
+/// but of those that break or are broken.
+std::vector<double> bond_parts(const GroupKind& kind, const double* histories, int lane);
 
 }  // namespace fiberchain::dem

@@ -50,7 +50,8 @@ std::vector<HeldSpheres::Now> HeldSpheres::now(const Assembly::State& s) const {
     const auto all =
         spheres_of(s, fiber, block.snapshot(kind, s.rows, s.loads.of(s.part_of(block)), s.gradient.data()));
     const HeldKick kick = held_kick(kind, all, changes(fiber, all, false),
-                                    is_solved(s) ? KickMatrix::bonds : KickMatrix::masses);
+                                    is_solved(s) ? KickMatrix::bonds : KickMatrix::masses,
+                                    bond_parts(kind, block.histories(), fiber.lane));
     for (const int n : fiber.spheres) {
       const int i = spheres[n].at.sphere;
       account(spheres[n], kick.impulse[i], all[i], kick.change[i]);
@@ -72,7 +73,8 @@ bool HeldSpheres::correct(const Assembly::State& s, int block, int lane,
     const std::vector<HeldChange> held = changes(fiber, spheres, false);
     if (held.empty()) return false;
     const HeldKick kick =
-        held_kick(s.kinds[fiber.group], spheres, held, is_solved(s) ? KickMatrix::bonds : KickMatrix::masses);
+        held_kick(s.kinds[fiber.group], spheres, held, is_solved(s) ? KickMatrix::bonds : KickMatrix::masses,
+                  bond_parts(s.kinds[fiber.group], s.blocks[fiber.block].histories(), lane));
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         state.velocity[i][c] = spheres[i].velocity[c] + 0.5 * kick.change[i][c];

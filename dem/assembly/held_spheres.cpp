@@ -62,7 +62,8 @@ void HeldSpheres::before_start(const Assembly::State& s) {
       fiber.before.clear();
       continue;
     }
-    fiber.kick = held_kick(kind, fiber.before, held, KickMatrix::springs);
+    fiber.kick = held_kick(kind, fiber.before, held, KickMatrix::springs,
+                           bond_parts(kind, block.histories(), fiber.lane));
   }
 }
 
@@ -128,13 +129,14 @@ void HeldSpheres::before_step(const Assembly::State& s, std::size_t number) {
   const FiberBlock& block = s.blocks[number];
   const GroupKind& kind = s.kinds[block.group()];
   BlockSnapshot snapshot;
-  if (solved) block.snapshot(kind, s.rows, s.loads.of(s.part_of(block)), s.gradient.data(), snapshot);
+  if (solved) block.snapshot(kind, s.rows, s.loads.of(s.part_of(block)), s.gradient.data(), snapshot, true);
   for (const int f : of_block_[number]) {
     HeldFiber& fiber = fibers_[f];
     fiber.before.clear();
     if (solved) {
       fiber.before = spheres_of(s, fiber, snapshot);
-      fiber.kick = held_kick(kind, fiber.before, changes(fiber, fiber.before, false), KickMatrix::bonds);
+      fiber.kick = held_kick(kind, fiber.before, changes(fiber, fiber.before, false), KickMatrix::bonds,
+                             bond_parts(kind, snapshot.history.data(), fiber.lane));
       continue;
     }
     fiber.before.resize(static_cast<std::size_t>(kind.spheres()));

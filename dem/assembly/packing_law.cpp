@@ -1,6 +1,7 @@
 #include "dem/assembly/packing_law.hpp"
 
 #include "dem/bond/branch_steps.hpp"
+#include "dem/bond/laws/failing_bond.hpp"
 #include "dem/bond/laws/viscoelastic_bond.hpp"
 #include "dem/model/errors.hpp"
 
@@ -91,6 +92,53 @@ constexpr PackingLaw viscoelastic_law{
     .state = state<form>,
     .intact_place = -1};
 
+template <BondForm form>
+using FailingLaw = FailingBond<BondLawType<form>>;
+template <BondForm form>
+using FailingHistory = BondLawHistory<FailingLaw<form>, double, 3>;
+
+template <BondForm form>
+BondSums failing_sums(const BondParameters<double>& law, const Chain<3>& chain, const ChainState<3>& state,
+                      const double* histories, std::size_t stride, std::size_t bond_stride) {
+  using Law = FailingLaw<form>;
+  BondSums sum{};
+  for (int i = 0; i < chain.fiber.aspect_ratio; ++i) {
+    const auto history = get_strided<FailingHistory<form>>(histories + i * bond_stride, stride);
+    sum.plastic_work += history.failure.work;
+    if (history.failure.intact == 0) continue;
+    ++sum.whole;
+    with_configuration(chain, state, i, [&](const BondConfiguration<double, 3>& now) {
+      sum.energy += Law::stored_energy(law, history, now);
+      sum.bending += packing_law_detail::bending_of<Law>(chain, state, i, history, now);
+    });
+  }
+  return sum;
+}
+
+template <BondForm form>
+BondState failing_state(const BondParameters<double>& law, const Chain<3>& chain, const ChainState<3>& state,
+                        int bond, const double* numbers, std::size_t stride) {
+  using Law = FailingLaw<form>;
+  auto history = get_strided<FailingHistory<form>>(numbers, stride);
+  if (history.failure.intact == 0) return {{}, 0};
+  return with_configuration(chain, state, bond, [&](const BondConfiguration<double, 3>& now) -> BondState {
+    const double angle = packing_law_detail::bending_of<Law>(chain, state, bond, history, now);
+    return {Law::loads(law, history, now, 0.0).force_on_first, angle};
+  });
+}
+
+template <BondForm form>
+constexpr PackingLaw failing_law{
+    .form = form,
+    .from_poses = BondLawType<form>::from_poses,
+    .largest_stiffness = [](const Fiber&) { return 1.0; },
+    .kernel = packing_kernel,
+    .start = packing_law_detail::start<FailingLaw<form>>,
+    .sums = failing_sums<form>,
+    .state = failing_state<form>,
+    .intact_place = static_cast<int>(numbers_of<FailingHistory<form>>) - 1,
+    .failure_place = static_cast<int>(numbers_of<FailingHistory<form>> - numbers_of<BondFailure<double>>)};
+
 }  // namespace
 
 const PackingLaw& packing_law(const AssemblyOptions& options) {
@@ -99,7 +147,13 @@ const PackingLaw& packing_law(const AssemblyOptions& options) {
 }
 
 const PackingLaw& packing_law(const AssemblyOptions& options, const Fiber& fiber) {
-  if (fiber.branches.empty()) return packing_law(options);
+  if (fiber.branches.empty() && !fails(fiber)) return packing_law(options);
+  if (fails(fiber) && options.law == nullptr)
+    return with_bond_form(options.form,
+                          []<BondForm form>() -> const PackingLaw& { return failing_law<form>; });
+  if (fails(fiber))
+    throw InvalidInput(
+        "bonds that break or yield are not allowed: these bonds have a law from outside of the library");
   if (options.law != nullptr) {
     throw InvalidInput(
         "Maxwell branches are not allowed: these bonds have a law from outside of the library");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "dem/assembly/assembly.hpp"
 #include "dem/chain/bending.hpp"
 #include "dem/chain/chain_bond.hpp"
@@ -12,8 +14,10 @@ namespace fiberchain::dem {
 
 /// Over bonds.
 struct BondSums {
-  double energy;   ///< stored [J]
-  double bending;  ///< angles [rad]
+  double energy;            ///< stored [J]
+  double bending;           ///< angles [rad]
+  double plastic_work = 0;  ///< of all, broken ones included [J]
+  std::int64_t whole = 0;   ///< that are not broken, of which energy and bending are
 };
 
 /// Functions of one law. BondParameters are those of the chain's fiber.
@@ -32,6 +36,7 @@ struct PackingLaw {
   /// Flag of a bond that can break: 1 intact, 0 broken. Its place in the history; -1 where bonds do not
   /// break.
   int intact_place;
+  int failure_place = -1;  ///< of BondFailure in the history; -1 where bonds neither break nor yield
 };
 
 namespace packing_law_detail {
@@ -63,6 +68,7 @@ BondSums sums(const BondParameters<double>& law, const Chain<3>& chain, const Ch
       sum.bending += bending_of<Law>(chain, state, i, history, now);
     });
   }
+  sum.whole = chain.fiber.aspect_ratio;
   return sum;
 }
 

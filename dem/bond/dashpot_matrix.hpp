@@ -18,6 +18,17 @@ struct DashpotMatrix {
   Square<Real, motions<Dim>> first, second, coupling;
 };
 
+template <class Real, int Dim>
+void scale(DashpotMatrix<Real, Dim>& matrix, const Real& factor) {
+  for (Square<Real, motions<Dim>>* part : {&matrix.first, &matrix.second, &matrix.coupling}) {
+    FIBERCHAIN_UNROLL
+    for (int i = 0; i < motions<Dim>; ++i) {
+      FIBERCHAIN_UNROLL
+      for (int j = 0; j < motions<Dim>; ++j) (*part)[i][j] = factor * (*part)[i][j];
+    }
+  }
+}
+
 /// X with X w = w x r, as Dim rows of spin_size columns.
 template <class Real>
 void spin_arm(const Vec<Real, 2>& r, Real (&X)[2][1]) {

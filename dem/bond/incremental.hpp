@@ -153,13 +153,13 @@ inline double stored_energy(const BondParameters<double>& bond, const BondHistor
   return 0.5 * (N * N / bond.stretch + bond.shear * h.shear * h.shear + bond.bend * bend_squared(h.bend));
 }
 
-inline double stored_energy(const BondParameters<double>& bond, const BondHistory<double, 3>& h,
-                            const Vec<double, 3>& e) {
-  const double stretch = dot(h.displacement, e), twist = dot(h.rotation, e);
-  const double shear_squared = dot(h.displacement, h.displacement) - stretch * stretch;
-  const double bend = dot(h.rotation, h.rotation) - twist * twist;
-  const double N = tension(bond, stretch, bend);
-  return 0.5 *
+template <class Real>
+Real stored_energy(const BondParameters<Real>& bond, const BondHistory<Real, 3>& h, const Vec<Real, 3>& e) {
+  const Real stretch = dot(h.displacement, e), twist = dot(h.rotation, e);
+  const Real shear_squared = dot(h.displacement, h.displacement) - stretch * stretch;
+  const Real bend = dot(h.rotation, h.rotation) - twist * twist;
+  const Real N = tension(bond, stretch, bend);
+  return Real(0.5) *
          (N * N / bond.stretch + bond.shear * shear_squared + bond.bend * bend + bond.twist * twist * twist);
 }
 

@@ -9,6 +9,10 @@ namespace {
 /// Largest gap of neighbors over the smallest radius: with more lists are long, with less updated often.
 constexpr double kSkin = 0.9;
 
+/// Number of a fiber from that of any of its pieces: every second one has its complement, so that spheres on
+/// both sides of a broken bond are of different fibers.
+constexpr std::int32_t whole(std::int32_t piece) { return piece < 0 ? ~piece : piece; }
+
 }  // namespace
 
 Contacts::Contacts(const Domain& domain, const ContactOptions& options, double step)
@@ -53,13 +57,35 @@ int Contacts::kind_of(const ContactBody& body) {
 
 void Contacts::add(const Chain<3>& chain, int count) {
   const int kind = kind_of(sphere_body(chain, domain_)), n = chain.fiber.aspect_ratio + 1;
-  std::int32_t number = fiber_.empty() ? 0 : fiber_.back() + 1;
+  std::int32_t number = fiber_.empty() ? 0 : whole(fiber_.back()) + 1;
   for (int f = 0; f < count; ++f, ++number) {
     fiber_.insert(fiber_.end(), n, number);
     radius_.insert(radius_.end(), n, bodies_[kind].radius);
   }
   kind_of_sphere_.resize(fiber_.size() - static_cast<std::size_t>(n) * count);
   kind_of_sphere_.resize(fiber_.size(), kind);
+}
+
+void Contacts::part_behind(const std::vector<std::int64_t>& rows) {
+  for (std::int32_t& piece : fiber_) piece = whole(piece);
+  for (const std::int64_t row : rows) {
+    const std::int32_t number = whole(fiber_[row]);
+    for (auto at = static_cast<std::size_t>(row) + 1; at < fiber_.size() && whole(fiber_[at]) == number; ++at)
+      fiber_[at] = ~fiber_[at];
+  }
+  neighbors_.set_fibers(fiber_);
+}
+
+double Contacts::brought_between(std::int64_t first, std::int64_t second) const {
+  const Part& part = parts_[neighbors_.parts().of(static_cast<std::int32_t>(first))];
+  for (std::size_t p = 0; p < part.pairs.count; ++p) {
+    if (part.pairs.first[p] != first || part.pairs.second[p] != second || part.pairs.contact[p] == 0)
+      continue;
+    const SavedContact contact =
+        part.histories.at(part.pairs.contact[p], {sphere_primitive(first), sphere_primitive(second)});
+    return law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
+  }
+  return 0;
 }
 
 void Contacts::cut(int count) {

@@ -62,6 +62,12 @@ class Contacts {
   /// Largest gap of neighbors beyond the reach of the contact law [m].
   double skin() const { return skin_; }
 
+  /// Spheres of these rows are no longer joined to those of the next: until part_behind() is called again
+  /// they may touch, once the neighbor list is built anew.
+  void part_behind(const std::vector<std::int64_t>& rows);
+  /// What the contact of two spheres stores that has just begun at once [J]; 0 where they do not touch.
+  double brought_between(std::int64_t first, std::int64_t second) const;
+
   /// The neighbors of all spheres at these reference positions. Contacts keep their histories.
   void rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, double time, ThreadPool& pool);
   /// The same at the present positions.

@@ -30,6 +30,8 @@ class NeighborList {
   const Partition& parts() const { return parts_; }
   const std::vector<Vec<double, 3>>& reference_positions() const { return reference_positions_; }
 
+  /// Other numbers of fibers, for the next build().
+  void set_fibers(const std::vector<std::int32_t>& fiber) { spheres_.fiber = fiber; }
   /// The neighbors of all spheres, which stand at these positions. Throws InvalidInput for positions that are
   /// not finite, and where a period is shorter than twice 2 R + skin.
   void build(std::vector<Vec<double, 3>> positions, ThreadPool& pool);

@@ -144,6 +144,7 @@ template <int Dim>
 InertialessMotion<Dim>::InertialessMotion(const FlowCase<Dim>& flow, double tolerance) {
   check<Dim>(flow.fluid);
   refuse_branches(flow.chain.fiber, "fibers in a fluid");
+  refuse_failure(flow.chain.fiber, "fibers in a fluid");
   const int n = static_cast<int>(flow.start.size());
   solver_ = std::make_unique<Solver>(Solver{balance_of(flow), n, flow.chain.fiber.aspect_ratio,
                                             tolerance * fiber_length(flow.chain.fiber), tolerance});

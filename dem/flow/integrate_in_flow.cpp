@@ -21,6 +21,7 @@ void check(const FlowCase<Dim>& flow) {
                                    flow.start.size(), flow.chain.poses.size()));
   }
   refuse_branches(flow.chain.fiber, "fibers in a fluid");
+  refuse_failure(flow.chain.fiber, "fibers in a fluid");
   if (flow.chain.fiber.rolling_friction > 0) {
     throw InvalidInput(
         fmt::format("rolling_friction = {} is not allowed: it is not built for fibers in a fluid",

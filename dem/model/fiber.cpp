@@ -94,6 +94,7 @@ void check(const Fiber& fiber) {
     require(fiber.retardation_time == 0, "retardation_time", fiber.retardation_time,
             "dashpots set by xi_b take no retardation time");
   }
+  check_failure(fiber);
 }
 
 MaxwellBranches maxwell_branches(const MaterialRelaxation& relaxation, BondModel model) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "dem/model/bond_failure.hpp"
 #include "dem/model/prony_series.hpp"
 
 namespace fiberchain::dem {
@@ -95,6 +96,8 @@ struct Fiber {
   MassModel mass = MassModel::spheres;
   std::array<double, law_parameter_count> law_parameters{};  ///< of a bond law that has its own, in its units
   MaxwellBranches branches = {};  ///< of the material's memory; `material` has the relaxed moduli then
+  std::optional<BondStrength> strength = std::nullopt;  ///< bonds break beyond it
+  std::optional<BondYield> yield = std::nullopt;        ///< bonds bend plastically beyond it
 };
 
 /// Throws InvalidInput where the fiber has Maxwell branches, which are not built for `what`.
@@ -105,7 +108,8 @@ bool damped(const Fiber& fiber);
 
 /// Throws InvalidInput when a value is not finite or makes no physical sense:
 /// E, G, rho, d > 0; across the fiber E > 0 and -1 < nu <= 0.5; |rest_angle| <= 2 pi / 3; r_f >= 1; xi_b,
-/// tau, xi_r >= 0, of xi_b and tau only the one that the dashpot law uses; branches as check(PronySeries).
+/// tau, xi_r >= 0, of xi_b and tau only the one that the dashpot law uses; branches as check(PronySeries);
+/// strengths and yielding as check_failure().
 void check(const Fiber& fiber);
 
 /// Stiffness of one bond (Eqs 3-6), of the corrected bond by the length of its arc instead of 2R.

@@ -164,6 +164,8 @@ BondLoads<Real, P.dimension> bond_step(const ChainBlock<P, Real>& chain, int bon
         return BondLaw<P>::template loads<P.damped>(chain.parameters.bond, chain.branches, history, strains,
                                                     now, dt);
       });
+    } else if constexpr (P.fails) {
+      return BondLaw<P>::loads(chain.parameters.bond, chain.history[bond], now, dt);
     } else {
       HistoryOf<P, Real> history = history_before<P, Real>(chain, bond);
       advance_history<P, Real>(chain, history, now, dt);

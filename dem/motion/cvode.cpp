@@ -130,6 +130,7 @@ CvodeMotion<Dim>::CvodeMotion(const Chain<Dim>& chain, const Boundary<Dim>& boun
                               std::optional<Medium<Dim>> medium)
     : solver_(std::make_unique<Solver>()) {
   refuse_branches(chain.fiber, "CVODE");
+  refuse_failure(chain.fiber, "CVODE");
   Solver& s = *solver_;
   s.chain = chain;
   s.boundary = boundary;

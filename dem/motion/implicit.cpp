@@ -66,6 +66,7 @@ ImplicitMotion<Dim>::ImplicitMotion(Chain<Dim> chain, Boundary<Dim> boundary, Ch
     throw InvalidInput("a motion needs a pose, a velocity and a spin for every sphere of its chain");
   }
   refuse_branches(chain_.fiber, "the implicit midpoint");
+  refuse_failure(chain_.fiber, "the implicit midpoint");
   for (const int sphere : boundary_.clamped) state_.velocity[sphere] = {}, state_.spin[sphere] = {};
   for (int i = 0; i < chain_.fiber.aspect_ratio; ++i)
     energy_.push_back(energy_of_bond(chain_, state_.poses, i));

@@ -67,6 +67,17 @@ DashpotMatrix<Real, P.dimension> bond_matrix(const MarchParameters<Real, P.dimen
   return dashpot_matrix(solved, line.vector, line.inverse_length * line.vector);
 }
 
+/// The same of bond `bond` of a chain; nothing of one that is broken.
+template <Physics P, class Real>
+DashpotMatrix<Real, P.dimension> bond_matrix(const ChainBlock<P, Real>& chain,
+                                             const BondParameters<Real>& solved, int bond,
+                                             const MovingSphere<Real, P.dimension>& first,
+                                             const MovingSphere<Real, P.dimension>& second) {
+  DashpotMatrix<Real, P.dimension> matrix = bond_matrix<P, Real>(chain.parameters, solved, first, second);
+  if constexpr (P.fails) scale(matrix, chain.history[bond].failure.intact);
+  return matrix;
+}
+
 /// B - down X into the lower triangle, which is all that factorize() reads of the symmetric result.
 template <class Real, int N>
 Square<Real, N> lower_of_rest(const Square<Real, N>& B, const Square<Real, N>& coupling,
@@ -161,7 +172,7 @@ void eliminate(const ChainBlock<P, Real>& chain, const LocalFlow<P, Real>& flow,
   const BondParameters<Real> law = solved_dashpots<P, Real>(chain.parameters);
   Elimination<P, Real> elimination(chain.parameters);
   for (int i = 0; i < chain.bonds; ++i) {
-    const auto bond = bond_matrix<P, Real>(chain.parameters, law, chain.spheres[i], chain.spheres[i + 1]);
+    const auto bond = bond_matrix<P, Real>(chain, law, i, chain.spheres[i], chain.spheres[i + 1]);
     if (chain.fixed(i)) {
       elimination.hold(bond, slots[i]);
     } else {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dem/bond/laws/failing_bond.hpp"
 #include "dem/bond/laws/laws.hpp"
 #include "dem/bond/laws/viscoelastic_bond.hpp"
 
@@ -57,27 +58,34 @@ struct Physics {
   Rolling rolling = Rolling::none;
   bool fluid = false;     ///< Stokes' drag of a flow on every sphere, solved within the step
   bool branches = false;  ///< Maxwell branches beside the bonds' springs; built with dashpots, for some
+  bool fails =
+      false;  ///< bonds break or yield; built with dashpots, for fibers among others (failing_physics)
 
   constexpr bool operator==(const Physics&) const = default;
 };
 
 namespace physics_detail {
 
-template <BondForm form, bool branches>
+template <BondForm form, bool branches, bool fails>
 struct BondLawFor {
   using type = BondLawType<form>;
 };
 
 template <BondForm form>
-struct BondLawFor<form, true> {
+struct BondLawFor<form, true, false> {
   using type = ViscoelasticBond<BondLawType<form>>;
+};
+
+template <BondForm form>
+struct BondLawFor<form, false, true> {
+  using type = FailingBond<BondLawType<form>>;
 };
 
 }  // namespace physics_detail
 
 /// The bond law of a physics.
 template <Physics P>
-using BondLaw = typename physics_detail::BondLawFor<P.form, P.branches>::type;
+using BondLaw = typename physics_detail::BondLawFor<P.form, P.branches, P.fails>::type;
 
 namespace physics_detail {
 
@@ -161,10 +169,43 @@ template <BondForm form>
 inline constexpr auto built_physics_of =
     physics_detail::list_physics(std::integer_sequence<BondForm, form>{});
 
+namespace physics_detail {
+
+/// Both forms, rest shapes and schemes, and in a fluid the explicit one.
+template <class Emit>
+constexpr void each_failing_physics(const Emit& emit) {
+  Physics physics{
+      .dimension = 3, .form = {}, .damped = true, .settling_damping = false, .curved = false, .fails = true};
+  const auto forms = [&] {
+    rest_shapes<BondForm::incremental>(physics, emit);
+    rest_shapes<BondForm::total>(physics, emit);
+  };
+  forms();
+  physics.fluid = true;
+  forms();
+  physics.fluid = false, physics.solved = Solved::bonds;
+  forms();
+}
+
+}  // namespace physics_detail
+
+/// Every combination that is built of bonds that break or yield, by kernels of their own.
+inline constexpr auto failing_physics = [] {
+  constexpr std::size_t count = [] {
+    std::size_t n = 0;
+    physics_detail::each_failing_physics([&](const Physics&) { ++n; });
+    return n;
+  }();
+  std::array<Physics, count> list{};
+  std::size_t n = 0;
+  physics_detail::each_failing_physics([&](const Physics& physics) { list[n++] = physics; });
+  return list;
+}();
+
 /// What is also built for one chain along the lanes: no settling_damping, straight at rest, no Maxwell
 /// branches, nothing to solve along the chain.
 constexpr bool built_for_single_chain(const Physics& p) {
-  return !p.settling_damping && !p.curved && !p.branches && p.solved == Solved::nothing &&
+  return !p.settling_damping && !p.curved && !p.branches && !p.fails && p.solved == Solved::nothing &&
          p.rolling != Rolling::set_valued;
 }
 

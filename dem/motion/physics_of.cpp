@@ -19,16 +19,18 @@ Physics physics_of(std::span<const Chain<Dim>> chains, const MarchOptions& optio
   });
   if (any_branches && options.fluid)
     throw InvalidInput("Maxwell branches are not allowed: they are not built for fibers in a fluid");
+  const bool any_fails = std::ranges::any_of(chains, [](const Chain<Dim>& c) { return fails(c.fiber); });
   return {.dimension = Dim,
           .form = options.form,
-          // rolling friction, branches and solved springs are built with dashpots only
-          .damped = any_damped || any_rolls || any_branches || options.solved == Solved::bonds,
+          // rolling friction, branches, breaking and solved springs are built with dashpots only
+          .damped = any_damped || any_rolls || any_branches || any_fails || options.solved == Solved::bonds,
           .settling_damping = options.settling_damping,
           .curved = from_poses(options.form) && any_curved,
           .solved = any_damped || options.solved == Solved::bonds ? options.solved : Solved::nothing,
           .rolling = any_rolls ? options.rolling : Rolling::none,
           .fluid = options.fluid,
-          .branches = any_branches};
+          .branches = any_branches,
+          .fails = any_fails};
 }
 
 template Physics physics_of<2>(std::span<const Chain<2>>, const MarchOptions&);

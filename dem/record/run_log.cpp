@@ -60,12 +60,13 @@ std::optional<std::int64_t> last_step_in(const std::filesystem::path& path, cons
   std::optional<std::int64_t> last;
   for (std::size_t n = 0; n < document.table.rows().size(); ++n) {
     const auto* step = std::get_if<std::int64_t>(&document.table.rows()[n].front());
-    const bool same = n % rows != 0;
+    const bool same = rows != RunLog::any_rows && n % rows != 0;
+    if (rows == RunLog::any_rows && last == (step ? std::optional(*step) : std::nullopt)) continue;
     if (!step || (last && (same ? *step != *last : *step <= *last)))
       throw InputError(fmt::format("{}:{}: its step does not rise", path.string(), document.lines[n]));
     last = *step;
   }
-  if (document.table.rows().size() % rows != 0)
+  if (rows != RunLog::any_rows && document.table.rows().size() % rows != 0)
     throw InputError(fmt::format("{}: its last step has fewer than {} rows", path.string(), rows));
   return last;
 }

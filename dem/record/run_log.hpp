@@ -15,6 +15,8 @@ namespace fiberchain::dem {
 /// at once. Its first column is "step"; of each step there are so many `rows`.
 class RunLog {
  public:
+  static constexpr std::size_t any_rows = 0;  ///< of each step as many as come, or none
+
   /// A new log of an empty table under its provenance, in place of what stood there.
   /// @throws OutputError
   RunLog(const std::filesystem::path& path, const Table& empty, const Provenance& provenance);

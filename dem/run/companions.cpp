@@ -51,6 +51,11 @@ void check_forces(const CompanionsOf& run, const ForceLog& log, std::int64_t don
   if (last != wanted) fail_at(log.path, last, wanted);
 }
 
+/// Bonds that broke before step `done`: how many is not known.
+void check_breaks(const CompanionsOf& run, std::int64_t done) {
+  RunLog::last_step(run.files.breaks(), run.break_log, done - 1, RunLog::any_rows);
+}
+
 /// The last frame, read, goes through all of the file that the next one will touch.
 void check_trajectory(const CompanionsOf& run, std::int64_t done) {
   const fs::path path = run.files.trajectory();
@@ -127,6 +132,7 @@ Companions begin_companions(const CompanionsOf& run) {
   Companions all;
   if (run.schedule.samples.any()) all.log.emplace(run.files.log(), run.log, run.provenance);
   for (const ForceLog& log : force_logs(run)) (all.*log.member).emplace(log.path, log.table, run.provenance);
+  if (run.breaks) all.breaks.emplace(run.files.breaks(), run.break_log, run.provenance);
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(run.files.trajectory(), run.header);
   if (run.vtk) all.vtk = VtkSeries(run.files.directory, run.files.name, vtk_header(run));
@@ -149,6 +155,13 @@ Companions resume_companions(const CompanionsOf& run, std::int64_t done, const S
             forces.path, run.written.log, done, say, [&] { check_forces(run, forces, done); },
             [&] { return RunLog::resume(forces.path, forces.table, run.provenance, done, forces.rows); },
             [&] { return RunLog(forces.path, forces.table, run.provenance); }));
+  }
+  if (run.breaks) {
+    const fs::path breaks = run.files.breaks();
+    all.breaks.emplace(resumed(
+        breaks, 0, done, say, [&] { check_breaks(run, done); },
+        [&] { return RunLog::resume(breaks, run.break_log, run.provenance, done - 1, RunLog::any_rows); },
+        [&] { return RunLog(breaks, run.break_log, run.provenance); }));
   }
   if (!run.schedule.frames.any()) return all;
   all.trajectory.emplace(resumed(
@@ -173,6 +186,7 @@ void look_at_companions(const CompanionsOf& run, std::int64_t done, const Say& s
     if (run.written.log >= 0)
       tell(log.path, [&](const CompanionsOf& of, std::int64_t step) { check_forces(of, log, step); });
   }
+  if (run.breaks) tell(run.files.breaks(), check_breaks);
   if (run.written.trajectory >= 0) tell(run.files.trajectory(), check_trajectory);
   if (run.written.vtk >= 0) tell(run.files.at(".pvd"), check_series);
 }

@@ -21,6 +21,8 @@ struct CompanionsOf {
   std::size_t walls;  ///< how many; rows of that of each step
   Table held_log;     ///< likewise
   std::size_t held;   ///< grips, likewise
+  Table break_log;    ///< likewise
+  bool breaks;        ///< whether there are bonds that break
   Provenance provenance;
   TrajectoryHeader header;
   bool vtk;
@@ -32,6 +34,7 @@ struct CompanionsOf {
 struct Companions {
   std::optional<RunLog> log;
   std::optional<RunLog> walls, held;  ///< where there are any
+  std::optional<RunLog> breaks;       ///< where bonds break
   std::optional<TrajectoryWriter> trajectory;
   std::optional<VtkSeries> vtk;
 };

@@ -33,6 +33,7 @@ std::vector<fs::path> all_files(const RunFiles& files) {
           files.log(),
           files.walls(),
           files.held(),
+          files.breaks(),
           files.at(".pvd"),
           files.at("-lines.pvd"),
           files.at("-contacts.pvd"),
@@ -72,7 +73,7 @@ std::vector<fs::path> files_there(const RunFiles& files) {
     if (fs::exists(path)) there.push_back(path);
   }
   for (const fs::path& path :
-       {files.trajectory(), files.log(), files.walls(), files.held(), files.at(".pvd")}) {
+       {files.trajectory(), files.log(), files.walls(), files.held(), files.breaks(), files.at(".pvd")}) {
     for (int n = 1; fs::exists(broken_name(path, n)); ++n) there.push_back(broken_name(path, n));
   }
   const std::vector<fs::path> parts = vtk_parts(files.at(""));

@@ -24,6 +24,7 @@ struct RunFiles {
   std::filesystem::path log() const { return at("-log.csv"); }
   std::filesystem::path walls() const { return at("-walls.csv"); }
   std::filesystem::path held() const { return at("-held.csv"); }
+  std::filesystem::path breaks() const { return at("-breaks.csv"); }
   std::filesystem::path checkpoint() const { return at(".checkpoint"); }
 };
 

@@ -165,7 +165,8 @@ RunMoment measure(const Assembly& assembly, const PackingScene& scene, std::vect
           .bending_mean = sample.bending_mean(),
           .overlap_mean = sample.overlap_mean(),
           .overlap_peak = assembly.deepest_overlap(),
-          .energy = sample.energy};
+          .energy = sample.energy,
+          .pieces = assembly.pieces()};
 }
 
 RunMoment measure(const Assembly& assembly, const PackingScene& scene) {
@@ -188,8 +189,15 @@ NamedRow energy_cells(const EnergyBalance& energy, bool accounted) {
   return row;
 }
 
+bool bonds_break(const PackingScene& scene) {
+  return std::ranges::any_of(scene.kinds, [](const PackingFiberKind& kind) {
+    return kind.fiber.strength && kind.fiber.strength->any();
+  });
+}
+
 Table run_log_table(const PackingScene& scene) {
   std::vector<std::string> columns = kColumns;
+  if (bonds_break(scene)) columns.push_back("pieces");
   const std::vector<std::string> energies = energy_columns(scene.account_energy);
   columns.insert(columns.end(), energies.begin(), energies.end());
   columns.insert(columns.end(), {"step_rate", "time_left"});
@@ -206,6 +214,7 @@ Table run_log_row(const RunMoment& moment, const PackingScene& scene, double ste
                   {"overlap_peak", moment.overlap_peak},
                   {"step_rate", known(step_rate)},
                   {"time_left", known(time_left)}};
+  if (bonds_break(scene)) row.emplace_back("pieces", moment.pieces);
   const NamedRow energies = energy_cells(moment.energy, scene.account_energy);
   row.insert(row.end(), energies.begin(), energies.end());
   Table table = run_log_table(scene);

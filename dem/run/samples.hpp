@@ -18,6 +18,7 @@ struct RunMoment {
   double overlap_mean;  ///< of the contacts, over the smaller radius; 0 where nothing touches
   double overlap_peak;  ///< the deepest since the start, likewise
   EnergyBalance energy;
+  std::int64_t pieces = 0;  ///< of the fibers that are in
 };
 
 /// Against gravity; along z without.
@@ -30,6 +31,9 @@ RunMoment measure(const Assembly& assembly, const PackingScene& scene, std::vect
 /// Columns of the stored energies and, where energy is accounted, of all mechanisms and the total.
 std::vector<std::string> energy_columns(bool accounted);
 NamedRow energy_cells(const EnergyBalance& energy, bool accounted);
+
+/// Whether fibers have bonds that break.
+bool bonds_break(const PackingScene& scene);
 
 /// An empty log.
 Table run_log_table(const PackingScene& scene);

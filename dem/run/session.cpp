@@ -11,6 +11,7 @@
 #include "dem/motion/stiff_limits.hpp"
 #include "dem/record/errors.hpp"
 #include "dem/record/run_status.hpp"
+#include "dem/run/break_log.hpp"
 #include "dem/run/companions.hpp"
 #include "dem/run/filling_watch.hpp"
 #include "dem/run/held_log.hpp"
@@ -37,6 +38,8 @@ CompanionsOf companions_of(const PackingJob& job, const RunSchedule& schedule, c
           .walls = job.scene.domain.walls.size(),
           .held_log = held_log_table(),
           .held = job.scene.held.size(),
+          .break_log = break_log_table(),
+          .breaks = bonds_break(job.scene),
           .provenance = job.provenance,
           .header = {.author = "fiberchain",
                      .creator_version = job.provenance.version,
@@ -75,6 +78,12 @@ class RunWriter {
     if (files_.held) files_.held->append(held_log_rows(assembly));
   }
 
+  void write_breaks(Assembly& assembly) {
+    if (!files_.breaks) return;
+    const Table rows = break_log_rows(assembly);
+    if (!rows.rows().empty()) files_.breaks->append(rows);
+  }
+
   void write_frame(const Assembly& assembly, const std::vector<std::int64_t>& inserted) {
     fill_frame(assembly, job_.scene, inserted, frame_);
     frame_.walls_as_before = walls_stay(job_.scene, time_of_frame_before(assembly), frame_.time);
@@ -90,6 +99,7 @@ class RunWriter {
     if (files_.log) files_.log->flush();
     if (files_.walls) files_.walls->flush();
     if (files_.held) files_.held->flush();
+    if (files_.breaks) files_.breaks->flush();
     dem::write_checkpoint(job_.files.checkpoint(),
                           {.program = program_of(job_.provenance, set_),
                            .threads = job_.threads,
@@ -123,20 +133,6 @@ class RunWriter {
   Companions files_;
   TrajectoryFrame frame_{};  ///< its memory is kept from one to the next
 };
-
-void say_if_any(const std::string& words, const Say& say) {
-  if (!words.empty()) say(words);
-}
-
-void say_how_deep(const RunMoment& last, double longest_path, const Say& say) {
-  say(
-      fmt::format("overlap over the smaller radius: largest {:.2g}, mean of the contacts {:.2g}{}; longest "
-                  "path of a step {:.2g} of the smallest",
-                  last.overlap_peak, last.overlap_mean,
-                  presses_at_rest(last) ? " at rest" : " at the end, in motion", longest_path));
-  say_if_any(impact_warning(last), say);
-  say_if_any(rest_warning(last), say);
-}
 
 /// Says a warning of each kind once, when it begins.
 class OverlapWatch {
@@ -210,6 +206,7 @@ class Session {
     const ProcessorTimer timer(times_.march);
     const bool kept = job_.scene.output.contacts && schedule_.frames.holds(to);
     assembly_.march(steps, kept ? ContactForces::kept : ContactForces::not_kept);
+    writer_.write_breaks(assembly_);
   }
 
   /// The checkpoint last: whatever it stands for is written by then. At the start all that the scene wants.

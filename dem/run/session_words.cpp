@@ -5,9 +5,17 @@
 #include <cmath>
 #include <vector>
 
+#include "dem/run/overlaps.hpp"
 #include "dem/scene/build_packing.hpp"
 
 namespace fiberchain::dem {
+namespace {
+
+void say_if_any(const std::string& words, const Say& say) {
+  if (!words.empty()) say(words);
+}
+
+}  // namespace
 
 std::string step_words(const StepChoice& choice, const PackingScene& scene) {
   const std::string off = std::isfinite(choice.restitution_error)
@@ -50,6 +58,16 @@ std::string mass_words(const PackingScene& scene) {
     cylinders += fibers * fiber_mass(own);
   }
   return fmt::format("{:.4g} kg, {:.3g} of the fibers' own", mass, mass / cylinders);
+}
+
+void say_how_deep(const RunMoment& last, double longest_path, const Say& say) {
+  say(
+      fmt::format("overlap over the smaller radius: largest {:.2g}, mean of the contacts {:.2g}{}; longest "
+                  "path of a step {:.2g} of the smallest",
+                  last.overlap_peak, last.overlap_mean,
+                  presses_at_rest(last) ? " at rest" : " at the end, in motion", longest_path));
+  say_if_any(impact_warning(last), say);
+  say_if_any(rest_warning(last), say);
 }
 
 }  // namespace fiberchain::dem

@@ -136,6 +136,7 @@ KeyTable<BondKeys> bond_keys(const BondParts& parts) {
         .only_with("rolling_friction above 0",
                    [](const BondKeys& keys) { return keys.rolling_friction > 0; });
   }
+  if (parts.failure) declare_failure(table);
   return table;
 }
 
@@ -144,6 +145,7 @@ void apply(const BondKeys& keys, Fiber& fiber) {
   if (keys.model == BondModel::corrected) fiber.branches.shear = fiber.branches.bend;  // maxwell_branches()
   fiber.bond_damping = keys.damping;
   fiber.rolling_friction = keys.rolling_friction;
+  apply_failure(keys, fiber);
 }
 
 KeyTable<LoadKeys> load_keys() {

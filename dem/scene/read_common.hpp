@@ -5,6 +5,7 @@
 
 #include "dem/scene/key_table.hpp"
 #include "dem/scene/material_ranges.hpp"
+#include "dem/scene/read_failure.hpp"
 #include "dem/scene/read_material_damping.hpp"
 #include "dem/scene/scene.hpp"
 
@@ -96,6 +97,8 @@ struct BondKeys {
   double damping = 0;
   double rolling_friction = 0;
   Rolling rolling = Rolling::set_valued;
+  std::optional<StrengthKeys> strength = {};
+  std::optional<YieldKeys> yield = {};
 };
 
 /// Keys of a mapping "bond" that not all kinds of scenes have.
@@ -103,6 +106,7 @@ struct BondParts {
   std::optional<BondForm> form = {};  ///< key form, with this default
   bool rolling_friction = false;      ///< key rolling_friction
   bool rolling = false;               ///< key rolling, its scheme
+  bool failure = false;               ///< keys strength and yield
 };
 KeyTable<BondKeys> bond_keys(const BondParts& parts);
 

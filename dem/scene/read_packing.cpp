@@ -59,7 +59,8 @@ KeyTable<FiberKindKeys> fiber_kind_keys() {
   const auto store_bond = [](const StrictMapping&, const BondKeys& bond, FiberKindKeys& kind) {
     kind.bond = bond;
   };
-  table.mapping("bond", bond_keys({.rolling_friction = true}), store_bond, "the bonds between the spheres");
+  table.mapping("bond", bond_keys({.rolling_friction = true, .failure = true}), store_bond,
+                "the bonds between the spheres");
   table.mapping("curvature", curvature_keys(), &store_curvature, "arc at rest").otherwise("straight");
   table
       .word("name", &FiberKindKeys::name, "text",
@@ -244,6 +245,9 @@ void check_held(const StrictMapping& top, const PackingScene& scene) {
 void check_together(const StrictMapping& top, const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
     check_branches(top, kind.fiber);
+    check_failure(top, kind.fiber);
+    if (scene.domain.fluid && fails(kind.fiber) && scene.integrator != Integrator::leapfrog)
+      top.fail("fluid", "is built together with bonds that break or yield for integrator: leapfrog");
     if (scene.domain.fluid && !kind.fiber.branches.empty())
       top.fail("fluid", "is not built together with material_damping");
     if (kind.fiber.rolling_friction == 0) continue;

@@ -26,7 +26,8 @@ const char* const kAll[] = {
     "cantilever",      "cantilever-march", "cantilever-spatial",  "release",
     "release-rolling", "release-steel",    "flow-shear",          "flow-flexible",
     "packing",         "packing-small",    "crossed-layers",      "compression",
-    "uniaxial-press",  "pull-out",         "three-point-bending", "three-point-bending-bundle"};
+    "uniaxial-press",  "pull-out",         "three-point-bending", "three-point-bending-bundle",
+    "spaghetti"};
 
 }  // namespace
 

@@ -46,9 +46,9 @@ struct IncrementalBond {
   }
 
   /// [J]
-  template <int Dim>
-  static double stored_energy(const BondParameters<double>& bond, const History<double, Dim>& history,
-                              const BondConfiguration<double, Dim>& now) {
+  template <class Real, int Dim>
+  static Real stored_energy(const BondParameters<Real>& bond, const History<Real, Dim>& history,
+                            const BondConfiguration<Real, Dim>& now) {
     return dem::stored_energy(bond, history, unit(now.line.vector));
   }
 

@@ -116,6 +116,16 @@ void account_bond(const PackingBlock& block, const ChainBlock<P, Real>& chain, i
       const Real dt = Real(block.previous_step);
       damping = damping + BondLaw<P>::dissipated(chain.parameters.bond, chain.history[bond], now, dt);
     }
+    if constexpr (P.fails) {  // a broken bond takes nothing in the kick to come
+      const Real& intact = chain.history[bond].failure.intact;
+      if constexpr (P.solved == Solved::bonds) {
+        Real& counted = as_values<PreviousMotion<Real>>(account.previous)[bond].counted;
+        counted = intact * counted;
+      } else {
+        scale(previous.loads, intact);
+        previous.power = intact * previous.power;
+      }
+    }
     account_rolling<P, Real>(block, chain, bond, now, previous, *as_values<Real>(account.bond_friction));
   };
   with_configuration<P, Real>(chain, bond, a, b, add);

@@ -53,6 +53,7 @@ struct PackingBlock {
   double previous_step;        ///< the step that led here: dt, or 0 before the first [s]
   BondExtremes* extremes;      ///< grow, where bonds are solved for
   MemoryView memory;           ///< of bonds with branches
+  bool may_break = false;      ///< bonds that can: not where it is only looked at
 };
 
 struct PackingKernel {
@@ -82,6 +83,12 @@ constexpr bool built_for_packings(const Physics& p) {
 /// Kernels of one instruction set, in the order of built_physics; empty where not built for packings.
 template <InstructionSet set>
 struct PackingKernels {
+  static const PackingKernel* table();
+};
+
+/// The same of bonds that break or yield, in the order of failing_physics.
+template <InstructionSet set>
+struct FailingKernels {
   static const PackingKernel* table();
 };
 

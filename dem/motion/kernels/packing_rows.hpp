@@ -26,6 +26,7 @@ ChainBlock<P, Real> chain_of(const PackingBlock& block) {
       .parameters = *as_values<MarchParameters<Real, 3>>(block.parameters),
       .workspace = as_values<Real>(P.solved == Solved::bonds ? slots_of<Real>(block) : block.workspace)};
   set_memory(chain, block.history, block.memory);
+  if constexpr (P.fails) chain.parameters.bond.own[may_break_place] = Real(block.may_break ? 1.0 : 0.0);
   return chain;
 }
 

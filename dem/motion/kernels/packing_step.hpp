@@ -81,11 +81,17 @@ Real step_packing_solved(const PackingBlock& block) {
     fetch_ahead<P, Real>(block, i);
     MovingSphere<Real, 3> sphere = rows.read(i + 1);
     add_bond<P, Real>(chain, i, before, sphere, previous_step);
-    elimination.pass(before, i == 0, flow, bond_matrix<P, Real>(p, law, before, sphere), slots[i]);
+    elimination.pass(before, i == 0, flow, bond_matrix<P, Real>(chain, law, i, before, sphere), slots[i]);
     chain.spheres[i] = before;
     const Vec<Real, 3> V = sphere.velocity - before.velocity, r = sphere.pose.position - before.pose.position;
-    bond_speed = max(bond_speed, dot(V, V));
-    bond_length = max(bond_length, dot(r, r));
+    if constexpr (P.fails) {
+      const auto whole = chain.history[i].failure.intact > Real(0.0);
+      bond_speed = max(bond_speed, select(whole, dot(V, V), Real(0.0)));
+      bond_length = max(bond_length, select(whole, dot(r, r), Real(0.0)));
+    } else {
+      bond_speed = max(bond_speed, dot(V, V));
+      bond_length = max(bond_length, dot(r, r));
+    }
     before = sphere;
   }
   elimination.finish(before, flow, slots[block.bonds]);
@@ -185,6 +191,10 @@ inline constexpr auto packing_table_of = packing_table<list, Real>(std::make_ind
 /// In the order of built_physics.
 template <class Real>
 inline constexpr const auto& packing_kernels_of = packing_table_of<built_physics, Real>;
+
+/// In the order of failing_physics.
+template <class Real>
+inline constexpr const auto& failing_kernels_of = packing_table_of<failing_physics, Real>;
 
 /// In the order of built_physics_of<form>: of a law from outside of the library.
 template <BondForm form, class Real>

@@ -14,9 +14,10 @@ std::ptrdiff_t index_of(const Physics& physics, std::span<const Physics> list, b
   if (found == list.end() || (for_packings && !built_for_packings(physics))) {
     throw InvalidInput(fmt::format(
         "dimension = {}, form = {}, damped = {}, settling_damping = {}, curved = {}, solved = {}, rolling = "
-        "{}, fluid = {}, Maxwell branches = {} is not among the combinations that are built{}",
+        "{}, fluid = {}, Maxwell branches = {}, breaking or yielding = {} is not among the combinations that "
+        "are built{}",
         physics.dimension, name(physics.form), physics.damped, physics.settling_damping, physics.curved,
-        name(physics.solved), name(physics.rolling), physics.fluid, physics.branches,
+        name(physics.solved), name(physics.rolling), physics.fluid, physics.branches, physics.fails,
         for_packings ? " for fibers among others" : ""));
   }
   return found - list.begin();
@@ -33,6 +34,7 @@ const ChainKernel& chain_kernel(const Physics& physics, InstructionSet set) {
 }
 
 const PackingKernel& packing_kernel(const Physics& physics, InstructionSet set) {
+  if (physics.fails) return kernel_of<FailingKernels>(set, packing_index(physics, failing_physics));
   return kernel_of<PackingKernels>(set, packing_index(physics, built_physics));
 }
 

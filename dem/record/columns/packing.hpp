@@ -55,6 +55,18 @@ inline constexpr Column packing[] = {
     {"held_center_y", number, "m", "likewise"},
     {"held_center_z", number, "m", "likewise"},
 
+    // Bonds that broke.
+    {"pieces", integer, "1", "fibers, and one more for each bond that is broken"},
+    {"break_fiber", integer, "1", "number of the fiber, from 0, among those that were in"},
+    {"break_bond", integer, "1", "number of the bond: from the fiber's sphere of that number to the next"},
+    {"break_cause", text, "",
+     "tension, compression, shear or torsion: whose stress was the largest part of its strength"},
+    {"break_stress", number, "Pa", "that stress"},
+    {"break_energy", number, "J", "that the bond stored"},
+    {"break_x", number, "m", "place of its middle"},
+    {"break_y", number, "m", "likewise"},
+    {"break_z", number, "m", "likewise"},
+
     // What a scene will take.
     {"scene_kind", text, "", "kind of the scene"},
     {"bonds", integer, "1", "number of bonds"},
@@ -129,6 +141,9 @@ inline constexpr Column packing[] = {
     {"taken_bond_damping", number, "J",
      "taken by the dashpots and Maxwell branches of the bonds since the start"},
     {"taken_bond_friction", number, "J", "taken by the rolling friction of the bonds"},
+    {"taken_breaking", number, "J",
+     "stored by bonds as they broke, less what contacts of the spheres that they joined began with"},
+    {"taken_yielding", number, "J", "plastic work of bonds that bend beyond their yield moment"},
     {"taken_contact_normal", number, "J", "taken by contacts along their normal"},
     {"taken_contact_tangential", number, "J", "taken by contacts along the surface"},
     {"taken_contact_rolling", number, "J", "taken by the rolling friction of contacts"},

@@ -140,6 +140,44 @@ BOOST_AUTO_TEST_CASE(sorting_changes_nothing_but_round_off) {
   }
 }
 
+namespace {
+
+/// The streams with bonds that may break, some of which do.
+dem::Assembly broken_streams(bool sorted) {
+  SmallPacking packing = streams();
+  for (dem::FiberGroup& group : packing.groups)
+    group.chain.fiber.strength =
+        dem::BondStrength{.tension = 1e3 * group.chain.fiber.material.youngs_modulus};
+  dem::Assembly assembly = packing.assembly(options(sorted));
+  for (int f = 0; f < 300; f += 60) assembly.break_bond(0, f, f % 8), assembly.break_bond(1, f, f % 13);
+  assembly.march(steps);
+  return assembly;
+}
+
+}  // namespace
+
+/// Fibers and what is left of them go to their new places: pieces touch each other and nothing else changes.
+BOOST_AUTO_TEST_CASE(sorting_keeps_what_is_broken) {
+  dem::Assembly sorted = broken_streams(true), as_numbered = broken_streams(false);
+  BOOST_TEST(sorted.sort_count() >= 1);
+  BOOST_TEST(sorted.pieces() == 770 + 2 * 5);
+  for (const int group : {0, 1}) {
+    for (int f = 0; f < 300; ++f) {
+      for (int i = 0; i < 8; ++i)
+        BOOST_TEST(sorted.is_broken(group, f, i) == as_numbered.is_broken(group, f, i));
+    }
+  }
+  const auto contacts = sorted.contacts(), others = as_numbered.contacts();
+  BOOST_TEST(contacts.size() == others.size());
+  const auto between_pieces = [](const dem::ContactState& contact) {
+    return dem::is_sphere(contact.key.second) && contact.key.second.number == contact.key.first.number + 1;
+  };
+  BOOST_TEST_MESSAGE(std::ranges::count_if(contacts, between_pieces) << " contacts between pieces");
+  BOOST_TEST(std::ranges::count_if(contacts, between_pieces) ==
+             std::ranges::count_if(others, between_pieces));
+  BOOST_TEST(difference(numbers(sorted), numbers(as_numbered)) < 1e-7);
+}
+
 BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   const dem::SavedState one = marched(options(true), steps).saved();
   for (const int threads : {2, 3}) BOOST_TEST((marched(options(true, threads), steps).saved() == one));

@@ -120,6 +120,12 @@ const char* const kScenes[] = {
     "fluid: {viscosity: 1e-3}\nmotion: {step: 10 us}\nsteps: "
     "200\n",
     "scene: packing\nfibers: [{" FIBER
+    ", count: 4, bond: {strength: {tension: 1 MPa, compression: 2 MPa, shear: 1 MPa, torsion: 1 MPa, "
+    "weibull: "
+    "{modulus: 5, reference_length: 1 cm, seed: 3}}, yield: {moment: 1e-5, hardening: 0.1}}}, {" FIBER
+    ", count: 4, bond: {yield: {stress: 1 MPa}}}]\nperiodic: {x: 30 mm}\n"
+    "filling: {region: {y: [0, 3 cm], z: [0, 3 cm]}}\nsteps: 200\n",
+    "scene: packing\nfibers: [{" FIBER
     ", count: 4}]\nperiodic: {x: 30 mm, z: 30 mm}\n"
     "filling: {region: {y: [0, 3 cm]}}\nfluid: {viscosity: 1e-3, gradient: [[0, 1, 0], [0, 0, 0], [0, 2, "
     "0]], course: "
