@@ -69,15 +69,6 @@ bool is_dimensional(const Arguments& arguments) {
   return missing.empty();
 }
 
-template <class Value>
-Value choice(const Arguments& arguments, const std::string& option, Value usual,
-             const std::vector<std::pair<std::string, Value>>& choices) {
-  std::vector<Value> chosen{usual};
-  read_choices<Value>(arguments, option, chosen, choices);
-  if (chosen.size() != 1) throw InputError(fmt::format("{}: give only one", option));
-  return chosen.front();
-}
-
 /// Size, bond and mass model that were typed, of the nominal material.
 dem::Fiber shaped_fiber(const Arguments& arguments, const Quantities& typed) {
   using dem::BondModel;

@@ -4,7 +4,6 @@
 #include "compare/app/commands.hpp"
 #include "compare/app/open_trajectory.hpp"
 #include "compare/app/options.hpp"
-#include "compare/study/errors.hpp"
 #include "dem/files/atomic_file.hpp"
 #include "dem/files/file_error.hpp"
 #include "dem/record/output.hpp"
@@ -24,15 +23,6 @@ const std::vector<std::pair<std::string, AtomFormat>> kFormats = {
     {"xyz", {".xyz", &dem::extended_xyz_frame}},
     {"vtk", {".pvd", nullptr}}};
 
-AtomFormat format_of(const Arguments& arguments) {
-  std::vector<AtomFormat> formats = {kFormats.front().second};
-  read_choices(arguments, "--format", formats, kFormats);
-  if (formats.size() != 1)
-    throw compare::InputError(
-        fmt::format("--format: '{}' is more than one choice", arguments.text("--format")));
-  return formats.front();
-}
-
 void append(const std::filesystem::path& path, const std::string& text) {
   std::FILE* file = std::fopen(path.c_str(), "ab");
   const bool good = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
@@ -48,7 +38,7 @@ void write_vtk(const dem::TrajectoryReader& trajectory, const std::vector<std::i
 }
 
 int run_export(const Arguments& arguments, Context& context) {
-  const AtomFormat format = format_of(arguments);
+  const AtomFormat format = choice(arguments, "--format", kFormats.front().second, kFormats);
   const dem::TrajectoryReader trajectory = open_trajectory(arguments);
   const std::vector<std::int64_t> frames = frames_of(arguments, "--frames", trajectory);
   const dem::OutputDirectory directory(arguments.has("--out") ? arguments.text("--out") : "results");

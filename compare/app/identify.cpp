@@ -13,11 +13,9 @@ namespace fiberchain::app {
 namespace {
 
 compare::RecordOf record_of(const Arguments& arguments) {
-  std::vector<compare::RecordOf> chosen{compare::RecordOf::beam};
-  read_choices<compare::RecordOf>(arguments, "--of", chosen,
-                                  {{"beam", compare::RecordOf::beam}, {"chain", compare::RecordOf::chain}});
-  if (chosen.size() != 1) throw compare::InputError("--of: give one");
-  return chosen.front();
+  using compare::RecordOf;
+  return choice<RecordOf>(arguments, "--of", RecordOf::beam,
+                          {{"beam", RecordOf::beam}, {"chain", RecordOf::chain}});
 }
 
 /// The fiber whose E is sought; nothing where neither size nor density is typed.

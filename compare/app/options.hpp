@@ -9,6 +9,7 @@
 
 #include "compare/app/command.hpp"
 #include "compare/measure/peaks.hpp"
+#include "compare/study/errors.hpp"
 #include "compare/study/ranges.hpp"
 
 /// Options that several commands have, and how options become values.
@@ -69,6 +70,17 @@ void read_choices(const Arguments& arguments, const std::string& option, std::ve
     chosen.push_back(
         choices[static_cast<std::size_t>(std::ranges::find(words, word) - words.begin())].second);
   }
+}
+
+/// One of these words, likewise; the usual one if the option was not typed.
+template <class Value>
+Value choice(const Arguments& arguments, const std::string& option, Value usual,
+             const std::vector<std::pair<std::string, Value>>& choices) {
+  std::vector<Value> chosen{usual};
+  read_choices<Value>(arguments, option, chosen, choices);
+  if (chosen.size() != 1)
+    throw compare::InputError(option + ": '" + arguments.text(option) + "' is more than one choice");
+  return chosen.front();
 }
 
 }  // namespace fiberchain::app

@@ -39,12 +39,7 @@ std::optional<std::pair<double, double>> pair_of(const Arguments& arguments, con
 
 compare::PictureOptions picture_options(const Arguments& arguments) {
   compare::PictureOptions options;
-  std::vector<std::string> shades = {options.shade};
-  read_choices(arguments, "--color", shades, shade_choices());
-  if (shades.size() != 1)
-    throw compare::InputError(
-        fmt::format("--color: '{}' is more than one choice", arguments.text("--color")));
-  options.shade = shades.front();
+  options.shade = choice(arguments, "--color", options.shade, shade_choices());
   options.range = pair_of(arguments, "--range");
   if (options.range && !(options.range->first < options.range->second))
     throw compare::InputError(fmt::format("--range: '{}' does not rise", arguments.text("--range")));

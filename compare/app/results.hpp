@@ -55,13 +55,10 @@ void warn_without_gnuplot(const Context& context);
 int status_of_failed(std::int64_t failed, std::string_view things, std::string_view where,
                      const Context& context);
 
-/// The same of runs with a status each.
+/// How many of these have not finished.
 template <class Runs>
-int status_of_runs(const Runs& runs, std::string_view things, std::string_view where,
-                   const Context& context) {
-  return status_of_failed(
-      std::ranges::count_if(runs, [](const auto& run) { return run.status != "finished"; }), things, where,
-      context);
+std::int64_t unfinished(const Runs& runs) {
+  return std::ranges::count_if(runs, [](const auto& run) { return run.status != "finished"; });
 }
 
 /// Writes the tables (CSV, Markdown), all or none, prints the rows (as JSON if asked for, else `shown` as

@@ -86,9 +86,7 @@ Results results_of(const Runs& runs) {
 }
 
 int status_of(const Runs& runs, const Context& context) {
-  std::vector<PackingRun> all = runs.figures;
-  all.insert(all.end(), runs.spread.begin(), runs.spread.end());
-  return status_of_runs(all, "packings", "", context);
+  return status_of_failed(unfinished(runs.figures) + unfinished(runs.spread), "packings", "", context);
 }
 
 /// Runs whose places were kept, which are many: those of the others stay without.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
@@ -33,21 +34,31 @@ void check_fluid(const Domain& domain) {
   }
 }
 
+/// The walls where they stand at a time; nothing for those that are not there.
+std::vector<std::optional<WallShape>> standing(const std::vector<Wall>& walls, double time) {
+  std::vector<std::optional<WallShape>> all;
+  for (const Wall& wall : walls) {
+    all.emplace_back();
+    if (is_active(wall, time)) all.back() = wall.shape.moved(pose_at(wall, time));
+  }
+  return all;
+}
+
 void check_places(const std::vector<FiberGroup>& groups, const std::vector<Wall>& walls, double time) {
+  const std::vector<std::optional<WallShape>> there = standing(walls, time);
   for (const FiberGroup& group : groups) {
     for (std::size_t f = 0; f < group.fibers.size(); ++f) {
       for (std::size_t i = 0; i < group.fibers[f].poses.size(); ++i) {
         for (std::size_t w = 0; w < walls.size(); ++w) {
-          const Wall& wall = walls[w];
+          if (!there[w]) continue;
           const Vec<double, 3>& place = group.fibers[f].poses[i].position;
-          if (!is_active(wall, time)) continue;
-          if (i > 0 && passes_through(wall, group.fibers[f].poses[i - 1].position, place, time)) {
+          if (i > 0 && passes_through(walls[w], group.fibers[f].poses[i - 1].position, place, time)) {
             throw InvalidInput(
                 fmt::format("fiber {} is not allowed there: it goes through wall {} before its "
                             "sphere {}",
                             f, w, i));
           }
-          if (gap_to(wall, place, time) > 0) continue;
+          if (there[w]->nearest(place).distance > 0) continue;
           throw InvalidInput(fmt::format(
               "sphere {} of fiber {} is not allowed there: its center is behind wall {}", i, f, w));
         }
