@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "compare/study/errors.hpp"
@@ -97,6 +98,14 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+/// Refuses an option of one value that is there a second time, by whichever of its names.
+void check_given_once(const CLI::App& app, const std::string& name, std::set<const CLI::Option*>& seen) {
+  const CLI::Option* option = app.get_option(name);
+  const bool is_single = option->get_expected_max() == 1;
+  if (seen.insert(option).second || !is_single) return;
+  throw compare::InputError(fmt::format("{}: given twice; give it once", option->get_name(false, true)));
+}
+
 /// Refuses a command or an option that nobody knows with the one that may have been meant, before CLI11 takes
 /// what follows it for something else.
 void check_words(const CLI::App& program, const std::vector<std::string>& arguments) {
@@ -113,11 +122,15 @@ void check_words(const CLI::App& program, const std::vector<std::string>& argume
     }
     app = known.front();
   }
+  std::set<const CLI::Option*> seen;
   for (; word != arguments.end(); ++word) {
     const std::string name = word->substr(0, word->find('='));
     if (!name.starts_with("--") || name == "--") continue;
     const std::vector<std::string> names = option_names(*app);
-    if (std::ranges::find(names, name) != names.end()) continue;
+    if (std::ranges::find(names, name) != names.end()) {
+      check_given_once(*app, name, seen);
+      continue;
+    }
     throw compare::InputError(fmt::format("unknown option '{}' of '{}': {} (see --help)", name,
                                           app->get_name(), dem::suggestion(name, names)));
   }

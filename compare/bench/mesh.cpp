@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "compare/study/tabulate.hpp"
@@ -15,8 +16,9 @@ namespace {
 
 using Place = dem::Vec<double, 3>;
 
-/// The inside of a box, `cells` by `cells` squares a face, two triangles each.
-dem::TriangleSoup box_of_triangles(const dem::Box& box, int cells) {
+/// The inside of a box, `cells` by `cells` squares a face, two triangles each; corners inside of a face
+/// dented outward by up to `dent` [m].
+dem::TriangleSoup box_of_triangles(const dem::Box& box, int cells, double dent) {
   dem::TriangleSoup soup;
   const auto add = [&](const Place& a, const Place& b, const Place& c) {
     const auto first = static_cast<std::int32_t>(soup.vertices.size());
@@ -30,6 +32,9 @@ dem::TriangleSoup box_of_triangles(const dem::Box& box, int cells) {
       x[axis] = face % 2 == 0 ? box.low[axis] : box.high[axis];
       x[u] = box.low[u] + (box.high[u] - box.low[u]) * i / cells;
       x[v] = box.low[v] + (box.high[v] - box.low[v]) * j / cells;
+      const bool is_inside = i > 0 && j > 0 && i < cells && j < cells;
+      if (is_inside)
+        x[axis] += (face % 2 == 0 ? -dent : dent) * (0.5 + 0.5 * std::sin(37.0 * i + 101.0 * j * j));
       return x;
     };
     for (int i = 0; i < cells; ++i) {
@@ -87,12 +92,15 @@ std::vector<MeshTime> mesh_times(const dem::PackingScene& scene, const BenchOpti
     all.push_back(std::make_unique<Runner>(runner(start, state, fall, name, std::move(walls), triangles)));
   };
   add("planes", start.domain.walls, 0);
-  for (const int cells : {9, 91}) {
+  const auto add_mesh = [&](const std::string& name, int cells, double dent) {
     auto mesh = std::make_shared<const dem::TriangleMesh>(
-        dem::make_mesh(box_of_triangles(scene.scene_box, cells), 1, "box"));
+        dem::make_mesh(box_of_triangles(scene.scene_box, cells, dent), 1, "box"));
     const std::int64_t triangles = mesh->faces();
-    add("mesh", {{dem::MeshShape{.mesh = std::move(mesh), .sides = dem::MeshSides::one}}}, triangles);
-  }
+    add(name, {{dem::MeshShape{.mesh = std::move(mesh), .sides = dem::MeshSides::one}}}, triangles);
+  };
+  add_mesh("mesh", 9, 0);
+  add_mesh("mesh", 91, 0);
+  add_mesh("dented mesh", 91, 1e-5);
   for (auto& one : all) one->assembly.march(window);  // warm
   for (int round = 0; round < rounds; ++round) {
     for (auto& one : all) {

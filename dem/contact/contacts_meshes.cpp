@@ -15,7 +15,7 @@ void Contacts::update_mesh(int k, std::size_t w, UpdateScratch& scratch) {
     const Vec<double, 3> center = shape.to_mesh(neighbors_.reference_positions()[i]);
     const double reach = radius_[i] + neighbors_.skin();
     mesh.search.near(center, reach, [&](std::int32_t t) {
-      if (closest_point(mesh, t, center).squared < reach * reach) found.push_back(t);
+      if (squared_distance_bound(mesh, t, center) < reach * reach) found.push_back(t);
     });
   };
   part.meshes[w].update(neighbors_.rebuilt(k), find, scratch.mesh);

@@ -13,6 +13,8 @@ namespace {
 /// How much farther than touching inner triangles may be, over the radius: with more they are many, with less
 /// chosen often.
 constexpr double inner_margin = 0.02;
+/// How far from where a place was not flat, or flat not so far, it is tried again, over the radius.
+constexpr double flat_tried_again = 0.002;
 /// A way is a sum: over the radius, what it may be off by round-off, with much to spare.
 constexpr double slack = 1e-7;
 /// Cosine of the angle by which a contact turns at most as its history is handed on from feature to feature.
@@ -94,50 +96,63 @@ void MeshNeighbors::choose_inner(std::size_t n, const TriangleMesh& mesh, const 
   const double within = reach + margin;
   std::int32_t* to = list_.inner.data() + list_.begin[n];
   for (const std::int32_t t : list_.triangles_of(n)) {
-    const double squared = closest_point(mesh, t, center).squared;
+    double squared = squared_distance_bound(mesh, t, center);
+    if (squared < within * within) squared = closest_point(mesh, t, center).squared;
     least = std::min(least, squared);
     if (squared < within * within) *to++ = t;
   }
   list_.inner_count[n] = static_cast<std::int32_t>(to - (list_.inner.data() + list_.begin[n]));
-  list_.chosen_at[n] = center;
   list_.clearance[n] = std::sqrt(least) - reach;
-  list_.flat[n] = flat_place(mesh, list_.inner_of(n), center, margin);
 }
 
-double MeshNeighbors::find(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
-                           double reach, bool held) {
+void MeshNeighbors::choose(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center,
+                           double reach, double margin) {
+  list_.chosen_at[n] = center;
+  list_.flat[n] =
+      flat_place(mesh, list_.triangles_of(n), center, reach, std::numeric_limits<double>::infinity());
+  list_.inner_count[n] = -1, list_.clearance[n] = 0;
+  if (!(list_.flat[n].margin > margin)) choose_inner(n, mesh, center, reach, margin);
+}
+
+bool MeshNeighbors::find_flat(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
+                              double reach) {
   const FlatPlace& flat = list_.flat[n];
-  if (flat.face >= 0) {
-    const double height = height_over(flat, center);
-    if (height > 0 || moment.mesh.sides == MeshSides::both) {
-      found_.contacts.clear();
-      if (std::abs(height) < reach) found_.contacts.push_back(contact_at(flat, height));
-      return std::abs(height);
-    }
-  }
-  return find_mesh_contacts(*moment.mesh.mesh, moment.mesh.sides, list_.inner_of(n), center, reach, held,
-                            found_);
+  const Vec<double, 3> way = center - flat.center;
+  const double gone_squared = dot(way, way);
+  if (!(gone_squared < flat.margin * flat.margin)) return false;
+  const double height = height_over(flat, center);
+  if (!is_told_by(flat, moment.mesh.sides, height, reach)) return false;
+  found_.contacts.clear();
+  clear_for_ = std::abs(height) - reach;
+  if (clear_for_ < 0)
+    found_.contacts.push_back(contact_at(flat, height));
+  else
+    clear_for_ = std::min(clear_for_, flat.margin - std::sqrt(gone_squared));
+  return true;
 }
 
-void MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius,
-                         bool held) {
+double MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
+                           double radius, bool held) {
   const TriangleMesh& mesh = *moment.mesh.mesh;
-  const double reach = radius + moment.gap, margin = inner_margin * radius,
-               awake = moment.moved - slack * radius;
+  const double reach = radius + moment.gap, margin = inner_margin * radius;
+  if (find_flat(n, moment, center, reach)) return clear_for_;
   double gone = norm(center - list_.chosen_at[n]);
   const auto is_clear = [&] { return gone < list_.clearance[n]; };
   if (list_.inner_count[n] < 0 || (!(gone < margin) && !is_clear())) {
-    choose_inner(n, mesh, center, reach, margin);
+    choose(n, mesh, center, reach, margin);
     gone = 0;
+    if (find_flat(n, moment, center, reach)) return clear_for_;
+    if (list_.inner_count[n] < 0) choose_inner(n, mesh, center, reach, margin);
   }
-  if (is_clear()) {
-    list_.asleep_until[n] = awake + (list_.clearance[n] - gone);
-    found_.contacts.clear();
-    return;
+  found_.contacts.clear();
+  if (is_clear()) return list_.clearance[n] - gone;
+  if (norm(center - list_.flat[n].center) > flat_tried_again * radius) {
+    list_.flat[n] = flat_place(mesh, list_.inner_of(n), center, reach, margin - gone);
+    if (find_flat(n, moment, center, reach)) return clear_for_;
   }
-  const double least = find(n, moment, center, reach, held);
-  // others were farther than the margin
-  list_.asleep_until[n] = awake + std::min(least - reach, margin - gone);
+  const double least =
+      find_mesh_contacts(mesh, moment.mesh.sides, list_.inner_of(n), center, reach, held, found_);
+  return std::min(least - reach, margin - gone);  // others were farther than the margin
 }
 
 std::int32_t MeshNeighbors::handed_on(const TriangleMesh& mesh, const MeshContact& contact,
@@ -195,7 +210,7 @@ void MeshNeighbors::find_contacts(const MeshMoment& moment, int width, std::int3
     if (k + ahead < awake_.size()) {
       const std::size_t later = awake_[k + ahead];
       __builtin_prefetch(moment.rows.position_radius.data() + list_.slots[later] * position_radius_size);
-      if (list_.flat[later].face < 0) fetch(*moment.mesh.mesh, list_.inner_of(later));
+      if (list_.flat[later].margin == 0) fetch(*moment.mesh.mesh, list_.inner_of(later));
     }
     const std::size_t n = awake_[k];
     const std::int32_t slot = list_.slots[n];
@@ -205,7 +220,8 @@ void MeshNeighbors::find_contacts(const MeshMoment& moment, int width, std::int3
     for (; p < last_.count && last_.slots[p] == slot; ++p)
       held = held || (last_.contact[p] != 0 && !moment.mesh.mesh->is_rim(last_.features[p]));
     const Vec<double, 3> center = moment.mesh.to_mesh(moment.rows.position(slot));
-    look(n, moment, center, moment.rows.radius(slot), held);
+    const double radius = moment.rows.radius(slot), clear_for = look(n, moment, center, radius, held);
+    list_.asleep_until[n] = moment.moved - slack * radius + clear_for;
     add_found(moment.mesh, slot, center, from, p, contacts, histories);
   }
   give_back_until(std::numeric_limits<std::int32_t>::max());

@@ -44,10 +44,16 @@ class MeshNeighbors {
                      ContactHistories& histories);
 
  private:
-  /// Contacts of the n-th sphere, to found_.contacts.
-  void look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius, bool held);
-  /// The same, from its inner triangles; the least distance of all or less [m].
-  double find(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double reach, bool held);
+  /// Contacts of the n-th sphere, to found_.contacts. As far as it may go and have none [m]; negative or 0
+  /// where it has some.
+  double look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius,
+              bool held);
+  /// The same where it is in a flat place, with no look at the mesh; whether it is.
+  bool find_flat(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double reach);
+  /// What is known of the mesh around the n-th sphere here: whether it is flat; its inner triangles, too,
+  /// where it is not or not for long.
+  void choose(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center, double reach,
+              double margin);
   /// Its inner triangles, nearer than `reach` and a margin, and its clearance here.
   void choose_inner(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center, double reach,
                     double margin);
@@ -66,7 +72,7 @@ class MeshNeighbors {
     std::vector<std::int32_t> inner_count;       ///< of each in inner; -1: not chosen yet
     std::vector<Vec<double, 3>> chosen_at;       ///< center, in the mesh, where inner ones were chosen [m]
     std::vector<double> clearance;               ///< from touching anything, there [m]
-    std::vector<FlatPlace> flat;                 ///< for as long as it has not gone by the margin
+    std::vector<FlatPlace> flat;                 ///< tried last
     std::vector<double> asleep_until;            ///< of MeshMoment::moved
 
     void clear();
@@ -83,6 +89,7 @@ class MeshNeighbors {
   std::vector<std::size_t> awake_;   ///< of find_contacts(): numbers in the list
   WallNeighbors last_{};
   MeshContactScratch found_;
+  double clear_for_ = 0;  ///< of look(): as far as the sphere may go with no contact [m]; else negative
   std::vector<MeshContact> all_;  ///< found in this step, in space
 };
 

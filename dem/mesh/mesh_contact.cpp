@@ -66,11 +66,13 @@ int only_side(const PlaceOver& place) {
   return count == 1 ? side : -1;
 }
 
+/// Of a bound.
+constexpr double round_off = 1 + 1e-9;
+
 /// The closest points of triangles that are nearer than `reach`, but for some that are at no least distance;
 /// the least distance of all, or what is less [m^2].
 double collect_points(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
                       const Vec<double, 3>& center, double reach, MeshContactScratch& scratch) {
-  constexpr double round_off = 1 + 1e-9;  // of a bound
   const double reached = reach * reach * round_off;
   scratch.points.clear(), scratch.beside.clear();
   double least = std::numeric_limits<double>::infinity();
@@ -134,6 +136,39 @@ void add_contact(const TriangleMesh& mesh, const ClosestPoint& point, std::vecto
   if (std::ranges::none_of(contacts, is_near)) contacts.push_back(own);
 }
 
+/// As far as a center that is over the inside of a face, whose plane it is `height` above, may go until
+/// another triangle could make a contact of its own or the nearer one [m].
+double stays_behind(const TriangleMesh& mesh, std::int32_t triangle, const FlatPlace& face, double height,
+                    const Vec<double, 3>& center, double reach) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double out_of_sight = reach + face.margin;
+  if (squared_distance_bound(mesh, triangle, center) > out_of_sight * out_of_sight) return never;
+  double highest = -never;
+  for (const std::int32_t v : mesh.triangles[triangle])
+    highest = std::max(highest, dot(mesh.vertices[v] - face.corner, face.normal));
+  // with a point nearly in the plane, no nearer than the foot on the face unless the foot has all but left it
+  constexpr double level = 1e-9;
+  if (height > 0 && highest <= level * reach) return never;
+  const ClosestPoint other = closest_point(mesh, triangle, center);
+  const double distance = std::sqrt(other.squared), out_of_reach = distance - reach;
+  if (height <= 0) return out_of_reach;
+  // no nearer than its plane, whose distance less the face's changes with the difference of normals; and the
+  // closest point goes no farther than the center
+  const TrianglePlane& plane = mesh.planes[triangle];
+  const double farther = dot(center - plane.corner, plane.normal) - height;
+  double behind = std::max(0.5 * (distance - height), farther / norm(plane.normal - face.normal));
+  if (highest > low_triangle * reach) {  // in about the face's direction?
+    constexpr double turned = 0.05;      // rad, of the direction; its cosine is off by less
+    const bool is_merged = -dot(other.to, face.normal) > (smooth_cosine + turned) * distance;
+    behind = is_merged ? std::min(behind, 0.4 * turned * distance) : 0;
+  }
+  return std::max(out_of_reach, behind);
+}
+
+/// Of the reach: flat places that reach less far are none; the way to a triangle in one plane, squared, is
+/// above what round-off and stays_behind() leave open.
+constexpr double least_flat_margin = 3e-4;
+
 }  // namespace
 
 ClosestPoint closest_point(const TriangleMesh& mesh, std::int32_t t, const Vec<double, 3>& center) {
@@ -147,6 +182,10 @@ ClosestPoint closest_point(const TriangleMesh& mesh, std::int32_t t, const Vec<d
     if (is_nearer(own, best)) best = own;
   }
   return best;
+}
+
+double squared_distance_bound(const TriangleMesh& mesh, std::int32_t triangle, const Vec<double, 3>& center) {
+  return place_over(mesh.planes[triangle], center).squared_bound / round_off;
 }
 
 ClosestPoint closest_on_feature(const TriangleMesh& mesh, std::int32_t feature,
@@ -182,19 +221,29 @@ Vec<double, 3> direction_of(const TriangleMesh& mesh, const ClosestPoint& closes
 }
 
 FlatPlace flat_place(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
-                     const Vec<double, 3>& center, double margin) {
-  if (triangles.size() != 1) return {};
-  const std::int32_t face = triangles.front();
-  const TrianglePlane& plane = mesh.planes[face];
-  const PlaceOver place = place_over(plane, center);
-  const bool stays = place.side[0] > margin * norm(plane.to_third) &&
-                     place.side[1] > margin * norm(plane.to_second + plane.to_third) &&
-                     place.side[2] > margin * norm(plane.to_second);
-  return stays ? FlatPlace{face, plane.corner, plane.normal} : FlatPlace{};
-}
-
-MeshContact contact_at(const FlatPlace& place, double height) {
-  return {place.face, height < 0 ? place.normal : -place.normal, std::sqrt(height * height)};
+                     const Vec<double, 3>& center, double reach, double most) {
+  FlatPlace flat;
+  flat.center = center;
+  double height = std::numeric_limits<double>::infinity();
+  for (const std::int32_t t : triangles) {
+    const TrianglePlane& plane = mesh.planes[t];
+    const PlaceOver place = place_over(plane, center);
+    if (!place.is_inside() || std::abs(place.height) >= std::abs(height)) continue;
+    height = place.height;
+    const double inside = std::min({place.side[0] / norm(plane.to_third),
+                                    place.side[1] / norm(plane.to_second + plane.to_third),
+                                    place.side[2] / norm(plane.to_second)});
+    flat.face = t, flat.corner = plane.corner, flat.normal = plane.normal;
+    flat.margin = std::min(most, 0.999 * inside);
+  }
+  flat.alone = triangles.size() == 1;
+  for (const std::int32_t t : triangles) {
+    if (!(flat.margin > least_flat_margin * reach)) break;
+    if (t != flat.face)
+      flat.margin = std::min(flat.margin, stays_behind(mesh, t, flat, height, center, reach));
+  }
+  if (!(flat.margin > least_flat_margin * reach)) flat.margin = 0;
+  return flat;
 }
 
 double find_mesh_contacts(const TriangleMesh& mesh, MeshSides sides, std::span<const std::int32_t> triangles,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ClosestPoint {
 
 ClosestPoint closest_point(const TriangleMesh& mesh, std::int32_t triangle, const Vec<double, 3>& center);
 
+/// What no point of a triangle is nearer than, squared [m^2]; reads nothing but its plane.
+double squared_distance_bound(const TriangleMesh& mesh, std::int32_t triangle, const Vec<double, 3>& center);
+
 /// The closest point of a feature.
 ClosestPoint closest_on_feature(const TriangleMesh& mesh, std::int32_t feature, const Vec<double, 3>& center);
 
@@ -43,15 +47,20 @@ bool is_outside(const TriangleMesh& mesh, const ClosestPoint& closest);
 /// A unit vector to a closest point; through the surface where the center lies on it.
 Vec<double, 3> direction_of(const TriangleMesh& mesh, const ClosestPoint& closest);
 
-/// A place over the inside of a face, where nothing else of a mesh is near.
+/// A place where a sphere touches one face and nothing else, however it moves a little.
 struct FlatPlace {
   std::int32_t face = -1;         ///< -1: the place is not such
+  bool alone = false;             ///< no other triangle is in reach
   Vec<double, 3> corner, normal;  ///< of the face's plane
+  Vec<double, 3> center;          ///< of the sphere, ...
+  double margin = 0;              ///< ... that may go so far from there [m]; 0: the place is not such
 };
 
-/// Whether a center that goes no farther than `margin` [m] stays over one face of these, its only neighbor.
+/// Where a center is over the inside of a face and every other of these triangles, which are all that may
+/// come into reach, lies behind the face's plane, or farther than the face and in about its direction, or out
+/// of reach: for as far as the center may go with that so.
 FlatPlace flat_place(const TriangleMesh& mesh, std::span<const std::int32_t> triangles,
-                     const Vec<double, 3>& center, double margin);
+                     const Vec<double, 3>& center, double reach, double most);
 
 struct MeshContact {
   std::int32_t feature;
@@ -65,11 +74,24 @@ struct BesideTriangle {
   int only_side;  ///< which it is beyond; -1 if there are two
 };
 
-/// With the face of a flat place: what find_mesh_contacts() finds there, to the bit, seen from the side of
-/// the normal or where fibers touch both.
-MeshContact contact_at(const FlatPlace& place, double height);
+/// With the face of a flat place: what find_mesh_contacts() finds there, to the bit, where is_told_by()
+/// holds.
+inline MeshContact contact_at(const FlatPlace& place, double height) {
+  return {place.face, height < 0 ? place.normal : -place.normal, std::sqrt(height * height)};
+}
 inline double height_over(const FlatPlace& place, const Vec<double, 3>& center) {
   return dot(center - place.corner, place.normal);
+}
+
+/// How far over the plane of a flat place's face other triangles may reach there, over the reach.
+inline constexpr double low_triangle = 0.02;
+
+/// Whether a center that has gone no farther than its margin touches the face of a flat place or nothing.
+/// What lies lower than low_triangle and within reach is seen in a direction that the least height here
+/// bounds: one contact with the face's, as add_contact() has it.
+inline bool is_told_by(const FlatPlace& place, MeshSides sides, double height, double reach) {
+  if (!(height > 0) && (!place.alone || sides == MeshSides::one)) return false;
+  return place.alone || height > (smooth_cosine + low_triangle) * reach;
 }
 
 /// Memory kept between calls.

@@ -97,6 +97,7 @@ const Usage kUsages[] = {
     {{}, "give a command: columns, run"},
     {{"tables"}, "give a command of 'tables': static, damping, friction"},
     {{"nonsense"}, "unknown command 'nonsense': allowed: "},
+    {{"run", "x.yaml", "--jobs", "1", "--threads", "1"}, "--jobs,--threads: given twice; give it once"},
     {{"columns", "--nonsense"}, "unknown option '--nonsense' of 'columns'"},
     {{"calbrate", "--aspect-ratio", "10"}, "unknown command 'calbrate': did you mean 'calibrate'?"},
     {{"calibrate", "--aspect-ration", "10"},

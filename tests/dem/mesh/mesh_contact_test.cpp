@@ -160,6 +160,54 @@ BOOST_AUTO_TEST_CASE(a_flat_place_is_touched_once) {
   }
 }
 
+/// What a flat place tells without a look at the mesh is what a look finds, to the bit, wherever the center
+/// goes within the margin: on plane, convex, concave and rough surfaces of triangles smaller than the sphere.
+BOOST_AUTO_TEST_CASE(flat_places_tell_what_a_look_finds) {
+  const auto wavy = [](double height) {
+    return patch(9, 9, [=](double u, double v) {
+      return V{2 * u - 1, 2 * v - 1, height * std::sin(9 * u + 4 * v) * std::cos(7 * v)};
+    });
+  };
+  const std::vector<dem::TriangleSoup> surfaces{
+      flat(1.3, 6), box({1, 0.8, 0.9}, 3), tube(1, 1, 72, 9), tube(0.8, 1, 12, 4), wavy(0.01), wavy(0.2)};
+  std::vector<double> told;
+  for (const dem::TriangleSoup& soup : surfaces) {
+    const dem::TriangleMesh mesh = *mesh_of(soup);
+    const double reach = 0.3, listed = 1.3 * reach;
+    int flat_ones = 0, near = 0;
+    for (const V& center : random_places(6000, 1.2, 17)) {
+      const double distance = norm(dem::nearest_point(mesh, center).to);
+      if (distance > reach || distance < 0.93 * reach) continue;
+      ++near;
+      std::vector<std::int32_t> inner;
+      for (std::int32_t t = 0; t < mesh.faces(); ++t) {
+        if (dem::closest_point(mesh, t, center).squared < listed * listed) inner.push_back(t);
+      }
+      const dem::FlatPlace place = dem::flat_place(mesh, inner, center, reach, listed - reach);
+      if (place.margin == 0) continue;
+      for (const V& way : random_places(30, place.margin / std::sqrt(3.0), static_cast<unsigned>(near))) {
+        for (const dem::MeshSides sides : {dem::MeshSides::both, dem::MeshSides::one}) {
+          const V there = center + way;
+          const double height = dem::height_over(place, there);
+          if (!dem::is_told_by(place, sides, height, reach)) continue;
+          ++flat_ones;
+          dem::MeshContactScratch found;
+          dem::find_mesh_contacts(mesh, sides, inner, there, reach, false, found);
+          BOOST_TEST_REQUIRE(found.contacts.size() == (std::abs(height) < reach ? 1u : 0u));
+          if (found.contacts.empty()) continue;
+          const dem::MeshContact own = dem::contact_at(place, height);
+          BOOST_TEST(own.feature == found.contacts[0].feature);
+          BOOST_TEST(own.distance == found.contacts[0].distance);
+          for (int c = 0; c < 3; ++c) BOOST_TEST(own.direction[c] == found.contacts[0].direction[c]);
+        }
+      }
+    }
+    told.push_back(flat_ones / (60.0 * near));
+  }
+  BOOST_TEST(told[0] > 0.25);
+  for (const double share : told) BOOST_TEST(share > 0.02);
+}
+
 /// A notch bent by much is touched on both sides, one bent by little where it is nearest.
 BOOST_AUTO_TEST_CASE(concave_edges_are_touched_by_both_faces) {
   for (const double bend : {1.2, 0.6, 0.1, 1e-4}) {
