@@ -66,4 +66,12 @@ if(FIBERCHAIN_BUILD_PROGRAM)
     compare/study/errors.hpp)
   install(TARGETS fiberchain COMPONENT program)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fiberchain COMPONENT program)
+  set(printed ${PROJECT_BINARY_DIR}/share)
+  install(FILES ${printed}/fiberchain.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${printed}/fiberchain.bash RENAME fiberchain COMPONENT program
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${printed}/fiberchain.fish COMPONENT program
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  install(FILES ${printed}/fiberchain.zsh RENAME _fiberchain COMPONENT program
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 endif()

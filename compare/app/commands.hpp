@@ -28,6 +28,8 @@ Command tables_press_command();            ///< beds of fibers under a plate, va
 Command tables_shear_command();            ///< fibers in flows: orbits, flexible fibers, buckling, Fig 5
 Command tables_static_command();  ///< departure of the chain from the Elastica, its causes, Figs 3 and 4
 Command validate_command();       ///< the validation matrix
+Command manual_command();         ///< the manual page
+Command completion_command();     ///< scripts of shells
 
 /// A name that commands share, "tables", and what it stands for.
 struct Group {
@@ -58,7 +60,9 @@ inline std::vector<Command> all_commands() {
           materials_command(),
           stability_command(),
           bench_command(),
-          validate_command()};
+          validate_command(),
+          manual_command(),
+          completion_command()};
 }
 
 inline std::vector<Group> all_groups() {
