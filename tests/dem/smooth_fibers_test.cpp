@@ -178,6 +178,8 @@ std::set<dem::ContactKey> brute_force(const dem::Assembly& assembly, const V& pe
             -period[c] * std::round(0.5 * (b.begin[c] + b.end[c] - a.begin[c] - a.end[c]) / period[c]);
         for (V* node : {&b.before, &b.begin, &b.end, &b.behind}) (*node)[c] += shift;
       }
+      if (norm(b.begin - a.begin) > a.radius + b.radius + norm(a.end - a.begin) + norm(b.end - b.begin))
+        continue;
       const dem::SegmentContact<double> at = dem::segment_contact(a, b);
       if (at.share > dem::least_share && norm(separation(a, b, at.first, at.second)) < a.radius + b.radius)
         pairs.insert({dem::segment_primitive(i), dem::segment_primitive(j)});
