@@ -103,7 +103,7 @@ Coordination coordination(std::span<const ContactState> contacts, std::span<cons
   const auto spheres = static_cast<std::int64_t>(fiber_of.size());
   for (const ContactState& contact : contacts) {
     const Primitive &first = contact.key.first, &second = contact.key.second;
-    if (!is_sphere(first) || std::max(to_number(first), to_number(second)) >= spheres) {
+    if (!is_of_fiber(first) || std::max(first.number, second.number) >= spheres) {
       throw InvalidInput(fmt::format("contact of spheres {} and {}: there are {}", to_number(first),
                                      to_number(second), spheres));
     }

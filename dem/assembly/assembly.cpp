@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "dem/assembly/assembly_state.hpp"
+#include "dem/assembly/packing_law.hpp"
+#include "dem/contact/smooth_contacts.hpp"
 #include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
@@ -106,11 +108,29 @@ void check_stiff(const std::vector<FiberGroup>& groups, const AssemblyOptions& o
   }
 }
 
+/// What is built with smooth fibers.
+void check_smooth(const std::vector<FiberGroup>& groups, const Domain& domain,
+                  const AssemblyOptions& options) {
+  for (const FiberGroup& group : groups) {
+    if (!group.chain.smooth) continue;
+    smooth_law(law_of(domain.contacts));
+    if (packing_law(options).intact_place >= 0 || fails(group.chain.fiber))
+      throw InvalidKey("fibers", "smooth surfaces are not built together with bonds that break or yield");
+    for (const Wall& wall : domain.walls) {
+      if (mesh_in(wall) != nullptr || wall.shape.get_if<BoxObstacle>() != nullptr)
+        throw InvalidKey("walls",
+                         fmt::format("a {} is not allowed: smooth fibers (surface: smooth) touch walls with "
+                                     "their spheres, between which edges come",
+                                     mesh_in(wall) != nullptr ? "mesh" : "solid box"));
+    }
+  }
+}
+
 /// Contacts by the numbers of their spheres in place of rows, the lower one first.
 std::vector<ContactState> by_numbers(const Assembly::State& s, std::vector<ContactState> all) {
   for (ContactState& contact : all) {
     contact.key.first.number = s.number_of(contact.key.first.number);
-    if (!is_sphere(contact.key.second)) continue;
+    if (!is_of_fiber(contact.key.second)) continue;
     contact.key.second.number = s.number_of(contact.key.second.number);
     if (contact.key.first.number < contact.key.second.number) continue;
     std::swap(contact.key.first, contact.key.second);
@@ -144,6 +164,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
   if (groups.empty()) throw InvalidInput("fibers = none is not allowed: an assembly needs at least one");
   for (const FiberGroup& group : groups) check(group);
   check_stiff(groups, options);
+  check_smooth(groups, domain, options);
   check_fluid(domain);
   check_periodic_invariance(domain);
   check_held(groups, domain, options);
@@ -184,6 +205,7 @@ void Assembly::insert(FiberGroup group) {
   check(group);
   State& s = *state_;
   check_stiff({group}, s.options);
+  check_smooth({group}, s.domain, s.options);
   check_places({group}, s.contacts.walls(), s.time());
   const double largest = largest_bond_step(stable_time_step({group}, s.domain, s.options));
   if (s.step > largest) {

@@ -239,7 +239,14 @@ void check_keys(const State& s, const Integers& keys) {
   const auto walls = static_cast<std::int64_t>(s.domain.walls.size());
   for (std::size_t n = 0; n < keys.size(); n += key_size) {
     const std::int64_t first = keys[n], second = keys[n + 1];
-    if (first < 0 || first >= s.rows.count || second < -walls || second >= s.rows.count)
+    const Primitive one = primitive_of(first), other = primitive_of(second);
+    const auto is_there = [&](const Primitive& body) {
+      return body.number < s.rows.count && body == s.contacts.primitive(body.number);
+    };
+    // of a smooth fiber spheres touch walls alone
+    const bool there = is_facet(other) ? is_sphere(one) && one.number < s.rows.count && other.number < walls
+                                       : is_of_fiber(one) && is_there(one) && is_there(other);
+    if (!there)
       refuse(keys_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));
   }
 }

@@ -73,7 +73,7 @@ void put_histories(State& s, const CarriedGroup& group, int g, double step, Carr
 SavedContact in_rows(const State& s, const SavedContact& carried) {
   SavedContact contact = carried;
   contact.key.first.number = s.row_of(carried.key.first.number);
-  if (is_sphere(carried.key.second)) contact.key.second.number = s.row_of(carried.key.second.number);
+  if (is_of_fiber(carried.key.second)) contact.key.second.number = s.row_of(carried.key.second.number);
   return contact;
 }
 
@@ -111,13 +111,13 @@ std::set<std::int64_t> put_contacts(State& s, const CarriedState& carried, Carri
   std::set<std::int64_t> changed;
   const auto change = [&](const ContactKey& key) {
     changed.insert(key.first.number);
-    if (is_sphere(key.second)) changed.insert(key.second.number);
+    if (is_of_fiber(key.second)) changed.insert(key.second.number);
   };
   for (const SavedContact& contact : s.contacts.saved()) now.emplace(contact.key, contact);
   std::set<ContactKey> kept;
   for (const SavedContact& one : carried.contacts) {
     SavedContact contact = in_rows(s, one);
-    if (is_sphere(contact.key.second)) {
+    if (is_of_fiber(contact.key.second)) {
       if (contact.key.first.number > contact.key.second.number) {
         std::swap(contact.key.first, contact.key.second);
         law.exchange_bodies(contact.history);

@@ -124,12 +124,15 @@ std::vector<SavedContact> saved_contacts_in(const SavedState& saved, const Saved
   std::vector<SavedContact> contacts(static_cast<std::size_t>(count));
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int64_t* key = keys.data() + 3 * c;
-    if (key[0] < 0 || key[0] >= all.spheres || key[1] >= all.spheres)
+    Primitive bodies[2] = {primitive_of(key[0]), primitive_of(key[1])};
+    if (is_facet(bodies[0]) || bodies[0].number >= all.spheres ||
+        (is_of_fiber(bodies[1]) && bodies[1].number >= all.spheres))
       refuse_carried("contact_keys",
                      fmt::format("names a pair {}, {} that it does not have", key[0], key[1]));
-    contacts[c].key = {primitive_of(number_of_row[key[0]]),
-                       primitive_of(key[1] < 0 ? key[1] : number_of_row[key[1]]),
-                       static_cast<std::int32_t>(key[2])};
+    for (Primitive& body : bodies) {
+      if (is_of_fiber(body)) body.number = number_of_row[body.number];
+    }
+    contacts[c].key = {bodies[0], bodies[1], static_cast<std::int32_t>(key[2])};
     std::copy_n(histories.data() + c * contact_history_size, contact_history_size, contacts[c].history);
   }
   return contacts;

@@ -18,6 +18,8 @@ struct Chain {
   Poses<Dim> poses;                               ///< aspect_ratio + 1 spheres, at rest
   std::vector<NaturalEnds<double, Dim>> natural;  ///< a bond's ends at rest; empty: no corners
   int surface = 0;                                ///< its number in Domain::pairs
+  bool smooth =
+      false;  ///< touches others by the cylinders between its spheres and its round ends, not by these
 };
 
 /// Stress-free straight chain along x from the origin. Throws InvalidInput for a fiber that makes no sense

@@ -40,6 +40,7 @@ ContactBody sphere_body(const Fiber& fiber, const ContactProperties& contacts) {
 ContactBody sphere_body(const Chain<3>& chain, const Domain& domain) {
   ContactBody body = sphere_body(chain.fiber, by_pair(domain) ? ContactProperties{} : domain.contacts);
   body.surface = chain.surface;
+  body.smooth = chain.smooth;
   return body;
 }
 

@@ -15,6 +15,7 @@ struct ContactBody {
   double radius, mass, inertia;          ///< [m], [kg], [kg m^2]
   int surface = 0;                       ///< its number in Domain::pairs
   ContactChoices contacts = {};          ///< of fibers at a wall
+  bool smooth = false;                   ///< a segment of a smooth fiber with this radius
 
   bool operator==(const ContactBody&) const = default;
 };

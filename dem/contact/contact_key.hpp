@@ -18,7 +18,10 @@ struct Primitive {
 
 constexpr Primitive sphere_primitive(std::int64_t number) { return {PrimitiveKind::sphere, number}; }
 constexpr Primitive facet_primitive(std::int64_t number) { return {PrimitiveKind::facet, number}; }
+constexpr Primitive segment_primitive(std::int64_t number) { return {PrimitiveKind::segment, number}; }
 constexpr bool is_sphere(const Primitive& p) { return p.kind == PrimitiveKind::sphere; }
+/// Of a fiber's bodies: no facet.
+constexpr bool is_of_fiber(const Primitive& p) { return p.kind != PrimitiveKind::facet; }
 constexpr bool is_facet(const Primitive& p) { return p.kind == PrimitiveKind::facet; }
 
 /// Segments follow behind all spheres.

@@ -3,12 +3,15 @@
 #include <algorithm>
 
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/smooth_contacts.hpp"
 
 namespace fiberchain::dem {
 
 ContactRates contact_rates(const ContactBody& a, const ContactBody& b, const ContactProperties& properties,
                            double overlap, int neighbors) {
-  const EffectiveBody e = effective_body(a, b);
+  EffectiveBody e = effective_body(a, b);
+  const double stiffer = stiffness_ratio(a, b, true);  // smooth fibers side by side are the stiffest
+  e.radius *= stiffer * stiffer;
   const ContactStiffness law = law_of(properties).stiffness(e, properties, overlap);
   const auto about_sphere = [&](double across, double tangential) {
     return std::max(

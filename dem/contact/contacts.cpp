@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "dem/contact/smooth_contacts.hpp"
+
 namespace fiberchain::dem {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr std::int32_t whole(std::int32_t piece) { return piece < 0 ? ~piece : p
 
 Contacts::Contacts(const Domain& domain, const ContactOptions& options, double step)
     : domain_(domain),
-      law_(law_of(domain.contacts)),
+      law_(&law_of(domain.contacts)),
       periods_(periodic_box(domain.period)),
       accounted_(options.account_energy),
       instruction_set_(options.instruction_set),
@@ -26,7 +28,7 @@ Contacts::Contacts(const Domain& domain, const ContactOptions& options, double s
   for (const Wall& wall : domain.walls) check(with(domain.contacts, wall.contacts));
   for (const SurfacePair& pair : domain.pairs) check(with(domain.contacts, pair.contacts));
   for (std::size_t w = 0; w < domain.walls.size(); ++w) {
-    shapes_.push_back(shape_index(law_, domain.walls[w]));
+    shapes_.push_back(shape_index(*law_, domain.walls[w]));
     if (is_mesh(w)) mesh_walls_.push_back(w);
   }
   records_.resize(domain.walls.size());
@@ -35,7 +37,7 @@ Contacts::Contacts(const Domain& domain, const ContactOptions& options, double s
 double Contacts::law_reach(const std::vector<ContactBody>& bodies) const {
   double reach = 0;
   for (const ContactPair& pair : contact_pairs(domain_, bodies))
-    reach = std::max(reach, law_.reach(pair.together(), pair.properties));
+    reach = std::max(reach, law_->reach(pair.together(), pair.properties));
   return reach;
 }
 
@@ -43,7 +45,10 @@ void Contacts::check_periods(const std::vector<FiberGroup>& more) const {
   std::vector<ContactBody> bodies = bodies_;
   for (const FiberGroup& group : more) bodies.push_back(sphere_body(group.chain, domain_));
   const auto [least, largest] = std::ranges::minmax(bodies, {}, &ContactBody::radius);
-  check_minimum_image(domain_.period, 2 * largest.radius + kSkin * least.radius + law_reach(bodies));
+  FiberBodies added;
+  for (const FiberGroup& group : more) added.add(group.chain, 1);
+  const double bound = std::max({largest.radius, fiber_bodies_.largest_bound(), added.largest_bound()});
+  check_minimum_image(domain_.period, 2 * bound + kSkin * least.radius + law_reach(bodies));
 }
 
 int Contacts::kind_of(const ContactBody& body) {
@@ -62,6 +67,8 @@ void Contacts::add(const Chain<3>& chain, int count) {
     fiber_.insert(fiber_.end(), n, number);
     radius_.insert(radius_.end(), n, bodies_[kind].radius);
   }
+  fiber_bodies_.add(chain, count);
+  if (chain.smooth) law_ = &smooth_law(*law_);
   kind_of_sphere_.resize(fiber_.size() - static_cast<std::size_t>(n) * count);
   kind_of_sphere_.resize(fiber_.size(), kind);
 }
@@ -81,9 +88,10 @@ double Contacts::brought_between(std::int64_t first, std::int64_t second) const 
   for (std::size_t p = 0; p < part.pairs.count; ++p) {
     if (part.pairs.first[p] != first || part.pairs.second[p] != second || part.pairs.contact[p] == 0)
       continue;
-    const SavedContact contact =
-        part.histories.at(part.pairs.contact[p], {sphere_primitive(first), sphere_primitive(second)});
-    return law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
+    const SavedContact contact = part.histories.at(
+        part.pairs.contact[p], {fiber_bodies_.primitive(first), fiber_bodies_.primitive(second)});
+    return law_->normal_energy(parameters_of(contact), contact.history) -
+           0.5 * step_ * closing_power(contact);
   }
   return 0;
 }
@@ -119,9 +127,9 @@ void Contacts::set_parameters() {
   pair_parameters_.clear();
   wall_parameters_.clear();
   const auto append = [&](std::vector<double>& table, const ContactBody& body, const ContactBody& other) {
-    table.resize(table.size() + law_.parameters_size);
+    table.resize(table.size() + law_->parameters_size);
     const ContactPair pair = contact_pair(domain_, body, other);
-    law_.parameters(pair.together(), pair.properties, step_, &*table.end() - law_.parameters_size);
+    law_->parameters(pair.together(), pair.properties, step_, &*table.end() - law_->parameters_size);
   };
   for (const ContactBody& body : bodies_) {
     for (const ContactBody& other : bodies_) append(pair_parameters_, body, other);
@@ -137,10 +145,19 @@ void Contacts::begin(SphereStorage& rows, Partition parts, double time, ThreadPo
   const std::vector<SavedContact> contacts = saved();
   set_parameters();
   const bool periodic = std::ranges::any_of(domain_.period.c, [](double p) { return p > 0; });
-  kernel_ = &law_.kernel({bodies_.size() == 1, periodic, rolls(domain_), accounted_}, instruction_set_);
+  const ContactPhysics physics{bodies_.size() == 1, periodic, rolls(domain_), accounted_};
   cut(parts.count());
-  neighbors_ =
-      NeighborList({radius_, fiber_, domain_.period}, skin_ + law_reach_, std::move(parts), *kernel_);
+  fiber_bodies_.build(SphereStorage::pads);
+  if (fiber_bodies_.smooth) {
+    smooth_kernel_ = smooth_kernel(*law_, physics, instruction_set_);
+    kernel_ = &smooth_kernel_;
+    neighbors_ = NeighborList({fiber_bodies_.bound, fiber_, domain_.period}, skin_ + law_reach_,
+                              std::move(parts), *kernel_, fiber_bodies_);
+  } else {
+    kernel_ = &law_->kernel(physics, instruction_set_);
+    neighbors_ =
+        NeighborList({radius_, fiber_, domain_.period}, skin_ + law_reach_, std::move(parts), *kernel_);
+  }
   kind_of_sphere_.resize(spheres() + SphereStorage::pads, 0);
   pad(rows);
   rebuild_neighbor_list(rows, time, pool);

@@ -8,6 +8,7 @@
 #include "dem/contact/contact_history.hpp"
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/contact_state.hpp"
+#include "dem/contact/fiber_bodies.hpp"
 #include "dem/contact/inner_pairs.hpp"
 #include "dem/contact/mesh_neighbors.hpp"
 #include "dem/contact/neighbor_list.hpp"
@@ -59,6 +60,8 @@ class Contacts {
   void begin(SphereStorage& rows, Partition parts, double time, ThreadPool& pool);
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(fiber_.size()); }
+  /// By which a fiber touches others: a sphere, or the segment behind it.
+  Primitive primitive(std::int64_t sphere) const { return fiber_bodies_.primitive(sphere); }
   /// Largest gap of neighbors beyond the reach of the contact law [m].
   double skin() const { return skin_; }
 
@@ -176,6 +179,8 @@ class Contacts {
     double path = 0;                    ///< sum of add_displacements() [m]
     ContactHistories histories;         ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
+    std::vector<std::int32_t> segment_pairs;  ///< memory of SegmentView: four lists
+    LaneArray segment_places;                 ///< likewise
     std::vector<HaloForce> halo;
     std::vector<std::vector<std::int32_t>> halo_of_part;  ///< numbers in halo, by the part they are for
     double deepest = 0;
@@ -201,14 +206,14 @@ class Contacts {
   void update_parts(ThreadPool& pool);
   void update_part(int part, UpdateScratch& scratch);
   void update_wall(int part, std::size_t wall, UpdateScratch& scratch);
-  bool is_mesh(std::size_t wall) const { return shapes_[wall] == std::ssize(law_.shapes); }
+  bool is_mesh(std::size_t wall) const { return shapes_[wall] == std::ssize(law_->shapes); }
   void update_mesh(int part, std::size_t wall, UpdateScratch& scratch);
   /// By the parts that a part's halo forces are for.
   void sort_halo(int part, std::int32_t count);
   /// Numbers of the law's Parameters.
   const double* parameters_of(const SavedContact& contact) const;
   const double* wall_parameters(std::size_t wall, std::size_t kind) const {
-    return wall_parameters_.data() + (wall * bodies_.size() + kind) * law_.parameters_size;
+    return wall_parameters_.data() + (wall * bodies_.size() + kind) * law_->parameters_size;
   }
   void exchange_bodies(SavedContact& contact) const;
   double energy_of(const SavedContact& contact) const;  ///< stored in its springs [J]
@@ -226,10 +231,23 @@ class Contacts {
   template <class History>
   std::vector<ContactState> forces(const std::vector<Wall>& walls, const SphereStorage& rows, double time,
                                    double step, const History& history_before) const;
+  /// A contact between segments that has begun, as the loop begins it (source_of, kernels/segments.hpp): with
+  /// the history of one of these, by rising keys.
+  SavedContact handed_on(const ContactKey& key, const std::vector<SavedContact>& before) const;
+  bool is_there(const ContactKey& key) const;  ///< of two bodies
+  /// Share and stiffness of the moment in the history before.
+  static void set_shares(SavedContact& before, const SavedContact& now);
   /// With walls as these.
+  /// Of the first body `arm` is the distance of the contact from `center`.
   TouchingPair<double> pair_at(const SavedContact& contact, const std::vector<Wall>& walls,
-                               const SphereStorage& rows, double time, double& arm) const;
-  ContactView view(Part& part, const SphereStorage& rows);
+                               const SphereStorage& rows, double time, double& arm,
+                               Vec<double, 3>& center) const;
+  SegmentView view(Part& part, const SphereStorage& rows);
+  /// Memory for as many pairs as the inner ones of a part.
+  void reserve_segments(Part& part) const;
+  /// Of two fibers.
+  TouchingPair<double> fiber_pair_at(const SavedContact& contact, const SphereStorage& rows, double& arm,
+                                     Vec<double, 3>& center) const;
   WallView wall_view(int wall, WallNeighbors& neighbors, double time) const;
   /// All loads of a part's spheres at the walls.
   void touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task);
@@ -248,7 +266,7 @@ class Contacts {
   std::size_t most_new_contacts(const Part& part) const;
 
   Domain domain_;
-  const ContactLaw& law_;
+  const ContactLaw* law_;
   std::vector<int> shapes_;              ///< of each wall: number among those of the law's loops
   std::vector<std::size_t> mesh_walls_;  ///< by rising number
   PeriodicBox periods_;
@@ -262,6 +280,8 @@ class Contacts {
   double step_;
   double skin_ = 0, law_reach_ = 0;  ///< [m]
   const ContactKernel* kernel_ = nullptr;
+  FiberBodies fiber_bodies_;
+  ContactKernel smooth_kernel_{};  ///< of scenes with smooth fibers
   NeighborList neighbors_;
   double reference_time_ = 0;
   std::vector<WallPose> reference_poses_;  ///< of the walls when the list was built
@@ -282,8 +302,9 @@ void Contacts::each_place(const Visit& visit) const {
     const PairList& pairs = part.pairs;
     for (std::size_t p = 0; p < pairs.count; ++p) {
       if (pairs.contact[p] == 0) continue;
-      visit(ContactPlace{
-          {sphere_primitive(pairs.first[p]), sphere_primitive(pairs.second[p])}, k, pairs.contact[p]});
+      visit(ContactPlace{{fiber_bodies_.primitive(pairs.first[p]), fiber_bodies_.primitive(pairs.second[p])},
+                         k,
+                         pairs.contact[p]});
     }
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       const WallNeighbors& neighbors = part.walls[w];

@@ -42,12 +42,12 @@ void Contacts::begin_accounts() {
 }
 
 double Contacts::energy_of(const SavedContact& c) const {
-  return law_.stored_energy(parameters_of(c), c.history);
+  return law_->stored_energy(parameters_of(c), c.history);
 }
 
 double Contacts::smaller_radius(const ContactKey& key) const {
   const double first = radius_[key.first.number];
-  return is_sphere(key.second) ? std::min(first, radius_[key.second.number]) : first;
+  return is_of_fiber(key.second) ? std::min(first, radius_[key.second.number]) : first;
 }
 
 ContactSums Contacts::sums() const {
@@ -55,14 +55,14 @@ ContactSums Contacts::sums() const {
   each_place([&](const ContactPlace& place) {
     const SavedContact contact = saved(place);
     all.stored_energy += energy_of(contact);
-    const double overlap = law_.overlap(contact.history);
+    const double overlap = law_->overlap(contact.history);
     if (overlap > 0) all.overlap += overlap / smaller_radius(contact.key), ++all.overlapping;
   });
   return all;
 }
 
 double Contacts::closing_power(const SavedContact& c) const {
-  return law_.closing_power(parameters_of(c), c.history);
+  return law_->closing_power(parameters_of(c), c.history);
 }
 
 double Contacts::brought_by(const WallNeighbors& neighbors, int wall, const Part& part) const {
@@ -73,7 +73,7 @@ double Contacts::brought_by(const WallNeighbors& neighbors, int wall, const Part
         neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
     // tangential springs of the first step come out of the motion
     energy +=
-        law_.normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
+        law_->normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
   }
   return energy;
 }

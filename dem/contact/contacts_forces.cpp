@@ -12,8 +12,8 @@ std::size_t Contacts::most_new_contacts(const Part& part) const {
   return sum;
 }
 
-ContactView Contacts::view(Part& part, const SphereStorage& rows) {
-  ContactView view{};
+SegmentView Contacts::view(Part& part, const SphereStorage& rows) {
+  SegmentView view{};
   view.position_radius = rows.position_radius.data();
   view.velocity_spin = rows.velocity_spin.data();
   view.kind = kind_of_sphere_.data();
@@ -28,7 +28,23 @@ ContactView Contacts::view(Part& part, const SphereStorage& rows) {
   view.kinds = static_cast<std::int32_t>(bodies_.size());
   view.step = step_;
   view.reach = law_reach_;
+  if (!fiber_bodies_.smooth) return view;
+  view.nodes = fiber_bodies_.view();
+  view.pair_count = static_cast<std::int32_t>(part.pairs.count);
+  view.stride = static_cast<std::ptrdiff_t>(part.segment_places.size() / 4);
+  std::int32_t* lists[4];
+  for (int n = 0; n < 4; ++n) lists[n] = part.segment_pairs.data() + n * view.stride;
+  view.near = lists[0], view.begun = lists[1], view.ended = lists[2], view.source = lists[3];
+  view.places = part.segment_places.data();
   return view;
+}
+
+void Contacts::reserve_segments(Part& part) const {
+  const std::size_t pairs = static_cast<std::size_t>(part.inner.count) + lanes_beyond;
+  if (part.segment_pairs.size() >= 4 * pairs) return;
+  const std::size_t with_rest = pairs + pairs / 8;
+  part.segment_pairs.resize(4 * with_rest);
+  part.segment_places = LaneArray(4 * with_rest);
 }
 
 WallView Contacts::wall_view(int w, WallNeighbors& neighbors, double time) const {
@@ -76,7 +92,7 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
   }
   if (!mesh_poses_.empty()) find_mesh_contacts(part, rows, time);
   part.histories.reserve(most_new_contacts(part));
-  const ContactView contacts = view(part, rows);
+  const SegmentView contacts = view(part, rows);
   ContactTask task{.inner = part.inner.view(),
                    .inner_count = part.inner.count,
                    .slots_begin = begin,

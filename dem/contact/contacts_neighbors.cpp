@@ -94,7 +94,10 @@ void Contacts::prune(Part& part, std::int32_t part_end, const SphereStorage& row
               static_cast<std::int32_t>(spheres()));
   const std::size_t halo = inner.halo_count(part_end),
                     touching = static_cast<std::size_t>(inner.count) + lanes_beyond;
-  if (part.halo.size() < halo) part.halo.resize(halo);
+  // a segment has two spheres
+  const std::size_t forces = fiber_bodies_.smooth ? 2 * halo : halo;
+  if (part.halo.size() < forces) part.halo.resize(forces);
+  if (fiber_bodies_.smooth) reserve_segments(part);
   if (part.touching.size() < touching) part.touching.resize(touching);
 }
 

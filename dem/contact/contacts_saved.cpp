@@ -25,7 +25,7 @@ void Contacts::reorder_rows(const std::vector<std::int32_t>& new_row, const Sphe
   std::vector<SavedContact> contacts = saved();
   for (SavedContact& c : contacts) {
     c.key.first.number = new_row[c.key.first.number];
-    if (!is_sphere(c.key.second)) continue;
+    if (!is_of_fiber(c.key.second)) continue;
     c.key.second.number = new_row[c.key.second.number];
     if (c.key.first.number > c.key.second.number) exchange_bodies(c);
   }
@@ -37,7 +37,7 @@ void Contacts::reorder_rows(const std::vector<std::int32_t>& new_row, const Sphe
 
 void Contacts::exchange_bodies(SavedContact& contact) const {
   std::swap(contact.key.first, contact.key.second);
-  law_.exchange_bodies(contact.history);
+  law_->exchange_bodies(contact.history);
   // of the account: forces and moments on the first body
   for (int n = 1; n < 7; ++n) contact.work[n] = -contact.work[n];
 }
@@ -104,14 +104,17 @@ void Contacts::restore(const std::vector<SavedContact>& contacts) {
 }
 
 const double* Contacts::parameters_of(const SavedContact& c) const {
-  const std::size_t kind = kind_of_sphere_[c.key.first.number], size = law_.parameters_size;
+  const std::size_t kind = kind_of_sphere_[c.key.first.number], size = law_->parameters_size;
   if (is_facet(c.key.second)) return wall_parameters(c.key.second.number, kind);
   return pair_parameters_.data() + (kind * bodies_.size() + kind_of_sphere_[c.key.second.number]) * size;
 }
 
 TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<Wall>& walls,
-                                       const SphereStorage& rows, double time, double& arm) const {
+                                       const SphereStorage& rows, double time, double& arm,
+                                       Vec<double, 3>& center) const {
+  if (fiber_bodies_.smooth && is_of_fiber(c.key.second)) return fiber_pair_at(c, rows, arm, center);
   const std::int64_t first = c.key.first.number, second = c.key.second.number;
+  center = rows.position(first);
   const Vec<double, 3> x = rows.position(first), v = rows.velocity(first), w = rows.spin(first);
   Vec<double, 3> other_velocity{}, other_spin{};
   TouchingPair<double> pair{};
@@ -136,7 +139,7 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<
     other_velocity = rows.velocity(second);
     other_spin = rows.spin(second);
   }
-  pair.overlap = law_.overlap(c.history);
+  pair.overlap = law_->overlap(c.history);
   pair.velocity = other_velocity - v - cross(arm * w + other_arm * other_spin, pair.normal);
   pair.spin = other_spin - w;
   pair.mean_spin = 0.5 * (w + other_spin);
@@ -149,11 +152,12 @@ std::vector<ContactState> Contacts::forces(const std::vector<Wall>& walls, const
   std::vector<ContactState> all;
   for (const SavedContact& now : saved()) {
     double arm;
-    const TouchingPair<double> pair = pair_at(now, walls, rows, time, arm);
+    Vec<double, 3> center;
+    const TouchingPair<double> pair = pair_at(now, walls, rows, time, arm, center);
     SavedContact before = history_before(now);
-    const ContactAction<double> action = law_.act(parameters_of(now), pair, step, before.history);
-    all.push_back({now.key, pair.overlap, rows.position(now.key.first.number) + arm * pair.normal,
-                   pair.normal, action.force});
+    if (fiber_bodies_.smooth) set_shares(before, now);
+    const ContactAction<double> action = law_->act(parameters_of(now), pair, step, before.history);
+    all.push_back({now.key, pair.overlap, center + arm * pair.normal, pair.normal, action.force});
   }
   return all;
 }
@@ -168,7 +172,9 @@ std::vector<ContactState> Contacts::last_forces(ContactMemory before, const Sphe
   return forces(before.walls, rows, time, step_, [&](const SavedContact& now) {
     const auto found = std::ranges::lower_bound(before.contacts, now.key, {}, &SavedContact::key);
     const bool was = found != before.contacts.end() && found->key == now.key;
-    return was ? *found : SavedContact{now.key};  // nothing is remembered of one that has begun
+    if (was) return *found;
+    // nothing is remembered of one that has begun, unless it goes on with another's history
+    return fiber_bodies_.smooth ? handed_on(now.key, before.contacts) : SavedContact{now.key};
   });
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/smooth_contacts.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -39,7 +40,7 @@ double overlap_of(double energy, const EffectiveBody& body, const ContactPropert
 Impact elastic_impact(const ContactBody& a, const ContactBody& b, const ContactProperties& properties,
                       double speed) {
   constexpr int parts = 100;
-  const EffectiveBody both = effective_body(a, b);
+  const EffectiveBody both = crossed_body(a, b);
   const double energy = 0.5 * both.mass * speed * speed, deepest = overlap_of(energy, both, properties);
   // 2 / v times the integral of 1 / sqrt(1 - work / energy) over the overlap, deepest (1 - u^2)
   double sum = 0;

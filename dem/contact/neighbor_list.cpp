@@ -29,6 +29,60 @@ NeighborList::NeighborList(SphereSet spheres, double skin, Partition parts, cons
       periods_(periodic_box(spheres_.period)),
       sorted_(spheres_, skin) {}
 
+NeighborList::NeighborList(SphereSet bounds, double skin, Partition parts, const ContactKernel& kernel,
+                           const FiberBodies& bodies)
+    : NeighborList(std::move(bounds), skin, std::move(parts), kernel) {
+  bodies_ = &bodies;
+  spheres_.radius = bodies.radius;
+}
+
+SegmentNodes<double> NeighborList::reference_nodes(std::int32_t i) const {
+  return bodies_->nodes(i, [&](std::int64_t sphere) { return reference_positions_[sphere]; });
+}
+
+/// Returns whether it is larger than it was sorted.
+bool NeighborList::set_middle(std::int32_t i) {
+  constexpr double larger = 1.02;  // than it is, so that a segment that is drawn out a little stays sorted
+  if (bodies_->is_none(i)) {
+    middles_[i] = reference_positions_[i];
+    return false;
+  }
+  const Vec<double, 3>&begin = reference_positions_[i], &end = reference_positions_[bodies_->end[i]];
+  middles_[i] = 0.5 * (begin + end);
+  const double bound = 0.5 * norm(end - begin) + bodies_->radius[i];
+  if (bound > bodies_->bound[i])
+    throw InvalidInput(
+        fmt::format("the segment behind sphere {} is drawn out to {:g} m", i, norm(end - begin)));
+  if (bound <= spheres_.radius[i]) return false;
+  spheres_.radius[i] = std::min(larger * bound, bodies_->bound[i]);
+  return true;
+}
+
+bool NeighborList::are_close(std::int32_t i, std::int32_t j) const {
+  if (bodies_->is_none(j)) return false;
+  if (spheres_.fiber[i] == spheres_.fiber[j] && std::abs(i - j) <= bodies_->apart[i]) return false;
+  const SegmentNodes<double> a = reference_nodes(i);
+  SegmentNodes<double> b = reference_nodes(j);
+  const Vec<double, 3> r = middles_[j] - middles_[i], nearest = nearest_image(periods_, r),
+                       shift = nearest - r;
+  const double reach = a.radius + b.radius + skin_;
+  // the other's middle is no farther than from one of its ends
+  const Vec<double, 3> d = a.end - a.begin;
+  const double along = std::clamp(dot(nearest, d) / std::max(dot(d, d), 1e-290), -0.5, 0.5);
+  const Vec<double, 3> beside = nearest - along * d;
+  const double most = reach + spheres_.radius[j] - b.radius;
+  if (dot(beside, beside) > most * most) return false;
+  b.begin = b.begin + shift, b.end = b.end + shift;
+  const ClosestPlaces<double> at = closest_places(a, b);
+  const Vec<double, 3> between = separation(a, b, at.first, at.second);
+  return dot(between, between) < reach * reach;
+}
+
+bool NeighborList::has_moved(const SphereStorage& rows, std::int32_t i, double distance) const {
+  const Vec<double, 3> moved = rows.position(i) - reference_positions_[i];
+  return dot(moved, moved) > distance * distance;
+}
+
 void NeighborList::build(std::vector<Vec<double, 3>> positions, ThreadPool& pool) {
   reference_positions_ = std::move(positions);
   rebuilt_.assign(reference_positions_.size(), 1);
@@ -37,8 +91,12 @@ void NeighborList::build(std::vector<Vec<double, 3>> positions, ThreadPool& pool
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) searches_[k].rebuilt.push_back(i);
   }
   check_finite();
+  if (bodies_ != nullptr) {
+    middles_.resize(reference_positions_.size());
+    for (std::int32_t i = 0; i < std::ssize(middles_); ++i) set_middle(i);
+  }
   check_minimum_image(spheres_.period, 2 * *std::ranges::max_element(spheres_.radius) + skin_);
-  sorted_.sort(sorted_.all(), spheres_, reference_positions_);
+  sorted_.sort(sorted_.all(), spheres_, places());
   staying_ = 0;
   search(pool);
 }
@@ -63,22 +121,33 @@ void NeighborList::update(const SphereStorage& rows, double distance, ThreadPool
     own.rebuilt.clear();
     own.strayed = own.staying = 0;
     for (std::int32_t i = parts_.begin(k); i < parts_.end(k); ++i) {
-      const Vec<double, 3> position = rows.position(i), moved = position - reference_positions_[i];
-      rebuilt_[i] = dot(moved, moved) > distance * distance ? 1 : 0;
+      const bool moved = has_moved(rows, i, distance);
+      // a segment whose end has moved; that is of the same part and comes next
+      const bool end_moved =
+          bodies_ != nullptr && bodies_->end[i] > i && has_moved(rows, bodies_->end[i], distance);
+      rebuilt_[i] = moved || end_moved ? 1 : 0;
       if (rebuilt_[i] == 0) {
         own.staying |= bit_of(i);
         continue;
       }
       own.rebuilt.push_back(i);
-      reference_positions_[i] = position;
-      if (!sorted_.move(i, position)) own.strayed |= bit_of(i);
+      if (moved) reference_positions_[i] = rows.position(i);
+      if (bodies_ == nullptr && !sorted_.move(i, reference_positions_[i])) own.strayed |= bit_of(i);
     }
   });
   check_finite();
+  if (bodies_ != nullptr) {
+    for (Search& own : searches_) {
+      for (const std::int32_t i : own.rebuilt) {
+        const bool larger = set_middle(i);
+        if (!sorted_.move(i, middles_[i]) || larger) own.strayed |= bit_of(i);
+      }
+    }
+  }
   std::uint32_t strayed = 0;
   staying_ = 0;
   for (const Search& own : searches_) strayed |= own.strayed, staying_ |= own.staying;
-  sorted_.sort(strayed, spheres_, reference_positions_);
+  sorted_.sort(strayed, spheres_, places());
   search(pool);
 }
 
@@ -131,22 +200,24 @@ void NeighborList::query(std::int32_t i, int size_class, const SlotRange* runs, 
                          const Found& found) const {
   NeighborQuery query{};
   query.periods = periods_;
-  std::copy_n(reference_positions_[i].c, 3, query.x);
+  std::copy_n(places()[i].c, 3, query.x);
   query.reach = spheres_.radius[i] + skin_;
   query.sphere = i, query.fiber = spheres_.fiber[i];
   const std::int32_t near =
       kernel_->query_neighbors(sorted_.cells(size_class).view(), runs, count, query, scratch.near.data());
-  for (std::int32_t n = 0; n < near; ++n) found(scratch.near[n]);
+  for (std::int32_t n = 0; n < near; ++n) {
+    if (bodies_ == nullptr || are_close(i, scratch.near[n])) found(scratch.near[n]);
+  }
 }
 
 template <class Found>
 void NeighborList::search_near(std::int32_t i, int size_class, Scratch& scratch, const Found& found) const {
   const SortedCells& cells = sorted_.cells(size_class);
   Scratch::Around& around = scratch.around[size_class];
-  const std::int32_t cell = cells.cell_of(reference_positions_[i]);
+  const std::int32_t cell = cells.cell_of(places()[i]);
   if (cell != around.cell) {
     around.cell = cell;
-    around.count = cells.runs_around(reference_positions_[i], around.runs);
+    around.count = cells.runs_around(places()[i], around.runs);
     make_room({around.runs, static_cast<std::size_t>(around.count)}, scratch.near);
   }
   if (around.count > 0) query(i, size_class, around.runs, around.count, scratch, found);
@@ -155,7 +226,7 @@ void NeighborList::search_near(std::int32_t i, int size_class, Scratch& scratch,
 template <class Found>
 void NeighborList::search_within(std::int32_t i, int size_class, Scratch& scratch, const Found& found) const {
   const double distance = sorted_.reach_into(size_class, spheres_.radius[i] + skin_);
-  sorted_.cells(size_class).runs_within(reference_positions_[i], distance, scratch.within);
+  sorted_.cells(size_class).runs_within(places()[i], distance, scratch.within);
   make_room(scratch.within, scratch.near);
   query(i, size_class, scratch.within.data(), static_cast<int>(scratch.within.size()), scratch, found);
 }
@@ -169,6 +240,7 @@ void NeighborList::search(int part) {
   scratch.around.resize(sorted_.count());
   const std::int32_t begin = parts_.begin(part);
   for (const std::int32_t i : own.rebuilt) {
+    if (bodies_ != nullptr && bodies_->is_none(i)) continue;
     const auto add = [&](std::int32_t j) {
       if (j > i) {
         own.own.push_back({i, j});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem/chain/sphere_storage.hpp"
+#include "dem/contact/fiber_bodies.hpp"
 #include "dem/contact/size_classes.hpp"
 #include "dem/parallel/partition.hpp"
 #include "dem/parallel/thread_pool.hpp"
@@ -24,6 +25,12 @@ class NeighborList {
   /// Pairs with a gap below `skin` [m] are neighbors. `kernel` is that of the scene's contacts (periodic or
   /// not).
   NeighborList(SphereSet spheres, double skin, Partition parts, const ContactKernel& kernel);
+  /// The same of the bodies of smooth fibers, which outlive the list: those are searched by the spheres
+  /// around them, and are neighbors where they are closer themselves. Their nodes have the reference
+  /// positions, so that what holds of spheres holds of them: no point of a segment moves farther than one of
+  /// its ends. Searching throws InvalidInput for a segment that is stretched beyond its bounding sphere.
+  NeighborList(SphereSet bounds, double skin, Partition parts, const ContactKernel& kernel,
+               const FiberBodies& bodies);
 
   double skin() const { return skin_; }
   const SphereSet& spheres() const { return spheres_; }
@@ -64,6 +71,15 @@ class NeighborList {
   /// What a search of a part goes on with from sphere to sphere.
   struct Scratch;
   void check_finite() const;
+  /// Where bodies are searched: at the reference positions of spheres, in the middle of segments.
+  const std::vector<Vec<double, 3>>& places() const {
+    return bodies_ != nullptr ? middles_ : reference_positions_;
+  }
+  bool set_middle(std::int32_t body);
+  /// Whether two bodies are neighbors whose bounding spheres are.
+  bool are_close(std::int32_t a, std::int32_t b) const;
+  SegmentNodes<double> reference_nodes(std::int32_t body) const;
+  bool has_moved(const SphereStorage& rows, std::int32_t sphere, double distance) const;
   void search(ThreadPool& pool);
   void search(int part);
   /// Calls found(number) for the neighbors of a sphere in its own class or a larger one, in a smaller one.
@@ -79,6 +95,8 @@ class NeighborList {
   SphereSet spheres_;
   double skin_ = 0;
   std::vector<Vec<double, 3>> reference_positions_;
+  const FiberBodies* bodies_ = nullptr;  ///< of smooth fibers
+  std::vector<Vec<double, 3>> middles_;  ///< of their bodies
   std::vector<std::uint8_t> rebuilt_;
   Partition parts_;
   std::vector<Search> searches_;

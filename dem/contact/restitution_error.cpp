@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/smooth_contacts.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
@@ -13,7 +14,7 @@ namespace fiberchain::dem {
 double restitution_error(const ContactBody& a, const ContactBody& b, const ContactProperties& properties,
                          double speed, double step) {
   constexpr int phases = 8;
-  const EffectiveBody both = effective_body(a, b);
+  const EffectiveBody both = crossed_body(a, b);
   const ContactLaw& law = law_of(properties);
   double worst = 0;
   for (int i = 0; i < phases; ++i) {

@@ -103,7 +103,7 @@ void put_contacts(TrajectoryFrame& frame, const Assembly& assembly, const FrameE
                      .point = contact.point,
                      .normal = contact.normal,
                      .force = contact.force};
-    if (is_sphere(contact.key.second)) {
+    if (is_of_fiber(contact.key.second)) {
       row.second = sphere_in_frame(assembly, end, contact.key.second.number);
       const auto fiber_of = [&](std::int64_t sphere) {
         return frame.fiber[static_cast<std::size_t>(sphere)];

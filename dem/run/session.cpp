@@ -258,7 +258,7 @@ class Session {
 
 double coordination(const Assembly& assembly) {
   std::int64_t between = 0;
-  for (const ContactState& contact : assembly.contacts()) between += is_sphere(contact.key.second);
+  for (const ContactState& contact : assembly.contacts()) between += is_of_fiber(contact.key.second);
   return 2.0 * static_cast<double>(between) / static_cast<double>(assembly.spheres());
 }
 

@@ -65,6 +65,7 @@ StepChoice step_choice(const PackingScene& scene, Integrator integrator) {
 Chain<3> chain_of(const PackingFiberKind& kind) {
   Chain<3> chain = arc_chain(kind.fiber);
   chain.surface = kind.surface;
+  chain.smooth = kind.smooth;
   return chain;
 }
 
@@ -259,12 +260,28 @@ std::vector<Grip> grips_of(const PackingScene& scene) {
   return grips;
 }
 
+namespace {
+
+/// Least gap of spheres beyond which smooth fibers do not overlap: l/2 from both middles of crossed segments,
+/// their spheres are sqrt(d^2 + l^2/2) apart.
+double gap_of_segments(const PackingScene& scene) {
+  double gap = 0;
+  for (const PackingFiberKind& kind : scene.kinds) {
+    const double d = kind.fiber.diameter, l = bond_length(kind.fiber);
+    if (kind.smooth) gap = std::max(gap, std::sqrt(d * d + l * l / 2) - d);
+  }
+  return gap;
+}
+
+}  // namespace
+
 std::vector<FiberGroup> packing_batch(const PackingScene& scene, int n, double time,
                                       const PlacedSpheres& present, const InsertionWatch& watch,
                                       Shortfall shortfall) {
   const std::vector<InsertionCount> counts = batch_counts(scene, n);
   if (counts.empty()) return {};
   InsertionRules rules = scene.filling;
+  rules.gap += gap_of_segments(scene);
   rules.time = time;
   rules.first_number = carried_in(scene);
   for (const PackingFiberKind& kind : scene.kinds) rules.first_number += before_batch(kind, scene.batches, n);

@@ -22,7 +22,8 @@ struct PackingFiberKind {
   DampingSummary damping = {};          ///< of its material
   std::optional<SceneText> material_file = {};
   std::string name = {};
-  int surface = 0;  ///< in Domain::pairs
+  int surface = 0;      ///< in Domain::pairs
+  bool smooth = false;  ///< Chain::smooth
 };
 
 /// What is done where a later batch finds no room.

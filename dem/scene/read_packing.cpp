@@ -5,6 +5,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "dem/contact/contact_law.hpp"
+#include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/invalid_key.hpp"
 #include "dem/scene/build_packing.hpp"
@@ -24,6 +26,7 @@ constexpr ValueRange kBondAngle{.low = -std::numbers::pi, .high = std::numbers::
 struct FiberKindKeys : FiberKeys {
   BondKeys bond = {};
   double rest_angle = 0;  ///< [rad]
+  bool smooth = false;
   std::string name;
   std::int64_t count = 0;
   std::string starts;
@@ -62,6 +65,8 @@ KeyTable<FiberKindKeys> fiber_kind_keys() {
   table.mapping("bond", bond_keys({.rolling_friction = true, .failure = true}), store_bond,
                 "the bonds between the spheres");
   table.mapping("curvature", curvature_keys(), &store_curvature, "arc at rest").otherwise("straight");
+  table.choice("surface", &FiberKindKeys::smooth, Words<bool>{{"spheres", false}, {"smooth", true}},
+               "what touches other fibers: the spheres, or the cylinders between them with round ends");
   table
       .word("name", &FiberKindKeys::name, "text",
             "by which `contacts.pairs` and `held` call these fibers; no other fibers have it, and no wall")
@@ -98,6 +103,7 @@ void store_fiber_kind(const StrictMapping& mapping, const FiberKindKeys& keys, P
                         .material_file = std::move(read.material_file),
                         .name = keys.name};
   kind.fiber.rest_angle = keys.rest_angle;
+  kind.smooth = keys.smooth;
   apply(keys.bond, kind.fiber);
   try {
     chain_of(kind);
@@ -241,6 +247,23 @@ void check_held(const StrictMapping& top, const PackingScene& scene) {
   }
 }
 
+/// What is not built with smooth fibers.
+void check_smooth(const StrictMapping& top, const PackingScene& scene) {
+  if (std::ranges::none_of(scene.kinds, &PackingFiberKind::smooth)) return;
+  if (law_of(scene.domain.contacts).adheres)
+    top.fail("contacts", "law is not built for fibers with surface: smooth; allowed: hertz_mindlin");
+  for (const PackingFiberKind& kind : scene.kinds) {
+    if (kind.smooth && fails(kind.fiber))
+      top.fail("fibers", "with surface: smooth are not built together with bonds that break or yield");
+  }
+  for (const Wall& wall : scene.domain.walls) {
+    const bool mesh = mesh_in(wall) != nullptr;
+    if (mesh || wall.shape.get_if<BoxObstacle>() != nullptr)
+      top.fail("walls", fmt::format("{} are not built for fibers with surface: smooth",
+                                    mesh ? "meshes" : "obstacles"));
+  }
+}
+
 /// What is not built together.
 void check_together(const StrictMapping& top, const PackingScene& scene) {
   for (const PackingFiberKind& kind : scene.kinds) {
@@ -258,6 +281,7 @@ void check_together(const StrictMapping& top, const PackingScene& scene) {
     if (scene.integrator == Integrator::leapfrog_stiff)
       top.fail("motion", "rolling friction of the bonds is built for integrator: leapfrog");
   }
+  check_smooth(top, scene);
   check_walls_differ(top, scene.domain.walls);
   check_plates(top, scene);
   check_names(top, scene);

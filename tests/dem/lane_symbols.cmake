@@ -1,6 +1,6 @@
 # The files compiled for a wider instruction set must not define a function that the linker could use in place of
 # another file's: a machine without those instructions would stop there.
-set(allowed "xsimd::|fiberchain::dem::(Chain|Failing|Packing|Contact)Kernels<|fiberchain::compare::PeakKernels<|__gxx_personality|DW.ref")
+set(allowed "xsimd::|fiberchain::dem::(Chain|Failing|Packing|Contact|Segment)Kernels<|fiberchain::compare::PeakKernels<|__gxx_personality|DW.ref")
 foreach(object IN LISTS OBJECTS)
   if(NOT object MATCHES "kernels_avx")
     continue()

@@ -142,4 +142,15 @@ BOOST_AUTO_TEST_CASE(held_and_loaded_spheres_that_make_no_sense_are_refused) {
           kind("count: 4, bond: {rolling_friction: 0.1}"));
 }
 
+BOOST_AUTO_TEST_CASE(smooth_fibers_are_read_and_refused_where_they_are_not_built) {
+  const dem::PackingScene scene = scene_with("", kind("count: 3, surface: smooth") + kind("count: 2"));
+  BOOST_TEST(chain_of(scene.kinds[0]).smooth);
+  BOOST_TEST(!chain_of(scene.kinds[1]).smooth);
+  BOOST_TEST(!chain_of(scene_with("", kind("count: 3, surface: spheres")).kinds[0]).smooth);
+  refuses("", "spheres, smooth", kind("count: 3, surface: rough"));
+  refuses("contacts: {law: jkr, work_of_adhesion: 0.01}\n", "surface: smooth",
+          kind("count: 3, surface: smooth"));
+  refuses("", "break or yield", kind("count: 3, surface: smooth, bond: {strength: {tension: 1 MPa}}"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "dem/contact/kernels/contact_kernel.hpp"
+
+namespace fiberchain::dem {
+
+/// The loops of smooth fibers, those that take a SegmentView.
+struct SegmentKernel {
+  decltype(ContactKernel::prune) prune;
+  decltype(ContactKernel::pairs) pairs;
+};
+
+inline constexpr int segment_combinations = 4;
+/// Number of a kernel in the tables: with rolling friction or not, accounted or not.
+constexpr int segment_index(const ContactPhysics& p) { return (p.rolling ? 1 : 0) + (p.accounted ? 2 : 0); }
+
+/// Kernels of one instruction set.
+template <InstructionSet set>
+struct SegmentKernels {
+  static const SegmentKernel* table();
+};
+
+}  // namespace fiberchain::dem

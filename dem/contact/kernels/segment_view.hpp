@@ -1,0 +1,22 @@
+#pragma once
+
+#include "dem/contact/kernels/contact_kernel.hpp"
+
+namespace fiberchain::dem {
+
+/// Place of a body's nodes among the slots. A body has the number of its first node.
+struct BodyNodes {
+  const std::int32_t *before, *end, *behind;  ///< of each slot (SegmentNodes); of a sphere itself
+};
+
+/// What the loops over segments have beside that of spheres, and their memory between the passes over a part.
+struct SegmentView : ContactView {
+  BodyNodes nodes;
+  std::int32_t pair_count;  ///< of the pairs, which are in order of their first, then of their second body
+  std::int32_t *near, *begun, *ended;  ///< inner pairs; capacity for all and lanes_beyond
+  std::int32_t* source;  ///< of each begun one: the number whose history it goes on with, 0 of none
+  double* places;        ///< SegmentContact of each touching pair, number by number: `stride` of each
+  std::ptrdiff_t stride;
+};
+
+}  // namespace fiberchain::dem
