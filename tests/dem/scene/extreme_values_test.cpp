@@ -39,7 +39,7 @@ const char* const kScenes[] = {
     "filling: {region: {z: [1 mm, 30 mm]}}\nwalls: {planes: [{point: [0, 0, 0], normal: [0, 0, 1]}]}\n"
     "steps: 200\n",
     "scene: cantilever\nfiber: {" FIBER
-    "}\nbond: {damping: 0.1}\n"
+    ", spacing: 1.5}\nbond: {damping: 0.1}\n"
     "load: {reduced: 1, direction: [0, 1, 0]}\ngravity: [0, -1, 0]\n",
     "scene: cantilever\nfiber: {" STIFF
     "}\nload: {force: 1e-4}\nmethod: march\nmarch: {bond_damping: 1, drag: 0.3, "
