@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(bonds_have_the_stiffness_of_their_length) {
 
 BOOST_AUTO_TEST_CASE(the_whole_has_the_mass_and_inertia_of_touching_spheres_or_of_the_cylinder) {
   const double R = d / 2, sphere = 4.0 / 3 * pi * R * R * R * rho, A = pi * R * R;
-  for (const auto& [bonds, s] : {std::pair{26, 0.5}, std::pair{8, 1.625}, std::pair{5, 2.6}, std::pair{2, 6.5}}) {  // 13 diameters
+  for (const auto& [bonds, s] :
+       {std::pair{26, 0.5}, std::pair{8, 1.625}, std::pair{5, 2.6}, std::pair{2, 6.5}}) {  // 13 diameters
     const double L = 13 * d;
     for (const auto mass : {MassModel::spheres, MassModel::cylinder}) {
       const dem::Fiber fiber = spaced(bonds, s, BondModel::paper, mass);
