@@ -173,11 +173,32 @@ bool bending_is_definite(const LinearChain& chain, ChainEnds ends, double tensio
   return true;
 }
 
+/// The same along or about the chain.
+bool rod_is_definite(const LinearChain& chain, ChainEnds ends, const Pencil& p, ChainMotion motion) {
+  const bool axial = motion == ChainMotion::axial;
+  const double inertia = p.inertia * (axial ? chain.mass : chain.inertia),
+               bond = axial ? p.dashpot * chain.dashpot.stretch + p.spring * chain.stiffness.stretch
+                            : p.dashpot * chain.dashpot.twist + p.spring * chain.stiffness.twist;
+  double left = ends == ChainEnds::clamped_free ? std::numeric_limits<double>::infinity()
+                                                : chain.end_share * inertia + bond;
+  for (int sphere = 1; sphere <= chain.bonds; ++sphere) {
+    if (!(left > 0)) return false;
+    const bool last = sphere == chain.bonds;
+    left = (last ? chain.end_share : 1.0) * inertia + (last ? 1 : 2) * bond - bond * bond / left;
+  }
+  return left > 0;
+}
+
 /// Whether P is positive definite on all motions, so that every real root lies right of z.
 bool is_definite(const LinearChain& chain, const TimeScheme& scheme, ChainEnds ends, bool planar,
                  double tension, double dt, double z) {
   const Pencil p = pencil(scheme, dt, z);
   const int n = chain.bonds;
+  if (chain.end_share < 0.5) {
+    return rod_is_definite(chain, ends, p, ChainMotion::axial) &&
+           (planar || rod_is_definite(chain, ends, p, ChainMotion::twist)) &&
+           bending_is_definite(chain, ends, tension, p);
+  }
   // largest eigenvalue of the strains of a rod: 4 sin^2 of these; with half masses at the ends below 4
   const double angle = chain.end_share != 1              ? pi / 2
                        : ends == ChainEnds::clamped_free ? (2 * n - 1) * pi / (4.0 * n + 2)

@@ -47,7 +47,8 @@ double first_damping(const reference::LinearChain& chain) {
 /// Retardation time over t_b that gives a uniform beam this damping ratio; xi_b = 1 is tau = sqrt(16/5) t_b.
 double guess(const dem::Fiber& fiber, double damping_ratio) {
   const double beta = reference::clamped_free_beta(1);
-  const double retardation = 8 * std::pow((fiber.aspect_ratio + 0.5) / beta, 2) * damping_ratio;
+  const double retardation =
+      8 * std::pow((dem::slenderness(fiber) + 0.5) / beta, 2) * damping_ratio / fiber.spacing;
   return is_retarded(fiber) ? retardation : retardation / std::sqrt(3.2);
 }
 
@@ -70,7 +71,7 @@ double solved_setting(const dem::Fiber& fiber, double wanted) {
   throw InputError(
       fmt::format("xi_f = {:g} cannot be reached at aspect ratio {} with dashpots set by {}: its first mode "
                   "is overdamped before",
-                  wanted, fiber.aspect_ratio, dem::name(fiber.dashpots)));
+                  wanted, dem::slenderness(fiber), dem::name(fiber.dashpots)));
 }
 
 /// The chain whose bonds cannot shear.

@@ -12,10 +12,10 @@ reference::LinearChain linear_chain_of(const dem::Fiber& fiber) {
   const bool isotropic = !std::isnan(nu);
   reference::LinearChain chain =
       reference::linear_chain({fiber.aspect_ratio, fiber.diameter / 2, fiber.material.youngs_modulus,
-                               isotropic ? nu : 0, fiber.material.density});
+                               isotropic ? nu : 0, fiber.material.density, fiber.spacing});
   if (!isotropic) chain = reference::with_shear_modulus(chain, fiber.material.shear_modulus);
   if (fiber.mass == dem::MassModel::cylinder) chain = reference::with_cylinder_mass(chain);
-  if (fiber.bond_model == dem::BondModel::corrected) chain.stiffness.shear = 0.75 * chain.stiffness.stretch;
+  if (fiber.bond_model == dem::BondModel::corrected) chain = reference::with_slender_shear(chain);
   switch (fiber.dashpots) {
     case dem::DashpotLaw::retardation_time:
       return reference::with_retardation_time(chain, fiber.retardation_time);

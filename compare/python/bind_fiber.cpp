@@ -120,7 +120,11 @@ void bind_values(py::class_<Fiber>& fiber) {
           "poisson_ratio", [](const Fiber& f) { return dem::poisson_ratio(f.material); },
           "E/(2 G) - 1; NaN where the material is not isotropic.")
       .def_readonly("diameter", &Fiber::diameter, "d = 2 R [m].")
-      .def_readonly("aspect_ratio", &Fiber::aspect_ratio, "r_f = L/d, the number of bonds.")
+      .def_property_readonly(
+          "aspect_ratio", [](const Fiber& f) { return std::lround(dem::slenderness(f)); },
+          "r_f = L/d, the number of bonds where spacing is 1.")
+      .def_readonly("spacing", &Fiber::spacing, "s = l/d, length of a bond over the diameter.")
+      .def_readonly("bonds", &Fiber::aspect_ratio, "Number of bonds.")
       .def_readonly("bond_damping", &Fiber::bond_damping, "xi_b of Eqs 7 to 10.")
       .def_readonly("retardation_time", &Fiber::retardation_time,
                     "tau of dashpots c = tau K [s]; 0 of others.")
@@ -150,8 +154,7 @@ void bind_fiber(py::module_& module) {
       .value("bond_damping", dem::DashpotLaw::bond_damping)
       .value("retardation_time", dem::DashpotLaw::retardation_time)
       .value("bending_only", dem::DashpotLaw::bending_only);
-  py::class_<Fiber> fiber(module, "Fiber",
-                          "A fiber as the engine has it: aspect_ratio bonds join its spheres.");
+  py::class_<Fiber> fiber(module, "Fiber", "A fiber as the engine has it: bonds join its spheres.");
   fiber.def(py::init(&fiber_of_text), py::arg("text"), "The fiber of a scene's text.")
       .def(py::init<const Fiber&>(), py::arg("other"));
   bind_values(fiber);

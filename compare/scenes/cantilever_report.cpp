@@ -48,7 +48,7 @@ dem::Table cantilever_table(const CantileverScene& scene, const CantileverRest& 
   const Station& tip = rest.spheres.back();
   const bool marched = scene.method == dem::Method::march;
   const dem::NamedRow asked = {
-      {"aspect_ratio", scene.fiber.aspect_ratio},
+      {"aspect_ratio", std::llround(dem::slenderness(scene.fiber))},
       {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
       {"load", scene.load},
       {"bond", std::string(name(scene.fiber.bond_model))},
@@ -87,7 +87,7 @@ Figure shape_figure(const CantileverScene& scene, const CantileverRest& rest) {
   for (const Station& at : rest.spheres) chain.add(at.x, at.y);
   Figure figure{
       .title = fmt::format("Cantilever, {{/:Italic r_f}} = {}, {{/:Italic PL}}^2/({{/:Italic EI}}) = {:.4g}",
-                           scene.fiber.aspect_ratio, scene.load),
+                           dem::slenderness(scene.fiber), scene.load),
       .x = {.label = "{/:Italic x}/{/:Italic L}"},
       .y = {.label = "{/:Italic y}/{/:Italic L}"},
       .series = {chain}};

@@ -180,7 +180,7 @@ dem::Table release_table(const ReleaseScene& scene, const ReleaseRun& run) {
   const bool marched = dem::is_leapfrog(run.integrator);
   const dem::BondForm form = marched ? scene.motion.form : dem::BondForm::total;
   return table_of(
-      {{"aspect_ratio", scene.fiber.aspect_ratio},
+      {{"aspect_ratio", std::llround(dem::slenderness(scene.fiber))},
        {"poisson_ratio", dem::known(dem::poisson_ratio(scene.fiber.material))},
        {"load", scene.pull.load},
        {"bond", std::string(name(scene.fiber.bond_model))},
@@ -228,12 +228,12 @@ dem::Table release_last_table(const ReleaseRun& run) {
 Figure release_figure(const ReleaseScene& scene, const ReleaseRun& run) {
   Series chain{"free end", {}, run.y, Mark::line};
   for (const double t : run.time) chain.x.push_back(t / run.period);
-  return {
-      fmt::format("Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, ξ_b = {:g}, {}",
-                  scene.pull.load, scene.fiber.aspect_ratio, scene.fiber.bond_damping, name(run.integrator)),
-      {"time over the first mode's period"},
-      {"{/:Italic y}/{/:Italic L}"},
-      {chain}};
+  return {fmt::format("Let go from {{/:Italic P L}}^2/{{/:Italic EI}} = {:g}: r_f = {}, ξ_b = {:g}, {}",
+                      scene.pull.load, dem::slenderness(scene.fiber), scene.fiber.bond_damping,
+                      name(run.integrator)),
+          {"time over the first mode's period"},
+          {"{/:Italic y}/{/:Italic L}"},
+          {chain}};
 }
 
 }  // namespace fiberchain::compare

@@ -45,7 +45,7 @@ ContactRates worst_contacts(const FiberGroup& group, const std::vector<FiberGrou
     worst = {std::max(worst.stiffness, rates.stiffness / lightest),
              std::max(worst.dashpots, rates.dashpots / lightest)};
   };
-  const double own = end_mass_share(group.chain.fiber);
+  const double own = std::min(end_mass_share(group.chain.fiber), 1.0);
   for (const FiberGroup& other : groups)
     meet(sphere_body(other.chain, domain), std::min(own, end_mass_share(other.chain.fiber)));
   for (const ContactBody& wall : wall_bodies(domain)) meet(wall, own);

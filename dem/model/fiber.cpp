@@ -70,8 +70,11 @@ void check(const Fiber& fiber) {
     require_positive("transverse_modulus", across->youngs_modulus);
     require_poisson_ratio(across->poisson_ratio);
   }
+  require_positive("spacing", fiber.spacing);
   require(fiber.aspect_ratio >= 1, "aspect_ratio", fiber.aspect_ratio,
           "it must be a whole number, 1 or more");
+  require(fiber.spacing == 1 || fiber.aspect_ratio == 1 || slenderness(fiber) > 1, "spacing", fiber.spacing,
+          "several bonds of another length than a diameter must make up more than a diameter");
   require(std::isfinite(fiber.bond_damping) && fiber.bond_damping >= 0, "bond_damping", fiber.bond_damping,
           "it must be finite and 0 or more");
   require(std::isfinite(fiber.retardation_time) && fiber.retardation_time >= 0, "retardation_time",
@@ -114,7 +117,7 @@ void refuse_branches(const Fiber& fiber, std::string_view what) {
 bool damped(const Fiber& fiber) { return fiber.bond_damping > 0 || fiber.retardation_time > 0; }
 
 double sphere_radius(const Fiber& fiber) { return fiber.diameter / 2; }
-double bond_length(const Fiber& fiber) { return fiber.diameter; }
+double bond_length(const Fiber& fiber) { return fiber.diameter * fiber.spacing; }
 
 double arc_length(const Fiber& fiber) {
   const double half = fiber.rest_angle / 2;
@@ -122,10 +125,17 @@ double arc_length(const Fiber& fiber) {
 }
 
 double fiber_length(const Fiber& fiber) { return fiber.aspect_ratio * bond_length(fiber); }
+double slenderness(const Fiber& fiber) { return fiber.aspect_ratio * fiber.spacing; }
 
 double sphere_mass(const Fiber& fiber) {
-  const double radii = fiber.mass == MassModel::spheres ? 4.0 / 3.0 : 2.0;
-  return radii * pi * std::pow(sphere_radius(fiber), 3) * fiber.material.density;
+  const bool spheres = fiber.mass == MassModel::spheres;
+  const double radii = spheres ? 4.0 / 3.0 : 2.0;
+  const double touching = radii * pi * std::pow(sphere_radius(fiber), 3) * fiber.material.density;
+  const double n = fiber.aspect_ratio, s = fiber.spacing, r = n * s;
+  if (s == 1) return touching;
+  if (n == 1) return touching * s;
+  // the sums of mass and of mass times the square of its place, solved for this one and the ends'
+  return spheres ? touching * (r * r - 1) / (s * (n * n - 1)) : touching * s * (n * n / (n * n - 1));
 }
 
 double sphere_inertia(const Fiber& fiber) {
@@ -133,7 +143,13 @@ double sphere_inertia(const Fiber& fiber) {
   return part * sphere_mass(fiber) * std::pow(sphere_radius(fiber), 2);
 }
 
-double end_mass_share(const Fiber& fiber) { return fiber.mass == MassModel::spheres ? 1.0 : 0.5; }
+double end_mass_share(const Fiber& fiber) {
+  const bool spheres = fiber.mass == MassModel::spheres;
+  const double n = fiber.aspect_ratio, s = fiber.spacing;
+  if (s == 1) return spheres ? 1.0 : 0.5;
+  if (n == 1) return spheres ? (1 + s) / (2 * s) : 0.5;
+  return spheres ? (1 + s) * (n - 1) / (2 * (n * s - 1)) : (n - 1) / (2 * n);
+}
 
 double mass_share(const Fiber& fiber, int sphere) {
   return sphere == 0 || sphere == fiber.aspect_ratio ? end_mass_share(fiber) : 1.0;
@@ -154,12 +170,13 @@ BondStiffness bond_stiffness(const Fiber& fiber) {
   const double R = sphere_radius(fiber);
   const double E = fiber.material.youngs_modulus;
   const double G = fiber.material.shear_modulus;
-  const double stretch = pi * R * E / 2;
-  const double twist = pi * R * R * R * G / 4, bend = pi * R * R * R * E / 8;
-  if (fiber.bond_model == BondModel::paper) return {stretch, pi * R * G / 2, twist, bend};
+  const double s = fiber.spacing;
+  const double stretch = pi * R * E / 2 / s;
+  const double twist = pi * R * R * R * G / 4 / s, bend = pi * R * R * R * E / 8 / s;
+  if (fiber.bond_model == BondModel::paper) return {stretch, pi * R * G / 2 / s, twist, bend};
   const double straight = bond_length(fiber) / arc_length(fiber);
   // K_t l_0^2 = 12 K_bend: the shear that bending of the bond gives
-  return {stretch * straight, 0.75 * stretch * (straight * straight * straight), twist * straight,
+  return {stretch * straight, 0.75 * stretch / (s * s) * (straight * straight * straight), twist * straight,
           bend * straight};
 }
 

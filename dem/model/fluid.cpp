@@ -37,6 +37,10 @@ void check(const Fluid& fluid) {
 }
 
 StokesDrag stokes_drag(const Fluid& fluid, const Fiber& fiber) {
+  if (fiber.spacing != 1) {
+    throw InvalidInput(fmt::format(
+        "spacing = {} is not allowed in a fluid: its drag is that of spheres that touch", fiber.spacing));
+  }
   const double R = sphere_radius(fiber);
   return {6 * std::numbers::pi * fluid.viscosity * R, 8 * std::numbers::pi * fluid.viscosity * R * R * R};
 }

@@ -38,7 +38,8 @@ struct Fluid {
 template <int Dim>
 void check(const Fluid& fluid);
 
-/// Stokes' drag on a sphere alone: force over velocity and torque over spin.
+/// Stokes' drag on a sphere alone: force over velocity and torque over spin. Throws InvalidInput for a fiber
+/// whose spheres do not touch, spacing other than 1.
 struct StokesDrag {
   double translation;  ///< 6 pi mu R [N s/m]
   double rotation;     ///< 8 pi mu R^3 [N m s]

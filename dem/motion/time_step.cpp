@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dem/model/errors.hpp"
+#include "dem/motion/finite_chain.hpp"
 
 namespace fiberchain::dem {
 namespace {
@@ -92,7 +93,16 @@ double endless_chain_limit(const Fiber& fiber, const StokesDrag& stokes, double 
 
 }  // namespace
 
-double stable_time_step(const Fiber& fiber, double drag) { return endless_chain_limit(fiber, {}, drag); }
+double stable_time_step(const Fiber& fiber, double drag) {
+  const double endless = endless_chain_limit(fiber, {}, drag);
+  if (fiber.spacing == 1 || finite_chain_is_stable(fiber, endless, drag)) return endless;
+  double low = 0, high = endless;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (finite_chain_is_stable(fiber, middle, drag) ? low : high) = middle;
+  }
+  return low;
+}
 
 double stable_time_step(const Fiber& fiber, const Fluid& fluid) {
   return endless_chain_limit(fiber, stokes_drag(fluid, fiber), 0);

@@ -23,6 +23,15 @@ std::string key_of_kind(std::int64_t kind, const char* key) {
   return fmt::format("fibers[{}].{}", kind, key);
 }
 
+/// Length of a group's first fiber from sphere to sphere [m].
+double first_length(const CarriedGroup& group) {
+  double length = 0;
+  const auto& poses = group.fibers.front().poses;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+    length += norm(poses[i + 1].position - poses[i].position);
+  return length;
+}
+
 void check_shape(const PackingScene& scene, std::int64_t kind, const CarriedGroup& group) {
   if (kind < 0 || kind >= std::ssize(scene.kinds)) {
     throw InvalidKey("fibers", fmt::format("has {} kinds; the fibers of start_from are of {} at least",
@@ -40,6 +49,14 @@ void check_shape(const PackingScene& scene, std::int64_t kind, const CarriedGrou
     throw InvalidKey(key_of_kind(kind, "diameter"),
                      fmt::format("diameter = {} m is not allowed: the fibers of start_from have {} m",
                                  fiber.diameter, 2 * group.radius));
+  }
+  constexpr double most_drawn = 0.2;  // a rod's linear laws end before
+  const double drawn = group.fibers.empty() ? 1 : first_length(group) / fiber_length(fiber);
+  if (std::abs(drawn - 1) > most_drawn) {
+    throw InvalidKey(
+        key_of_kind(kind, "spacing"),
+        fmt::format("spacing = {:g} is not allowed: the bonds of start_from are {:.3g} times as long",
+                    fiber.spacing, drawn));
   }
   const bool unknown = !group.oriented && (group.histories.empty() || group.form != scene.form);
   if (unknown && fiber.rest_angle != 0) {

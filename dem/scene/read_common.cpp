@@ -1,6 +1,7 @@
 #include "dem/scene/read_common.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 
 #include "dem/model/errors.hpp"
@@ -82,9 +83,27 @@ Material material_of(const FiberKeys& keys) {
   return material;
 }
 
+/// The number of bonds, and their length such that they make up the fiber's to the bit.
+void set_bonds(const StrictMapping& mapping, const FiberKeys& keys, Fiber& fiber) {
+  constexpr double off = 1e-5,
+                   most = 1e6;  // six digits of a spacing are enough; bonds as aspect_ratio allows
+  const double bonds = bonds_of(keys), asked = keys.aspect_ratio / keys.spacing;
+  if (std::abs(asked - bonds) > off * bonds || bonds > most) {
+    const double fewer = std::clamp(std::floor(asked), 1.0, most), more = std::min(fewer + 1, most);
+    mapping.fail("spacing",
+                 fmt::format("{:g} is not allowed: {} diameters are {:.6g} bonds of that length, which "
+                             "must be a whole number, at most {:g}; next to it: {:.7g} ({:.0f} bonds), "
+                             "{:.7g} ({:.0f})",
+                             keys.spacing, keys.aspect_ratio, asked, most, keys.aspect_ratio / fewer, fewer,
+                             keys.aspect_ratio / more, more));
+  }
+  fiber.aspect_ratio = static_cast<int>(bonds);
+  fiber.spacing = keys.aspect_ratio / bonds;
+}
+
 /// A pull of E A doubles the length of straight bonds: P L^2 / (E I) = 16 r_f^2.
 void check_stretch(const StrictMapping& load, const LoadKeys& keys, const Fiber& fiber, double reduced) {
-  const double ratio = fiber.aspect_ratio, most = 16 * ratio * ratio;
+  const double ratio = slenderness(fiber), most = 16 * ratio * ratio;
   if (reduced <= most) return;
   load.fail(
       keys.reduced ? "reduced" : "force",
@@ -95,10 +114,12 @@ void check_stretch(const StrictMapping& load, const LoadKeys& keys, const Fiber&
 
 }  // namespace
 
+double bonds_of(const FiberKeys& keys) { return std::max(std::round(keys.aspect_ratio / keys.spacing), 1.0); }
+
 ReadFiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {
   Fiber fiber{};
   fiber.diameter = keys.diameter;
-  fiber.aspect_ratio = keys.aspect_ratio;
+  set_bonds(mapping, keys, fiber);
   fiber.mass = keys.mass;
   const std::optional<MaterialData> material = material_named(mapping, keys);
   const FiberKeys all = completed(keys, material);

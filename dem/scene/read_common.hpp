@@ -21,6 +21,7 @@ inline constexpr const char* kAxes[] = {"x", "y", "z"};
 struct FiberKeys {
   double diameter = 0;  ///< [m]
   int aspect_ratio = 0;
+  double spacing = Fiber{}.spacing;          ///< as typed; the fiber's makes whole bonds exactly
   std::string material;                      ///< whose values count where these are left out
   std::optional<double> youngs_modulus;      ///< [Pa]
   std::optional<double> poisson_ratio;       ///< this, or
@@ -37,9 +38,14 @@ void declare_fiber(KeyTable<T>& table) {
   table.quantity("diameter", "m", &T::diameter, kPositive, "diameter of the fiber and of its spheres")
       .required();
   table
-      .integer("aspect_ratio", &T::aspect_ratio, {.low = 1, .high = 1e6},
-               "number of bonds: length between the centers of the end spheres over the diameter")
+      .integer(
+          "aspect_ratio", &T::aspect_ratio, {.low = 1, .high = 1e6},
+          "length between the centers of the end spheres over the diameter; without `spacing` the number "
+          "of bonds")
       .required();
+  table.number("spacing", &T::spacing, {.low = 0.01, .high = 1e6},
+               "length of a bond over the diameter, with a whole number of bonds in `aspect_ratio`; other "
+               "than 1 for fibers that no fluid and no other fiber touches");
   table
       .word("material", &T::material, "name in data/materials, or path of a .yaml file beside the scene",
             "whose moduli and density count where they are not given; it damps nothing by itself, see "
@@ -78,6 +84,9 @@ void declare_fiber(KeyTable<T>& table) {
                "what the chain weighs: spheres of the material's density, two thirds of the fiber, as in the "
                "paper; or the fiber's cylinder, end spheres half as heavy");
 }
+
+/// Whole number of bonds nearest to aspect_ratio / spacing, 1 at least.
+double bonds_of(const FiberKeys& keys);
 
 /// A fiber as read.
 struct ReadFiber {

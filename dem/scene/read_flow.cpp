@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "dem/scene/read_common.hpp"
@@ -118,6 +120,10 @@ void check_together(const StrictMapping& top, const FlowScene& scene) {
   const FlowMethod method = scene.motion.method;
   if (!scene.fiber.branches.empty())
     top.fail_within("material_damping", "is not built for a fiber in a fluid");
+  if (scene.fiber.spacing != 1)
+    top.fail_within("spacing", fmt::format("{:g} is not allowed in a fluid: its drag is that of spheres that "
+                                           "touch; allowed: 1",
+                                           scene.fiber.spacing));
   if (scene.fluid.hydrodynamics != Hydrodynamics::free_draining && method != FlowMethod::inertialess) {
     top.fail("fluid",
              "hydrodynamics: interactions and stresslets are built for method: inertialess; leapfrog and "

@@ -41,7 +41,7 @@ struct CurvatureKeys {
 KeyTable<CurvatureKeys> curvature_keys() {
   KeyTable<CurvatureKeys> table;
   table.quantity("radius", "m", &CurvatureKeys::radius, kPositive,
-                 "radius of the arc through the spheres' centers, at least a diameter");
+                 "radius of the arc through the spheres' centers, at least the length of a bond");
   table.quantity("angle", "rad", &CurvatureKeys::angle, kBondAngle, "angle between the ends of a bond");
   table.one_of({"radius", "angle"});
   return table;
@@ -49,9 +49,7 @@ KeyTable<CurvatureKeys> curvature_keys() {
 
 /// Angle of a bond at rest: its chord is the bond's length, 2 r sin(angle / 2).
 void store_curvature(const StrictMapping& mapping, const CurvatureKeys& keys, FiberKindKeys& kind) {
-  Fiber fiber{};
-  fiber.diameter = kind.diameter;
-  const double chord = bond_length(fiber);
+  const double chord = kind.diameter * (kind.aspect_ratio / bonds_of(kind));
   kind.rest_angle =
       keys.angle ? *keys.angle : 2 * std::asin(chord / 2 / mapping.quantity("radius", "m", {.low = chord}));
 }
@@ -266,6 +264,7 @@ void check_smooth(const StrictMapping& top, const PackingScene& scene) {
 
 /// What is not built together.
 void check_together(const StrictMapping& top, const PackingScene& scene) {
+  check_spacing(top, scene);
   for (const PackingFiberKind& kind : scene.kinds) {
     check_branches(top, kind.fiber);
     check_failure(top, kind.fiber);

@@ -27,13 +27,16 @@ struct Case {
   bool corner = false;  ///< half way
   V force = {};         ///< over E I / L^2
   V moment = {};        ///< over E I / L
+  double spacing = 1;
 };
 
 constexpr double length = 0.37, modulus = 4.1e7;
 
 dem::Fiber fiber_of(const Case& c, int bonds, dem::BondModel model) {
-  dem::Fiber fiber{dem::isotropic_material(modulus, 0.17, 431.0), length / bonds, bonds, model, 0.0};
+  dem::Fiber fiber{dem::isotropic_material(modulus, 0.17, 431.0), length / (bonds * c.spacing), bonds, model,
+                   0.0};
   fiber.rest_angle = c.arc / bonds;
+  fiber.spacing = c.spacing;
   // the arc's length is what is given
   fiber.diameter *= dem::bond_length(fiber) / dem::arc_length(fiber);
   return fiber;
@@ -69,6 +72,8 @@ const Case cases[] = {
     {"quarter arc out of its plane", pi / 2, false, {0, 0, 2.3}, {}},
     {"45 degree bend", pi / 4, false, {0, 0, 4.4}, {}},
     {"L frame", 0, true, {0.7, 0.4, 2.1}, {}},
+    {"end wrench, bonds longer than thick", 0, false, {0.4, 1.3, -0.9}, {1.3, 1, 2}, 1.7},
+    {"quarter arc out of its plane, bonds shorter than thick", pi / 2, false, {0, 0, 2.3}, {}, 0.5},
 };
 
 /// log2 of the errors' ratio from each number of bonds to its double.

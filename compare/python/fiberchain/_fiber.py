@@ -9,11 +9,11 @@ _MEASURES = ("damping_ratio", "log_decrement", "quality_factor", "loss_factor")
 
 
 class Fiber(_core.Fiber):
-    """A straight fiber: `aspect_ratio` bonds of length `diameter` join touching spheres. A value: it never changes.
+    """A straight fiber: bonds of length `diameter` (times `spacing`) join its spheres. A value: it never changes.
 
     Quantities are numbers in SI or texts with a unit.
 
-    diameter: d = 2 R [m]; aspect_ratio: r_f = L/d.
+    diameter: d = 2 R [m]; aspect_ratio: r_f = L/d; spacing: length of a bond over d [1].
     material: a name of `materials()`, or a path of a .yaml file, for the moduli and the density that are not given.
     youngs_modulus: E [Pa]; poisson_ratio or shear_modulus [Pa]; density [kg/m^3].
     bond_model: "paper" or "corrected"; bond_damping: xi_b (Eqs 7-10); rolling_friction: xi_r (Eq 21).
@@ -25,12 +25,12 @@ class Fiber(_core.Fiber):
 
     def __init__(self, diameter, aspect_ratio, *, material=None, youngs_modulus=None, poisson_ratio=None,
                  shear_modulus=None, transverse_modulus=None, density=None, mass=None, material_damping=None,
-                 bond_model=None, bond_damping=None, rolling_friction=None):
+                 bond_model=None, bond_damping=None, rolling_friction=None, spacing=None):
         self._keys = {
             "diameter": diameter, "aspect_ratio": aspect_ratio, "material": material,
             "youngs_modulus": youngs_modulus, "poisson_ratio": poisson_ratio, "shear_modulus": shear_modulus,
             "transverse_modulus": transverse_modulus, "density": density, "mass": mass,
-            "material_damping": material_damping,
+            "material_damping": material_damping, "spacing": spacing,
         }
         self._bond = {"model": bond_model, "damping": bond_damping, "rolling_friction": rolling_friction}
         scene = {"scene": "release", "fiber": self._keys, "bond": self._bond, "load": {"reduced": 1},

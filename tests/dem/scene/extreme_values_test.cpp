@@ -33,13 +33,13 @@ namespace {
 /// All together have every number that a scene can have.
 const char* const kScenes[] = {
     "scene: cantilever\nfiber: {" DAMPED "}\nload: {reduced: 1}\n",
-    "scene: release\nfiber: {" DAMPED "}\nload: {reduced: 1}\n",
+    "scene: release\nfiber: {" DAMPED ", spacing: 1.5}\nload: {reduced: 1}\n",
     "scene: packing\nfibers: [{" DAMPED
-    ", count: 4}]\nperiodic: {x: 30 mm, y: 30 mm}\n"
+    ", spacing: 1, count: 4}]\nperiodic: {x: 30 mm, y: 30 mm}\n"
     "filling: {region: {z: [1 mm, 30 mm]}}\nwalls: {planes: [{point: [0, 0, 0], normal: [0, 0, 1]}]}\n"
     "steps: 200\n",
     "scene: cantilever\nfiber: {" FIBER
-    "}\nbond: {damping: 0.1}\n"
+    ", spacing: 1.5}\nbond: {damping: 0.1}\n"
     "load: {reduced: 1, direction: [0, 1, 0]}\ngravity: [0, -1, 0]\n",
     "scene: cantilever\nfiber: {" STIFF
     "}\nload: {force: 1e-4}\nmethod: march\nmarch: {bond_damping: 1, drag: 0.3, "
@@ -51,7 +51,7 @@ const char* const kScenes[] = {
     "}\nload: {force: 1e-4}\ntime: {integrator: leapfrog, step_ratio: 0.1}\n",
     "scene: release\nfiber: {" FIBER "}\nload: {reduced: 1}\ntime: {integrator: cvode, tolerance: 1e-6}\n",
     "scene: flow\nfiber: {" FIBER
-    "}\nbond: {damping: 0.1}\n"
+    ", spacing: 1}\nbond: {damping: 0.1}\n"
     "fluid: {viscosity: 10, flow: shear, rate: 2, course: {start_up: 1}}\n"
     "start: {direction: [0, 1, 0], bend: 0.01, s_bend: 0.01, bend_direction: [1, 0.1, 0]}\nmotion: "
     "{tolerance: "
