@@ -92,6 +92,73 @@ BOOST_AUTO_TEST_CASE(stiffness_of_crossed_fibers_is_that_of_hertzs_ellipse) {
   BOOST_TEST(dem::crossed_stiffness(1.0, 1.7, 1.0, 1.0, 0.5) == 1, boost::test_tools::tolerance(1e-12));
 }
 
+namespace {
+
+/// A segment of a fiber of radius 1 with these nodes.
+dem::SegmentNodes<double> segment_of(const std::vector<V>& nodes, std::size_t i) {
+  const std::size_t last = nodes.size() - 1;
+  return {nodes[i > 0 ? i - 1 : 0], nodes[i], nodes[i + 1], nodes[std::min(last, i + 2)], 1.0};
+}
+
+struct Crossing {
+  double change = 0;             ///< of the force from place to place
+  double least = 1e9, most = 0;  ///< size of the force over that of the deepest pair alone
+};
+
+/// A straight fiber under an angle drawn over the joint of one that is bent there, towards it where `bend` >
+/// 0, in so many places: its height follows that fiber.
+Crossing cross_joint(double angle, double bend, int places) {
+  const V along{std::cos(angle), std::sin(angle), 0};
+  std::vector<V> bent;
+  for (int i = -5; i <= 5; ++i)
+    bent.push_back(2.0 * i * V{std::cos(bend / 2), 0, (i < 0 ? -1 : 1) * std::sin(bend / 2)});
+  Crossing crossing;
+  V last{};
+  for (int n = 0; n <= places; ++n) {
+    const double x = 2.4 * n / places - 1.2, z = 1.98 + std::tan(bend / 2) * std::abs(x);
+    std::vector<V> straight;
+    for (int i = -5; i <= 5; ++i) straight.push_back(V{x, 0, z} + (2.0 * i + 0.37 + 0.3 * x) * along);
+    V force{};
+    double deepest = 0;
+    for (std::size_t i = 0; i < 10; ++i) {
+      for (std::size_t j = 0; j < 10; ++j) {
+        const auto a = segment_of(bent, i), b = segment_of(straight, j);
+        const dem::SegmentContact<double> at = dem::segment_contact(a, b);
+        const V r = separation(a, b, at.first, at.second);
+        if (at.share < dem::least_share || norm(r) > 2) continue;
+        const double whole = std::pow((2 - norm(r)) / 0.02, 1.5);
+        force = force + (at.share * whole / norm(r)) * r;
+        deepest = std::max(deepest, whole);
+      }
+    }
+    crossing.least = std::min(crossing.least, norm(force) / deepest),
+    crossing.most = std::max(crossing.most, norm(force) / deepest);
+    if (n > 0) crossing.change = std::max(crossing.change, norm(force - last));
+    last = force;
+  }
+  return crossing;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_joint_is_touched_once_and_without_a_jump_straight_or_bent) {
+  for (const double angle : {1.57, 0.7}) {
+    const Crossing straight = cross_joint(angle, 0, 500);
+    BOOST_TEST(straight.change < 1e-4);
+    BOOST_TEST(straight.least > 1 - 1e-4);
+    BOOST_TEST(straight.most < 1 + 1e-4);
+    for (const double bend : {-0.3, -0.1, 0.1}) {
+      const Crossing coarse = cross_joint(angle, bend, 500), fine = cross_joint(angle, bend, 1000);
+      BOOST_TEST_MESSAGE("angle " << angle << ", bend " << bend << ": force " << fine.least << " to "
+                                  << fine.most << " of one contact, changes by " << coarse.change << ", "
+                                  << fine.change);
+      BOOST_TEST(fine.change < 0.6 * coarse.change);
+      BOOST_TEST(fine.least > 0.75);
+      BOOST_TEST(fine.most < 1 + 1e-6);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(friction_of_smooth_fibers_that_slide_does_not_ripple) {
   const double degree = std::numbers::pi / 180;
   for (const double angle : {90 * degree, 35 * degree, 0.0}) {
