@@ -17,9 +17,8 @@ void check_number(const StrictMapping& top, const PackingScene& scene) {
                                  spheres_in(scene), most));
 }
 
-/// THE PLACE TO LIFT THE REFUSAL of contacts: where the fiber has a surface between its spheres (`surface:
-/// smooth`), all but the fluid may go. Until then a fiber alone is allowed, of bonds no shorter than thick:
-/// planes and its own other end touch it at its spheres.
+/// Smooth fibers touch by what lies between their spheres. Others only alone, of bonds no shorter than thick:
+/// planes and the fiber's own other end touch it at its spheres.
 void check_spacing(const StrictMapping& top, const PackingScene& scene) {
   for (std::size_t k = 0; k < scene.kinds.size(); ++k) {
     const double spacing = scene.kinds[k].fiber.spacing;
@@ -29,12 +28,17 @@ void check_spacing(const StrictMapping& top, const PackingScene& scene) {
                       fmt::format("{:g} is not allowed {}", spacing, why));
     };
     if (scene.domain.fluid) refuse("in a fluid: its drag is that of spheres that touch; allowed: 1");
+    if (scene.kinds[k].smooth) continue;
     if (fibers_in(scene) > 1 || scene.batches.number > 1)
       refuse(
-          "where fibers may touch: contacts are those of spheres, which leave gaps; allowed: 1, or one "
-          "fiber");
+          "where fibers may touch: contacts are those of spheres, which leave gaps; allowed: 1, one fiber, "
+          "or "
+          "surface: smooth");
     if (spacing < 1)
-      refuse("here: spheres that overlap others along the fiber would touch them; allowed: 1 or more");
+      refuse(
+          "here: spheres that overlap others along the fiber would touch them; allowed: 1 or more, or "
+          "surface: "
+          "smooth");
   }
 }
 

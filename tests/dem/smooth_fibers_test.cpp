@@ -1,5 +1,6 @@
 // Smooth fibers: two that slide over each other, many that collide, a packing: no bumps, nothing lost, none
 // missed.
+#include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -19,9 +20,10 @@ namespace ref = fiberchain::reference;
 
 namespace {
 
-dem::Fiber fiber_with(int aspect_ratio) {
-  dem::Fiber fiber{dem::isotropic_material(2.6e7, 0.17, 1130), 1.66e-3, aspect_ratio};
+dem::Fiber fiber_with(int bonds, double spacing = 1) {
+  dem::Fiber fiber{dem::isotropic_material(2.6e7, 0.17, 1130), 1.66e-3, bonds};
   fiber.bond_damping = 0.1;
+  fiber.spacing = spacing;
   return fiber;
 }
 
@@ -40,11 +42,14 @@ struct Ripple {
 
 constexpr double friction_coefficient = 0.3, load = 2e-3;
 
-/// A fiber of 6 spheres, 25 load in all, drawn over a fixed one of 20 bonds under an angle, along that one by
-/// two diameters.
-Ripple slide(bool smooth, double angle) {
+/// A fiber of 5 diameters, held at all its spheres, drawn over a fixed one of 20 under an angle, along that
+/// one by two.
+Ripple slide(bool smooth, double angle, double spacing = 1) {
   const double R = 0.83e-3, speed = 0.1;
-  dem::Chain<3> fixed = dem::straight_chain<3>(fiber_with(20)), drawn = dem::straight_chain<3>(fiber_with(5));
+  const auto chain = [&](double length) {
+    return dem::straight_chain<3>(fiber_with(static_cast<int>(std::lround(length / spacing)), spacing));
+  };
+  dem::Chain<3> fixed = chain(20), drawn = chain(5);
   fixed.smooth = drawn.smooth = smooth;
   const V along{std::cos(angle), std::sin(angle), 0};
   const dem::ChainState<3> a = dem::placed(fixed, {{0, 0, 0}, {1, 0, 0}});
@@ -54,8 +59,9 @@ Ripple slide(bool smooth, double angle) {
   around.contacts = {0.3, friction_coefficient, 0};
   dem::Grip base, carriage;
   base.place = base.turn = carriage.turn = {true, true, true}, carriage.place = {true, true, false};
-  base.spheres = all_spheres(0, 21), carriage.spheres = all_spheres(1, 6);
-  carriage.body.velocity = {speed, 0, 0}, carriage.force = {0, 0, -load};
+  const int spheres = drawn.fiber.aspect_ratio + 1;
+  base.spheres = all_spheres(0, fixed.fiber.aspect_ratio + 1), carriage.spheres = all_spheres(1, spheres);
+  carriage.body.velocity = {speed, 0, 0}, carriage.force = {0, 0, -6 * load / spheres};
   dem::Assembly assembly({{fixed, {a}}, {drawn, {b}}}, around, {.step = 1.2e-6, .grips = {base, carriage}});
   assembly.march(20000);
   Ripple ripple;
@@ -172,16 +178,24 @@ BOOST_AUTO_TEST_CASE(friction_of_smooth_fibers_that_slide_does_not_ripple) {
     BOOST_TEST(smooth.spread < 1e-4);
     BOOST_TEST(bumpy.spread > 1);
   }
+  for (const double spacing : {2.5, 0.5}) {
+    const Ripple spaced = slide(true, 35 * degree, spacing);
+    BOOST_TEST_MESSAGE("spacing " << spacing << ": spread " << spaced.spread);
+    BOOST_TEST(std::abs(spaced.friction / (friction_coefficient * spaced.normal) - 1) < 1e-5);
+    BOOST_TEST(spaced.spread < 1e-4);
+  }
 }
 
 namespace {
 
 /// Fibers of two kinds that fly towards the middle of a box.
-SmallPacking cloud(int first, int second, double edge) {
-  dem::Fiber one{dem::isotropic_material(2.6e6, 0.3, 1000), 2e-3, 8};
-  dem::Fiber two{dem::isotropic_material(4.1e6, 0.17, 1300), 1.37e-3, 13};
+SmallPacking cloud(int first, int second, double edge, bool spaced = false) {
+  dem::Fiber one{dem::isotropic_material(2.6e6, 0.3, 1000), 2e-3, spaced ? 4 : 8};
+  dem::Fiber two{dem::isotropic_material(4.1e6, 0.17, 1300), 1.37e-3, spaced ? 5 : 13};
+  one.spacing = 8.0 / one.aspect_ratio, two.spacing = 13.0 / two.aspect_ratio;
   one.bond_damping = two.bond_damping = 0.05;
-  dem::Chain<3> straight = dem::straight_chain<3>(one), bent = curled(two, {0.02, 0.06, 0.09});
+  dem::Chain<3> straight = dem::straight_chain<3>(one),
+                bent = curled(two, {0.02 * two.spacing, 0.06 * two.spacing, 0.09 * two.spacing});
   straight.smooth = bent.smooth = true;
   SmallPacking packing;
   packing.around.contacts = {0.4, 0.6, 0.02};
@@ -210,7 +224,9 @@ Momenta momenta(const dem::Assembly& assembly) {
     const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
     for (const dem::ChainState<3>& state : assembly.states(g)) {
       for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-        const V p = m * state.velocity[i], L = cross(state.poses[i].position, p) + J * state.spin[i];
+        const double share = dem::mass_share(fiber, static_cast<int>(i));
+        const V p = share * m * state.velocity[i],
+                L = cross(state.poses[i].position, p) + share * J * state.spin[i];
         sum.momentum = sum.momentum + p, sum.angular = sum.angular + L;
         sum.size += norm(p), sum.angular_size += norm(L);
       }
@@ -265,8 +281,9 @@ std::set<dem::ContactKey> found(const dem::Assembly& assembly) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(fifty_smooth_fibers_that_collide_keep_momenta_and_their_energy_is_accounted) {
-  dem::Assembly assembly = cloud(30, 20, 0.034).assembly({.account_energy = true});
+BOOST_DATA_TEST_CASE(fifty_smooth_fibers_that_collide_keep_momenta_and_their_energy_is_accounted,
+                     boost::unit_test::data::make({false, true}), spaced) {
+  dem::Assembly assembly = cloud(30, 20, 0.034, spaced).assembly({.account_energy = true});
   const Momenta before = momenta(assembly);
   const double energy = total(assembly.energy());
   std::int64_t most = 0;

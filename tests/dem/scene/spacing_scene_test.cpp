@@ -76,7 +76,13 @@ BOOST_AUTO_TEST_CASE(in_fluids_and_among_fibers_it_is_refused_by_its_key) {
                     two = "  - {" + keys_of("2.6") + ", count: 2}\n",
                     other = "  - {" + keys_of("") + ", count: 1}\n",
                     shorter = "  - {" + keys_of("0.5") + ", count: 1}\n";
+  const auto smooth = [&](const std::string& spacing) {
+    return "  - {" + keys_of(spacing) + ", surface: smooth, count: 2}\n";
+  };
   BOOST_TEST(refusal(packing(one)) == "");
+  BOOST_TEST(refusal(packing(smooth("2.6") + smooth("0.5"))) == "");
+  check_refused(packing(smooth("2.6"), "fluid: {viscosity: 1e-3}\n"),
+                "spacing: 2.6 is not allowed in a fluid");
   check_refused(packing(two), "s.yaml:3: fibers[0].spacing: 2.6 is not allowed where fibers may touch");
   check_refused(packing(other + one),
                 "s.yaml:4: fibers[1].spacing: 2.6 is not allowed where fibers may touch");
