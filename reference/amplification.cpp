@@ -194,7 +194,7 @@ bool is_definite(const LinearChain& chain, const TimeScheme& scheme, ChainEnds e
                  double tension, double dt, double z) {
   const Pencil p = pencil(scheme, dt, z);
   const int n = chain.bonds;
-  if (chain.end_share < 0.5) {
+  if (chain.spacing_ratio != 1) {
     return rod_is_definite(chain, ends, p, ChainMotion::axial) &&
            (planar || rod_is_definite(chain, ends, p, ChainMotion::twist)) &&
            bending_is_definite(chain, ends, tension, p);
