@@ -7,6 +7,7 @@
 #include "compare/bench/packing.hpp"
 #include "compare/bench/problems.hpp"
 #include "compare/bench/sizes.hpp"
+#include "compare/bench/smooth.hpp"
 #include "compare/bench/stiff.hpp"
 #include "compare/bench/stiff_packing.hpp"
 #include "compare/bench/tables.hpp"
@@ -33,6 +34,7 @@ enum class Case {
   sizes,
   stiff,
   mesh,
+  smooth,
   stiff_packing
 };
 using Cases = std::vector<Case>;
@@ -135,6 +137,13 @@ void add_mesh(Report& report, const dem::PackingScene& scene, const BenchOptions
              times);
 }
 
+void add_smooth(Report& report, const dem::PackingScene& scene, const BenchOptions& options) {
+  const dem::Table times = compare::smooth_time_table(compare::smooth_times(scene, options));
+  report.add("bench-smooth",
+             "A step of a packing whose fibers touch by spheres, and by what lies between them", times,
+             times);
+}
+
 void add_threads(Report& report, const BenchOptions& options) {
   std::vector<compare::NamedScene> scenes;
   for (const char* name : {"crossed-layers", "packing"}) scenes.push_back({name, ready_scene(name)});
@@ -174,7 +183,7 @@ void add_stiff_packing(Report& report, const BenchOptions& options, int jobs) {
 int run_bench(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   Cases cases{Case::statics, Case::damping, Case::history, Case::flow,  Case::feature_costs, Case::kernels,
-              Case::packing, Case::threads, Case::sizes,   Case::stiff, Case::mesh};
+              Case::packing, Case::threads, Case::sizes,   Case::stiff, Case::mesh,          Case::smooth};
   read_choices<Case>(arguments, "--case", cases,
                      {{"static", Case::statics},
                       {"damping", Case::damping},
@@ -187,11 +196,13 @@ int run_bench(const Arguments& arguments, Context& context) {
                       {"sizes", Case::sizes},
                       {"stiff", Case::stiff},
                       {"mesh", Case::mesh},
+                      {"smooth", Case::smooth},
                       {"stiff-packing", Case::stiff_packing}});
   BenchOptions options{.quick = arguments.has("--quick")};
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, options.aspect_ratio);
   std::optional<dem::PackingScene> packing, steel;  // read now: a bench does not end for want of it
-  if (has(cases, Case::packing) || has(cases, Case::mesh)) packing = ready_scene("crossed-layers");
+  if (has(cases, Case::packing) || has(cases, Case::mesh) || has(cases, Case::smooth))
+    packing = ready_scene("crossed-layers");
   if (has(cases, Case::stiff)) steel = ready_scene("steel-wool");
   const auto directory = open_output(output, context);
   Report report;
@@ -202,6 +213,7 @@ int run_bench(const Arguments& arguments, Context& context) {
   if (has(cases, Case::sizes)) add_sizes(report, options);
   if (steel) add_stiff(report, *steel, options);
   if (has(cases, Case::mesh)) add_mesh(report, *packing, options);
+  if (has(cases, Case::smooth)) add_smooth(report, *packing, options);
   if (has(cases, Case::stiff_packing)) add_stiff_packing(report, options, output.jobs);
   deliver(report.results, *report.shown, output, directory, context);
   return kSuccess;
@@ -218,18 +230,19 @@ Command bench_command() {
           std::string("One thread, but for packings; a method that fails keeps its row with its status.\n"
                       "Example:\n  fiberchain bench --quick --case static\n") +
           kListHelp,
-      .options =
-          {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
-           {"--case", "LIST",
-            "static, damping, history, skips, kernels, flow, packing, threads, sizes, stiff, mesh [all of "
-            "these], "
-            "stiff-packing (18 packings in full, half an hour of one core)"},
-           {"--jobs", "N", "packings side by side in stiff-packing [all cores]", OptionKind::text,
-            "--threads"},
-           {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
-           json_option(),
-           {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"},
-           no_figures_option()},
+      .options = {{"--quick", "", "fewer settings and runs: a minute in all, not eight", OptionKind::flag},
+                  {"--case", "LIST",
+                   "static, damping, history, skips, kernels, flow, packing, threads, sizes, stiff, mesh, "
+                   "smooth [all of "
+                   "these], "
+                   "stiff-packing (18 packings in full, half an hour of one core)"},
+                  {"--jobs", "N", "packings side by side in stiff-packing [all cores]", OptionKind::text,
+                   "--threads"},
+                  {"--aspect-ratio", "LIST", "r_f of the damping case [10,30,100; with --quick 10,30]"},
+                  json_option(),
+                  {"--out", "DIR",
+                   "directory for the results; with --json none are written unless given [results]"},
+                  no_figures_option()},
       .run = &run_bench};
 }
 
