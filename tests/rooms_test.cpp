@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string> kDem{"math",      "files",       "model",     "mesh",  "material", "simd",
                                     "parallel",  "record",      "bond",      "chain", "motion",   "contact",
                                     "insertion", "equilibrium", "vibration", "flow",  "assembly", "analysis",
-                                    "scene",     "trajectory",  "run"};
+                                    "scene",     "trajectory",  "run",       "lammps"};
 const std::vector<std::string> kCompare{
     "study",   "figures",  "measure", "static",   "calibration", "identify", "fit",     "render",
     "flow",    "packing",  "press",   "breaking", "stability",   "spacing",  "damping", "friction",

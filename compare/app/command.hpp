@@ -36,7 +36,8 @@ class Arguments {
   std::map<std::string, std::vector<std::string>> lists_;
 };
 
-enum class OptionKind { text, flag, required, several };
+/// Of a text that may come several times (--set), and of one or more that are taken by their place.
+enum class OptionKind { text, flag, required, several, places };
 
 struct Option {
   std::string name;  ///< "--load"; a name without dashes is taken by its place

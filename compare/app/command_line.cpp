@@ -29,6 +29,10 @@ void add_option(Registered& entry, const Option& option) {
     entry.app->add_flag(names, entry.flags[option.name], option.help);
     return;
   }
+  if (option.kind == OptionKind::places) {
+    entry.app->add_option(names, entry.lists[option.name], option.help)->type_name(option.type)->required();
+    return;
+  }
   if (option.kind == OptionKind::several) {
     entry.app->add_option(names, entry.lists[option.name], option.help)
         ->type_name(option.type)

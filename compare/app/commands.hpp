@@ -13,6 +13,7 @@ Command check_command();           ///< what a scene will take, without running 
 Command columns_command();         ///< the dictionary of the columns
 Command fit_command();             ///< laws fitted to the damping against aspect ratio, Eq 20
 Command identify_command();        ///< Young's modulus and damping from a ring-down
+Command merge_command();           ///< shards of a study become the whole
 Command materials_command();       ///< the materials of data/materials
 Command render_command();          ///< pictures of a trajectory, Fig 11
 Command export_command();          ///< a trajectory as text for other programs
@@ -62,6 +63,7 @@ inline std::vector<Command> all_commands() {
           materials_command(),
           stability_command(),
           bench_command(),
+          merge_command(),
           validate_command(),
           manual_command(),
           completion_command()};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/app/context.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/study/jobs.hpp"
 #include "compare/study/stopping.hpp"
 
@@ -42,37 +43,59 @@ std::vector<Point> points_until_stopped(PointsOf<Point, Case, Options> points_of
   return points;
 }
 
-/// Those that were begun.
+/// Points, and the numbers that their cases have in the whole, from 0.
 template <class Point>
-std::vector<Point> begun(std::vector<Point> points) {
-  std::erase_if(points, [](const Point& point) { return point.status == compare::not_begun; });
-  return points;
+struct CasePoints {
+  std::vector<Point> points;
+  std::vector<std::size_t> numbers;
+};
+
+/// Those of cases [from, to) that were begun.
+template <class Point>
+CasePoints<Point> begun(const CasePoints<Point>& all, std::size_t from, std::size_t to) {
+  CasePoints<Point> some;
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    const std::size_t number = all.numbers[i];
+    if (number < from || number >= to || all.points[i].status == compare::not_begun) continue;
+    some.points.push_back(all.points[i]);
+    some.numbers.push_back(number);
+  }
+  return some;
 }
 
-/// Points of all cases that were begun before a signal came.
+/// Points of these of the cases that were begun before a signal came.
 template <class Point, class Case, class Options>
-std::vector<Point> measured(PointsOf<Point, Case, Options> points_of, const std::vector<Case>& cases,
-                            const compare::Jobs& jobs, const Context& context) {
-  return begun(points_until_stopped(points_of, cases, jobs, context));
+CasePoints<Point> measured(PointsOf<Point, Case, Options> points_of, const std::vector<Case>& cases,
+                           const std::vector<std::size_t>& numbers, const compare::Jobs& jobs,
+                           const Context& context) {
+  const std::vector<Case> own = chosen(cases, numbers);
+  if (own.empty()) return {};
+  return begun(CasePoints<Point>{points_until_stopped(points_of, own, jobs, context), numbers}, 0,
+               cases.size());
+}
+
+/// The same of all cases, or the shard's.
+template <class Point, class Case, class Options>
+CasePoints<Point> measured(PointsOf<Point, Case, Options> points_of, const std::vector<Case>& cases,
+                           const OutputOptions& output, Context& context) {
+  return measured(points_of, cases, deal(cases.size(), output, context), output.jobs, context);
 }
 
 /// The same of several groups of cases, measured together; `all` of them and group by group.
 template <class Point, class Case, class Options>
-std::vector<std::vector<Point>> measured_groups(PointsOf<Point, Case, Options> points_of,
-                                                const std::vector<std::vector<Case>>& groups,
-                                                const compare::Jobs& jobs, const Context& context,
-                                                std::vector<Point>& all) {
+std::vector<CasePoints<Point>> measured_groups(PointsOf<Point, Case, Options> points_of,
+                                               const std::vector<std::vector<Case>>& groups,
+                                               const OutputOptions& output, Context& context,
+                                               CasePoints<Point>& all) {
   std::vector<Case> cases;
   for (const auto& group : groups) cases.insert(cases.end(), group.begin(), group.end());
-  all = points_until_stopped(points_of, cases, jobs, context);
-  std::vector<std::vector<Point>> points;
-  auto next = all.begin();
+  all = measured(points_of, cases, output, context);
+  std::vector<CasePoints<Point>> points;
+  std::size_t next = 0;
   for (const auto& group : groups) {
-    const auto end = next + static_cast<std::ptrdiff_t>(group.size());
-    points.push_back(begun(std::vector<Point>(next, end)));
-    next = end;
+    points.push_back(begun(all, next, next + group.size()));
+    next += group.size();
   }
-  all = begun(std::move(all));
   return points;
 }
 

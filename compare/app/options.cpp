@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "compare/study/errors.hpp"
+#include "compare/study/merge.hpp"
 
 namespace fiberchain::app {
 namespace {
@@ -36,6 +37,18 @@ std::vector<Option> with_output(std::vector<Option> options) {
   return options;
 }
 
+std::vector<Option> with_shards(std::vector<Option> options) {
+  options.push_back({"--shard", "I/N",
+                     "run the I-th of N parts of the cases, for N machines; tables go to DIR/shard-I-of-N, "
+                     "`fiberchain merge` makes one of them"});
+  return with_output(std::move(options));
+}
+
+std::filesystem::path OutputOptions::directory() const {
+  const std::filesystem::path whole = out.value_or("results");
+  return shard ? whole / compare::shard_directory(*shard) : whole;
+}
+
 OutputOptions output_options(const Arguments& arguments) {
   OutputOptions options;
   options.json = arguments.has("--json");
@@ -43,6 +56,7 @@ OutputOptions output_options(const Arguments& arguments) {
   if (arguments.has("--out")) options.out = arguments.text("--out");
   options.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   read_number(arguments, "--jobs", {.low = 1, .high = 1024}, options.jobs);
+  if (arguments.has("--shard")) options.shard = compare::parse_shard("--shard", arguments.text("--shard"));
   return options;
 }
 

@@ -11,6 +11,7 @@
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/ranges.hpp"
+#include "compare/study/shard.hpp"
 
 /// Options that several commands have, and how options become values.
 namespace fiberchain::app {
@@ -20,6 +21,12 @@ struct OutputOptions {
   std::optional<std::filesystem::path> out;  ///< results directory; without it "results", or none with --json
   int jobs = 1;                              ///< threads
   bool figures = true;                       ///< pictures are drawn: none with --json
+  std::optional<compare::Shard> shard = {};  ///< the part of the cases that this run has; without it all
+
+  /// Whether this run makes the tables that do not depend on the cases.
+  bool makes_fixed_tables() const { return !shard || shard->first(); }
+  /// Where tables go: a directory for each shard below the one asked for.
+  std::filesystem::path directory() const;
 };
 
 /// --json
@@ -31,7 +38,10 @@ Option no_figures_option();
 /// These options with --json, --out, --no-figures and --jobs behind them.
 std::vector<Option> with_output(std::vector<Option> options);
 
-/// @throws compare::InputError if --jobs is no number of threads
+/// The same and --shard, for commands of many cases.
+std::vector<Option> with_shards(std::vector<Option> options);
+
+/// @throws compare::InputError if --jobs is no number of threads, or --shard no part
 OutputOptions output_options(const Arguments& arguments);
 
 /// What a footer says of lists and ranges.

@@ -90,8 +90,8 @@ void draw_pictures(const Results& results, const dem::OutputDirectory& directory
 std::optional<dem::OutputDirectory> open_output(const OutputOptions& options, const Context& context,
                                                 Draws draws) {
   if (options.json && !options.out) return std::nullopt;
-  dem::OutputDirectory directory(options.out.value_or("results"));
-  if (draws == Draws::yes && options.figures) warn_without_gnuplot(context);
+  dem::OutputDirectory directory(options.directory());
+  if (draws == Draws::yes && options.figures && !options.shard) warn_without_gnuplot(context);
   context.leaving = std::make_shared<LeaveNothing>(directory.made() ? directory.path().string() : "");
   return directory;
 }

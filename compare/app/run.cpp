@@ -126,6 +126,8 @@ int run_scene_file(const Arguments& arguments, Context& context) {
   context.provenance = dem::with_scene(context.provenance, path, as_read.text);
   const auto several = [](const SweptKey& key) { return key.values.size() > 1; };
   if (std::ranges::any_of(keys, several)) return run_sweep(as_read, keys, arguments, context);
+  if (arguments.has("--shard"))
+    throw compare::InputError("--shard: is of use only with several values of --set");
   const dem::SceneText text = with_settings(as_read, combinations(keys).front());
   context.provenance.settings = dem::in_words(text.settings);
   const dem::Scene scene = dem::parse_scene(text);
@@ -154,8 +156,9 @@ Command run_command() {
           "ends in the same state. One run at a time in a directory.\n"
           "With several values, --set contacts.friction=0.2,0.4 --set filling.seed=1..3, every combination "
           "is "
-          "run,\n--jobs at a time, each in a directory of its own; NAME-sweep.csv has a row of each.",
-      .options = with_output(
+          "run,\n--jobs at a time, each in a directory of its own; NAME-sweep.csv has a row of each. With "
+          "--shard every\nmachine of a cluster has its part of them; `fiberchain merge` makes one table.",
+      .options = with_shards(
           {{"SCENE", "", "scene file (YAML)", OptionKind::required},
            set_option(),
            {"--resume", "", "packings: go on from the last checkpoint in the directory", OptionKind::flag},

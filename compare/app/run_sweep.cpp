@@ -10,10 +10,12 @@
 
 #include "compare/app/child_process.hpp"
 #include "compare/app/options.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/app/stop_signals.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/jobs.hpp"
 #include "compare/study/json.hpp"
+#include "compare/study/merge.hpp"
 #include "dem/files/sha256.hpp"
 #include "dem/record/output.hpp"
 #include "dem/record/provenance.hpp"
@@ -26,6 +28,7 @@ using Json = nlohmann::ordered_json;
 
 /// A combination, its directory and what came of it.
 struct SweepRun {
+  std::size_t number;  ///< in the whole sweep, from 0
   std::vector<dem::SceneSetting> settings;
   std::string directory;
   bool begun = false, failed = false, stopped = false;
@@ -116,12 +119,14 @@ std::string sweep_csv(const std::vector<SweepRun>& runs, const dem::Provenance& 
   std::string text;
   for (const auto& [key, value] : entries(provenance)) text += fmt::format("# {}: {}\n", key, value);
   const std::vector<std::string> columns = columns_of(runs);
-  std::string header;
+  const bool numbered = !provenance.shard.empty();
+  std::string header = numbered ? std::string(compare::case_column) + "," : "";
   for (const dem::SceneSetting& one : runs.front().settings) header += csv_field(one.key) + ",";
   for (const std::string& column : columns) header += column + ",";
   text += header + "directory\n";
   for (const SweepRun& run : runs) {
     if (!run.begun) continue;
+    if (numbered) text += fmt::format("{},", run.number + 1);
     for (const dem::SceneSetting& one : run.settings) text += csv_field(one.value) + ",";
     for (const std::string& column : columns) text += csv_cell(run.row, column) + ",";
     text += csv_field(run.directory) + "\n";
@@ -136,6 +141,7 @@ Json sweep_json(const std::vector<SweepRun>& runs, const dem::Provenance& proven
   for (const SweepRun& run : runs) {
     if (!run.begun) continue;
     Json row;
+    if (!provenance.shard.empty()) row[compare::case_column] = run.number + 1;
     for (const dem::SceneSetting& one : run.settings) row[one.key] = one.value;
     row.update(run.row);
     row["directory"] = run.directory;
@@ -197,7 +203,7 @@ std::vector<SweepRun> runs_of(const dem::SceneText& scene, const std::vector<Swe
   std::vector<SweepRun> runs;
   for (auto& settings : combinations(keys)) {
     with_settings(scene, settings);
-    runs.push_back({.settings = std::move(settings), .directory = {}});
+    runs.push_back({.number = runs.size(), .settings = std::move(settings), .directory = {}});
     runs.back().directory = directory_of(runs.back().name());
   }
   return runs;
@@ -222,9 +228,10 @@ int run_sweep(const dem::SceneText& scene, const std::vector<SweptKey>& keys, co
   if (arguments.has("--resume") && arguments.has("--force"))
     throw compare::InputError("--resume and --force: give one of them");
   const bool packing = std::holds_alternative<dem::PackingScene>(dem::parse_scene(scene));
-  std::vector<SweepRun> runs = runs_of(scene, keys);
+  const std::vector<SweepRun> all = runs_of(scene, keys);
+  std::vector<SweepRun> runs = chosen(all, deal(all.size(), output, context));
   const std::filesystem::path path = scene.name, out = output.out.value_or("results");
-  const dem::OutputDirectory directory(out);
+  const dem::OutputDirectory directory(output.directory());  // runs have theirs below `out`, of all shards
   const int at_once = std::min<int>(output.jobs, static_cast<int>(runs.size()));
   const int threads = std::max(1, output.jobs / at_once);
   context.log->info("{} runs, {} at a time", runs.size(), at_once);
@@ -243,7 +250,7 @@ int run_sweep(const dem::SceneText& scene, const std::vector<SweptKey>& keys, co
     write();
   });
   write();
-  context.log->info("wrote {}", (out / table).string());
+  context.log->info("wrote {}", (directory.path() / table).string());
   if (output.json)
     context.out << dem::to_text(sweep_json(runs, context.provenance));
   else

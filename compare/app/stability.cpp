@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
@@ -49,18 +51,22 @@ SweepOptions<compare::StabilitySweep> stability_options() {
 
 /// Schemes with a stable step and those without: each a table where it has cases, the second beside the
 /// first.
-Results results_of(const std::vector<compare::StabilityPoint>& points,
-                   const std::vector<compare::GrowthPoint>& growth) {
+Results results_of(const CasePoints<compare::StabilityPoint>& limited,
+                   const CasePoints<compare::GrowthPoint>& unlimited, const OutputOptions& output) {
+  const auto& points = limited.points;
+  const auto& growth = unlimited.points;
   Results results{
       .name = points.empty() ? "stability-growth" : "stability",
       .heading = points.empty() ? "Growth at large time steps" : "Largest stable time step of a chain",
       .notes = compare::stability_notes(points) + compare::growth_notes(growth)};
-  if (!points.empty()) results.table = compare::stability_table(points);
+  if (!points.empty())
+    results.table = table_by_case(points, limited.numbers, output, compare::stability_table);
   if (growth.empty()) return results;
+  dem::Table growth_rows = table_by_case(growth, unlimited.numbers, output, compare::growth_table);
   if (points.empty())
-    results.table = compare::growth_table(growth);
+    results.table = std::move(growth_rows);
   else
-    results.more_tables.emplace_back("stability-growth", compare::growth_table(growth));
+    results.more_tables.emplace_back("stability-growth", std::move(growth_rows));
   return results;
 }
 
@@ -72,14 +78,23 @@ int run_stability(const Arguments& arguments, Context& context) {
   const bool chose = chose_cases(options, arguments);
   const auto limited = chose ? compare::cases(sweep) : compare::stability_figure_cases();
   const auto unlimited = chose ? compare::growth_cases(sweep) : compare::growth_figure_cases();
-  const auto points = measured(compare::stability_points, limited, output.jobs, context);
-  const auto growth = context.stopped != 0
-                          ? std::vector<compare::GrowthPoint>{}
-                          : measured(compare::growth_points, unlimited, output.jobs, context);
-  Results results = results_of(points, growth);
-  if (directory && context.stopped == 0) results.figures = compare::stability_figures(points);
-  deliver(results, results.table.select(points.empty() ? growth_shown : stability_shown), output, directory,
-          context);
+  // both are dealt together: cases without a stable step are numbered behind those with one
+  const auto numbers = deal(limited.size() + unlimited.size(), output, context);
+  const auto middle = std::ranges::lower_bound(numbers, limited.size());
+  const auto points =
+      measured(compare::stability_points, limited, {numbers.begin(), middle}, output.jobs, context);
+  CasePoints<compare::GrowthPoint> growth;
+  if (context.stopped == 0) {
+    std::vector<std::size_t> behind(middle, numbers.end());
+    for (std::size_t& n : behind) n -= limited.size();
+    growth = measured(compare::growth_points, unlimited, behind, output.jobs, context);
+    for (std::size_t& n : growth.numbers) n += limited.size();
+  }
+  Results results = results_of(points, growth, output);
+  if (directory && context.stopped == 0 && !output.shard)
+    results.figures = compare::stability_figures(points.points);
+  deliver(results, results.table.select(points.points.empty() ? growth_shown : stability_shown), output,
+          directory, context);
   return context.stopped != 0 ? kSignaled + context.stopped : kSuccess;
 }
 
@@ -93,7 +108,7 @@ Command stability_command() {
                             "Example:\n  fiberchain stability --aspect-ratio 13 --poisson-ratio 0.17,0.3 "
                             "--bond-damping 0,0.7 --bond paper\n") +
                 kListHelp,
-      .options = with_output(stability_options()),
+      .options = with_shards(stability_options()),
       .run = &run_stability};
 }
 

@@ -73,12 +73,12 @@ bool chose_cases(const SweepOptions<Sweep>& options, const Arguments& arguments)
   });
 }
 
-/// These options, then those of the output.
+/// These options, then those of shards and of the output.
 template <class Sweep>
-std::vector<Option> with_output(const SweepOptions<Sweep>& options) {
+std::vector<Option> with_shards(const SweepOptions<Sweep>& options) {
   std::vector<Option> all;
   for (const SweepOption<Sweep>& option : options) all.push_back(option.option);
-  return with_output(std::move(all));
+  return with_shards(std::move(all));
 }
 
 }  // namespace fiberchain::app

@@ -2,6 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/packing/softening.hpp"
 #include "compare/packing/study.hpp"
 
@@ -19,9 +20,29 @@ compare::SofteningPlan softening_plan(const Arguments& arguments) {
   return plan;
 }
 
+using TableOf = dem::Table (*)(const std::vector<compare::PackingRun>&);
+
+/// A table of the runs; for a shard modulus by modulus, which are its cases.
+dem::Table by_modulus(const std::vector<compare::PackingRun>& runs, const std::vector<double>& moduli,
+                      const std::vector<std::size_t>& numbers, const OutputOptions& output,
+                      TableOf table_of) {
+  if (!output.shard) return table_of(runs);
+  std::vector<std::vector<compare::PackingRun>> groups(moduli.size());
+  for (const compare::PackingRun& run : runs) {
+    const auto group = std::ranges::find(moduli, run.asked.contact_modulus) - moduli.begin();
+    groups[static_cast<std::size_t>(group)].push_back(run);
+  }
+  std::vector<std::size_t> of_rows;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    of_rows.insert(of_rows.end(), table_of(groups[i]).rows().size(), numbers[i]);
+  return with_cases(table_of(runs), of_rows);
+}
+
 int run_tables_contact_modulus(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
-  const compare::SofteningPlan plan = softening_plan(arguments);
+  compare::SofteningPlan plan = softening_plan(arguments);
+  const std::vector<std::size_t> numbers = deal(plan.moduli.size(), output, context);
+  plan.moduli = chosen(plan.moduli, numbers);
   const auto directory = open_output(output, context);
   const std::vector<compare::PackingCase> cases = compare::softening_cases(plan);
   const auto progress = context.progress(cases.size() * static_cast<std::size_t>(plan.samples + 1));
@@ -29,9 +50,10 @@ int run_tables_contact_modulus(const Arguments& arguments, Context& context) {
       compare::run_packings(cases, {.samples = plan.samples}, output.jobs, [&] { progress->advance(); });
   Results results{.name = "contact-modulus",
                   .heading = "Packings by the modulus of their contacts",
-                  .table = compare::softening_table(runs)};
-  results.more_tables.emplace_back("contact-modulus-runs", compare::run_table(runs));
-  results.figures.emplace_back("contact-modulus", compare::softening_figure(runs));
+                  .table = by_modulus(runs, plan.moduli, numbers, output, compare::softening_table)};
+  results.more_tables.emplace_back("contact-modulus-runs",
+                                   by_modulus(runs, plan.moduli, numbers, output, compare::run_table));
+  if (!output.shard) results.figures.emplace_back("contact-modulus", compare::softening_figure(runs));
   deliver(results, results.table, output, directory, context);
   return status_of_failed(unfinished(runs), "packings", "contact-modulus-runs", context);
 }
@@ -46,7 +68,7 @@ Command tables_contact_modulus_command() {
           .footer = std::string("Example:\n  fiberchain tables contact-modulus --fibers 150 --seeds 1 "
                                 "--modulus 1,0.01 --duration 0.001 --samples 20\n") +
                     kListHelp,
-          .options = with_output(
+          .options = with_shards(
               {{"--modulus", "LIST", "of contacts over that of the fibers [1,0.1,0.01,0.001]"},
                {"--stiffness", "FACTOR", "Young's modulus of the fibers over that of tables packing [100]"},
                {"--fibers", "N", "of each packing [300]"},

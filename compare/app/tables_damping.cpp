@@ -18,8 +18,6 @@ const std::vector<std::string> tables_damping_shown = {"aspect_ratio",
                                                        "fiber_damping_eq20",
                                                        "status"};
 
-using compare::DampingPoints;
-
 SweepOptions<compare::DampingSweep> tables_damping_options() {
   using Sweep = compare::DampingSweep;
   using dem::DashpotLaw;
@@ -46,25 +44,27 @@ int run_tables_damping(const Arguments& arguments, Context& context) {
   const auto options = tables_damping_options();
   const compare::DampingSweep sweep = read_sweep(options, arguments);
   const auto directory = open_output(output, context);
-  DampingPoints points;
+  CasePoints<compare::DampingPoint> all;
   Results results{.name = "damping", .heading = "Damping of the fiber by dashpots in its bonds"};
   if (chose_cases(options, arguments)) {
-    points = measured(compare::damping_points, compare::cases(sweep), output.jobs, context);
+    all = measured(compare::damping_points, compare::cases(sweep), output, context);
   } else {
     const compare::DampingFigureCases wanted = compare::damping_figure_cases(sweep.peaks);
     const auto groups = measured_groups(
         compare::damping_points, {wanted.bond_damping, wanted.load, wanted.modulus, wanted.aspect_ratio},
-        output.jobs, context, points);
-    if (context.stopped == 0) {
+        output, context, all);
+    if (context.stopped == 0 && output.makes_fixed_tables()) {
       const dem::Table ring_down = compare::ring_down_table({.load = 1.0}, 12);
       results.more_tables = {{"fig-6", ring_down}, {"damping-dashpots", compare::dashpot_table(10, 0.3)}};
-      results.figures = compare::damping_figures({groups[0], groups[1], groups[2], groups[3]}, ring_down);
+      if (!output.shard)
+        results.figures = compare::damping_figures(
+            {groups[0].points, groups[1].points, groups[2].points, groups[3].points}, ring_down);
     }
   }
-  results.table = compare::damping_table(points);
+  results.table = table_by_case(all.points, all.numbers, output, compare::damping_table);
   deliver(results, results.table.select(tables_damping_shown), output, directory, context);
   // a row may have one of its dampings alone: its status says why
-  return status_of(points, context, [](const compare::DampingPoint& point) {
+  return status_of(all.points, context, [](const compare::DampingPoint& point) {
     return !std::isnan(point.damping) || !std::isnan(point.damping_paper);
   });
 }
@@ -79,7 +79,7 @@ Command tables_damping_command() {
                             "Example:\n  fiberchain tables damping --aspect-ratio 13 --poisson-ratio 0.17 "
                             "--bond-damping 0.7 --load 0.05 --json\n") +
                 kListHelp,
-      .options = with_output(tables_damping_options()),
+      .options = with_shards(tables_damping_options()),
       .run = &run_tables_damping};
 }
 

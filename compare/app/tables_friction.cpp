@@ -20,8 +20,6 @@ const std::vector<std::string> tables_friction_shown = {"aspect_ratio",
                                                         "fiber_damping_as_bond",
                                                         "status"};
 
-using compare::RollingPoints;
-
 SweepOptions<compare::RollingSweep> tables_friction_options() {
   using Sweep = compare::RollingSweep;
   using dem::Rolling;
@@ -52,24 +50,27 @@ int run_tables_friction(const Arguments& arguments, Context& context) {
         "--amplitude is not allowed with --load: give what the fiber is let go with once");
   }
   const auto directory = open_output(output, context);
-  RollingPoints points;
+  CasePoints<compare::RollingPoint> all;
   Results results{.name = "friction", .heading = "Rolling friction of the bonds and the fiber's damping"};
   if (chose_cases(options, arguments)) {
-    points = measured(compare::rolling_points, compare::cases(sweep), output.jobs, context);
-    results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(points)}};
+    all = measured(compare::rolling_points, compare::cases(sweep), output, context);
+    results.more_tables = {
+        {"friction-peaks", table_by_case(all.points, all.numbers, output, compare::rolling_peaks_table)}};
   } else {
     const compare::RollingFigureCases wanted = compare::rolling_figure_cases(sweep.peaks);
-    const auto groups = measured_groups(compare::rolling_points,
-                                        {wanted.friction, wanted.step, wanted.amplitude, wanted.decay},
-                                        output.jobs, context, points);
-    if (!groups[3].empty())
-      results.more_tables = {{"friction-peaks", compare::rolling_peaks_table(groups[3])}};
-    if (context.stopped == 0)
-      results.figures = compare::rolling_figures({groups[0], groups[1], groups[2], groups[3]});
+    const auto groups =
+        measured_groups(compare::rolling_points,
+                        {wanted.friction, wanted.step, wanted.amplitude, wanted.decay}, output, context, all);
+    if (!groups[3].points.empty())
+      results.more_tables = {{"friction-peaks", table_by_case(groups[3].points, groups[3].numbers, output,
+                                                              compare::rolling_peaks_table)}};
+    if (context.stopped == 0 && !output.shard)
+      results.figures =
+          compare::rolling_figures({groups[0].points, groups[1].points, groups[2].points, groups[3].points});
   }
-  results.table = compare::rolling_table(points);
+  results.table = table_by_case(all.points, all.numbers, output, compare::rolling_table);
   deliver(results, results.table.select(tables_friction_shown), output, directory, context);
-  return status_of(points, context);
+  return status_of(all.points, context);
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ Command tables_friction_command() {
                             "Example:\n  fiberchain tables friction --aspect-ratio 13 --poisson-ratio 0.17 "
                             "--load 0.7 --rolling-friction 0,3 --law set_valued,explicit_sign --json\n") +
                 kListHelp,
-      .options = with_output(tables_friction_options()),
+      .options = with_shards(tables_friction_options()),
       .run = &run_tables_friction};
 }
 

@@ -2,6 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/material/study.hpp"
 
 namespace fiberchain::app {
@@ -44,19 +45,23 @@ std::vector<NamedPart> material_parts_of(const Arguments& arguments) {
 int run_tables_materials(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const MaterialPlan plan = material_plan(arguments);
-  const std::vector<NamedPart> parts = material_parts_of(arguments);
+  const std::vector<NamedPart> all = material_parts_of(arguments);
+  const std::vector<std::size_t> numbers = deal(all.size(), output, context);
   const auto directory = open_output(output, context);
-  const auto progress = context.progress(parts.size());
+  const auto progress = context.progress(numbers.size());
   Results results{.name = "materials", .heading = "The damping that materials have"};
   int failed = 0;
-  for (const NamedPart& part : parts) {
-    MaterialPart made = part.make(plan, output.jobs);
-    if (&part == &parts.front()) {
-      results.table = std::move(made.table);
+  for (const std::size_t n : numbers) {
+    MaterialPart made = all[n].make(plan, output.jobs);
+    const std::string name = n == 0 ? "materials" : std::string("materials-") + all[n].name;
+    if (n == numbers.front()) {
+      results.name = name;
+      results.table = table_of_case(made.table, n, output);
     } else {
-      results.more_tables.emplace_back(std::string("materials-") + part.name, std::move(made.table));
+      results.more_tables.emplace_back(name, table_of_case(made.table, n, output));
     }
-    for (auto& more : made.more_tables) results.more_tables.push_back(std::move(more));
+    for (auto& [more, table] : made.more_tables)
+      results.more_tables.emplace_back(more, table_of_case(table, n, output));
     for (auto& figure : made.figures) results.figures.push_back(std::move(figure));
     failed += made.failed;
     progress->advance();
@@ -76,7 +81,7 @@ Command tables_materials_command() {
       .footer =
           "Without a choice all parts are made.\n"
           "Example:\n  fiberchain tables materials --part two-modes --json\n",
-      .options = with_output({{"--part", "LIST", "modes, two-modes, cycle, wires, packing [all]"},
+      .options = with_shards({{"--part", "LIST", "modes, two-modes, cycle, wires, packing [all]"},
                               {"--aspect-ratio", "N", "r_f = L/d of the fibers let go, number of bonds [20]"},
                               {"--modes", "N", "bending modes of each [5]"},
                               {"--diameters", "N", "of the wires, from 1 um to 10 mm [49]"},

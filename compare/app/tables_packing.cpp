@@ -4,6 +4,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/packing/checks.hpp"
 #include "compare/packing/pictures.hpp"
 #include "compare/packing/study.hpp"
@@ -30,16 +31,21 @@ compare::PackingPlan plan_of(const Arguments& arguments) {
 /// All runs together, so that no thread waits while any is left.
 struct Runs {
   std::vector<PackingRun> figures, spread;
+  std::vector<std::size_t> numbers;  ///< of these and then those in the whole
 };
 
-Runs runs_of(const compare::PackingPlan& plan, const compare::Jobs& jobs, const Context& context) {
-  std::vector<PackingCase> cases = compare::figure_cases(plan);
-  const auto figures = static_cast<std::ptrdiff_t>(cases.size());
-  std::ranges::copy(compare::spread_cases(plan), std::back_inserter(cases));
+Runs runs_of(const compare::PackingPlan& plan, const OutputOptions& output, Context& context) {
+  std::vector<PackingCase> all_cases = compare::figure_cases(plan);
+  const std::size_t figure_cases = all_cases.size();
+  std::ranges::copy(compare::spread_cases(plan), std::back_inserter(all_cases));
+  Runs runs;
+  runs.numbers = deal(all_cases.size(), output, context);
+  const std::vector<PackingCase> cases = chosen(all_cases, runs.numbers);
+  const auto figures = std::ranges::lower_bound(runs.numbers, figure_cases) - runs.numbers.begin();
   const compare::PackingWatch watch{.samples = plan.samples};
   const auto progress = context.progress(cases.size() * static_cast<std::size_t>(watch.samples + 1));
-  std::vector<PackingRun> all = compare::run_packings(cases, watch, jobs, [&] { progress->advance(); });
-  Runs runs;
+  std::vector<PackingRun> all =
+      compare::run_packings(cases, watch, output.jobs, [&] { progress->advance(); });
   std::ranges::move(all.begin(), all.begin() + figures, std::back_inserter(runs.figures));
   std::ranges::move(all.begin() + figures, all.end(), std::back_inserter(runs.spread));
   return runs;
@@ -62,9 +68,33 @@ std::vector<compare::Claim> claims_for(const Arguments& arguments) {
   return claims;
 }
 
-Results results_of(const Runs& runs) {
+/// Of a shard: run by run, without what needs the runs of all.
+Results shard_results(const Runs& runs, const std::vector<PackingRun>& all, const OutputOptions& output) {
+  const std::vector<std::size_t> of_figures(runs.numbers.begin(),
+                                            runs.numbers.begin() + std::ssize(runs.figures));
+  const auto table = [&](const std::vector<PackingRun>& some, const std::vector<std::size_t>& numbers,
+                         auto table_of) { return table_by_case(some, numbers, output, table_of); };
+  Results results{.name = "packing",
+                  .heading = "Packings of flexible fibers, Figs 11 and 12",
+                  .table = table(all, runs.numbers, compare::run_table)};
+  const auto add = [&](const char* name, dem::Table more) {
+    if (!more.rows().empty()) results.more_tables.emplace_back(name, std::move(more));
+  };
+  add("packing-stages", table(all, runs.numbers, compare::stage_table));
+  add("packing-history", table(all, runs.numbers, compare::history_table));
+  add("packing-density", table(runs.figures, of_figures, compare::density_table));
+  add("packing-orientation", table(runs.figures, of_figures, compare::orientation_table));
+  for (std::size_t i = 0; i < runs.figures.size(); ++i) {
+    if (runs.figures[i].asked.accounted)
+      add("packing-energy", table_of_case(compare::energy_table(runs.figures[i]), runs.numbers[i], output));
+  }
+  return results;
+}
+
+Results results_of(const Runs& runs, const OutputOptions& output) {
   std::vector<PackingRun> all = runs.figures;
   std::ranges::copy(runs.spread, std::back_inserter(all));
+  if (output.shard) return shard_results(runs, all, output);
   Results results{.name = "packing",
                   .heading = "Packings of flexible fibers, Figs 11 and 12",
                   .table = compare::run_table(all),
@@ -106,14 +136,14 @@ int run_tables_packing(const Arguments& arguments, Context& context) {
   const std::vector<compare::Claim> claims =
       plan.seeds > 0 ? claims_for(arguments) : std::vector<compare::Claim>();
   const auto directory = open_output(output, context);
-  Runs runs = runs_of(plan, output.jobs, context);
-  const std::vector<PackingRun> pictured = with_pictures(runs);
-  Results results = results_of(runs);
+  Runs runs = runs_of(plan, output, context);
+  const std::vector<PackingRun> pictured = output.shard ? std::vector<PackingRun>() : with_pictures(runs);
+  Results results = results_of(runs, output);
   for (const PackingRun& run : pictured) {
     results.pictures.emplace_back(
         [&] { return compare::stage_pictures(run, output.jobs, context.provenance); });
   }
-  if (!runs.spread.empty())
+  if (!runs.spread.empty() && !output.shard)
     results.more_tables.emplace_back("packing-statements", statements_of(runs, claims));
   const dem::Table shown = results.table.select(
       {"bond_damping", "rolling_friction", "stiffness", "fibers", "seed", "step_factor", "bending_peak",
@@ -132,10 +162,12 @@ Command tables_packing_command() {
                                 "--seed-fibers on a\n"
                                 "smaller floor with periodic sides, as deep.\n"
                                 "With --fibers 0 --seeds 5 there are spreads alone, of five seeds.\n"
+                                "Shards (--shard) have the tables of single runs: spreads, differences and "
+                                "statements need all.\n"
                                 "Example:\n  fiberchain tables packing --fibers 500 --seeds 0 --duration "
                                 "0.005 --samples 20\n") +
                     kListHelp,
-          .options = with_output(
+          .options = with_shards(
               {{"--fibers", "N", "of each packing of the first seed; 0: none of them [2000]"},
                {"--seeds", "N", "number of seeds for the spread; 0: none [3]"},
                {"--seed-fibers", "N", "of each packing of these [500]"},

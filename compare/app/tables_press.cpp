@@ -2,6 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/press/press.hpp"
 
 namespace fiberchain::app {
@@ -18,16 +19,19 @@ int run_tables_press(const Arguments& arguments, Context& context) {
   read_number(arguments, "--seeds", {.low = 1, .high = 1000}, seeds);
   read_number(arguments, "--samples", {.low = 10, .high = 10000}, samples);
   const auto directory = open_output(output, context);
-  const std::vector<compare::PressCase> cases =
+  const std::vector<compare::PressCase> all =
       compare::press_cases(usual.fibers, usual.aspect_ratio, usual.friction, usual.speed, seeds);
+  const std::vector<std::size_t> numbers = deal(all.size(), output, context);
+  const std::vector<compare::PressCase> cases = chosen(all, numbers);
   const auto progress = context.progress(cases.size());
   const auto runs = compare::run_presses(cases, samples, output.jobs, [&] { progress->advance(); });
   Results results{.name = "press",
                   .heading = "Beds of fibers under a plate",
-                  .table = compare::press_table(runs),
+                  .table = table_by_case(runs, numbers, output, compare::press_table),
                   .notes = compare::press_notes(runs)};
-  results.more_tables.emplace_back("press-samples", compare::press_sample_table(runs));
-  results.figures.emplace_back("press", compare::press_figure(runs));
+  results.more_tables.emplace_back("press-samples",
+                                   table_by_case(runs, numbers, output, compare::press_sample_table));
+  if (!output.shard) results.figures.emplace_back("press", compare::press_figure(runs));
   deliver(results, results.table, output, directory, context);
   return status_of_failed(unfinished(runs), "beds", "", context);
 }
@@ -40,7 +44,7 @@ Command tables_press_command() {
               "a plate presses beds of loose fibers: pressure against solid fraction, and the "
               "exponent of van Wyk's law over seeds",
           .footer = "Example:\n  fiberchain tables press --fibers 50 --seeds 2 --speed 1\n",
-          .options = with_output({{"--fibers", "N", "of each bed, 1 mm thick [100]"},
+          .options = with_shards({{"--fibers", "N", "of each bed, 1 mm thick [100]"},
                                   {"--aspect-ratio", "R", "of the fibers [20]"},
                                   {"--friction", "MU", "between them [0.3]"},
                                   {"--speed", "M/S", "of the plate [0.5]"},

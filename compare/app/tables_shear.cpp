@@ -2,6 +2,7 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sharded.hpp"
 #include "compare/flow/buckling.hpp"
 #include "compare/flow/inertia.hpp"
 #include "compare/flow/regimes.hpp"
@@ -53,12 +54,44 @@ std::optional<compare::PeriodSweep> tables_shear_sweep(const Arguments& argument
   return sweep;
 }
 
+/// The chains of these numbers among those of free draining, of interactions and of stresslets, in this
+/// order.
+compare::PeriodSweep chosen_chains(const compare::PeriodSweep& all, const std::vector<std::size_t>& numbers) {
+  compare::PeriodSweep own{.spheres = {}, .interacting = {}, .stresslets = {}};
+  for (std::size_t n : numbers) {
+    for (auto list : {&compare::PeriodSweep::spheres, &compare::PeriodSweep::interacting,
+                      &compare::PeriodSweep::stresslets}) {
+      if (n < (all.*list).size()) {
+        (own.*list).push_back((all.*list)[n]);
+        break;
+      }
+      n -= (all.*list).size();
+    }
+  }
+  return own;
+}
+
+/// A shard's rows with the numbers of their chains.
+FlowStudy period_shard(const compare::PeriodSweep& all, const OrbitOptions& options,
+                       const OutputOptions& output, Context& context) {
+  const std::vector<std::size_t> numbers =
+      deal(all.spheres.size() + all.interacting.size() + all.stresslets.size(), output, context);
+  FlowStudy study = compare::period_study(chosen_chains(all, numbers), options);
+  if (!output.shard) return study;
+  study.table = with_cases(study.table, numbers);
+  study.figures.clear();
+  return study;
+}
+
+/// By the name of their tables.
 std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& arguments,
                                                           const OrbitOptions& options,
-                                                          const Context& context) {
+                                                          const OutputOptions& output, Context& context) {
   if (const auto sweep = tables_shear_sweep(arguments))
-    return {{"period", compare::period_study(*sweep, options)}};
-  const std::vector<Part> parts = parts_of(arguments);
+    return {{"shear", period_shard(*sweep, options, output, context)}};
+  const std::vector<Part> all = parts_of(arguments);
+  const std::vector<std::size_t> numbers = deal(all.size(), output, context);
+  const std::vector<Part> parts = chosen(all, numbers);
   const auto progress = context.progress(parts.size());
   std::vector<std::optional<FlowStudy>> found(parts.size());
   options.jobs.run(parts.size(), [&](std::size_t i) {
@@ -67,8 +100,12 @@ std::vector<std::pair<std::string, FlowStudy>> studies_of(const Arguments& argum
   });
   std::vector<std::pair<std::string, FlowStudy>> studies;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    studies.emplace_back(parts[i].name, std::move(*found[i]));
-    if (parts[i].timing) studies.back().second.more_tables.push_back(parts[i].timing());
+    studies.emplace_back(numbers[i] == 0 ? "shear" : std::string("shear-") + parts[i].name,
+                         std::move(*found[i]));
+    FlowStudy& study = studies.back().second;
+    if (parts[i].timing) study.more_tables.push_back(parts[i].timing());
+    study.table = table_of_case(study.table, numbers[i], output);
+    for (auto& [name, table] : study.more_tables) table = table_of_case(table, numbers[i], output);
   }
   return studies;
 }
@@ -77,13 +114,13 @@ int run_tables_shear(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const auto directory = open_output(output, context);
   compare::Workers workers(output.jobs);
-  auto studies = studies_of(arguments, {.jobs = workers}, context);
-  Results results{
-      .name = "shear", .heading = "Fibers in shear and extension", .table = studies.front().second.table};
+  auto studies = studies_of(arguments, {.jobs = workers}, output, context);
+  Results results{.name = studies.front().first,
+                  .heading = "Fibers in shear and extension",
+                  .table = studies.front().second.table};
   int failed = 0;
   for (auto& [name, study] : studies) {
-    if (name != studies.front().first)
-      results.more_tables.emplace_back("shear-" + name, std::move(study.table));
+    if (name != studies.front().first) results.more_tables.emplace_back(name, std::move(study.table));
     for (auto& more : study.more_tables) results.more_tables.push_back(std::move(more));
     for (auto& figure : study.figures) results.figures.push_back(std::move(figure));
     failed += study.failed;
@@ -103,7 +140,7 @@ Command tables_shear_command() {
                                 "Example:\n  fiberchain tables shear --spheres 5,11,31 --json\n") +
                     kListHelp,
           .options =
-              with_output({{"--part", "LIST", "period, orbits, stiffness, regimes, buckling, inertia [all]"},
+              with_shards({{"--part", "LIST", "period, orbits, stiffness, regimes, buckling, inertia [all]"},
                            {"--spheres", "LIST", "orbit period alone: N = r_f + 1 of free-draining chains"},
                            {"--interacting", "LIST", "N of chains with hydrodynamic interactions"},
                            {"--stresslets", "LIST", "N of chains with interactions and stresslets"}}),

@@ -40,15 +40,14 @@ int run_tables_static(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::StaticSweep sweep = read_sweep(tables_static_options(), arguments);
   const auto directory = open_output(output, context);
-  const std::vector<compare::StaticPoint> points =
-      measured(compare::static_points, compare::cases(sweep), output.jobs, context);
+  const auto [points, numbers] = measured(compare::static_points, compare::cases(sweep), output, context);
   Results results{.name = "static",
                   .heading = "Departure of the chain's free end from the Elastica",
-                  .table = compare::static_table(points)};
-  if (directory && context.stopped == 0) {
+                  .table = table_by_case(points, numbers, output, compare::static_table)};
+  if (directory && context.stopped == 0 && output.makes_fixed_tables()) {
     const dem::Table orders = compare::static_order_table(sweep.poisson_ratio.front(), output.jobs);
     results.more_tables = {{"static-order", orders}};
-    results.figures = compare::static_figures(points, orders);
+    if (!output.shard) results.figures = compare::static_figures(points, orders);
   }
   deliver(results, results.table.select(tables_static_shown), output, directory, context);
   const auto warned = std::ranges::count_if(
@@ -75,7 +74,7 @@ Command tables_static_command() {
       .footer = std::string("Example:\n  fiberchain tables static --aspect-ratio 10,13 --poisson-ratio 0.17 "
                             "--load 0.5,6 --json\n") +
                 kListHelp,
-      .options = with_output(tables_static_options()),
+      .options = with_shards(tables_static_options()),
       .run = &run_tables_static};
 }
 

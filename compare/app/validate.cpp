@@ -3,6 +3,8 @@
 
 #include "compare/app/commands.hpp"
 #include "compare/app/results.hpp"
+#include "compare/app/sharded.hpp"
+#include "compare/study/merge.hpp"
 #include "compare/study/published.hpp"
 #include "compare/study/validation.hpp"
 #include "compare/study/validation_report.hpp"
@@ -24,7 +26,7 @@ Subjects subjects_of(const Arguments& arguments) {
 /// Their rows. Claims and measures are held against each other before the first run.
 std::vector<compare::ValidationRow> rows_of(const Subjects& subjects, const compare::ValidationInput& input,
                                             const Context& context) {
-  const auto progress = context.progress(compare::measurements(subjects));
+  const auto progress = context.progress(compare::measurements(subjects, input.shard));
   std::vector<compare::ValidationRow> rows;
   {
     const StopSignals signals;
@@ -37,6 +39,24 @@ std::vector<compare::ValidationRow> rows_of(const Subjects& subjects, const comp
   if (rows.empty()) std::raise(context.stopped);  // nothing to keep
   context.log->info("stopped: rows of parts that were measured whole are kept");
   return rows;
+}
+
+/// The matrix as a table; of a shard with the numbers that its rows have in the whole.
+dem::Table matrix_table(const std::vector<compare::ValidationRow>& rows, const Subjects& subjects,
+                        const compare::ValidationInput& input, Context& context) {
+  const dem::Table table = compare::to_table(rows);
+  if (!input.shard) return table;
+  std::vector<std::string_view> ids;
+  for (const compare::ValidationSubject& subject : subjects) {
+    for (const compare::Claim& claim : input.claims) {
+      if (claim.subject == subject.name) ids.push_back(claim.id);
+    }
+  }
+  std::vector<std::size_t> numbers;
+  for (const compare::ValidationRow& row : rows)
+    numbers.push_back(static_cast<std::size_t>(std::ranges::find(ids, row.id) - ids.begin()));
+  context.provenance.shard = compare::shard_words(*input.shard, ids.size());
+  return with_cases(table, numbers);
 }
 
 void log_summary(const std::vector<compare::ValidationRow>& rows, const Context& context) {
@@ -56,12 +76,15 @@ int run_validate(const Arguments& arguments, Context& context) {
   if (arguments.has("--data")) data = arguments.text("--data");
   compare::Workers workers(output.jobs);
   const compare::ValidationInput input{compare::read_all_published(compare::find_data_directory(data)),
-                                       workers};
+                                       workers, output.shard};
   const Subjects subjects = subjects_of(arguments);
+  if (compare::measurements(subjects, output.shard) == 0)
+    throw compare::InputError("--shard: no measurement is left for it");
   const auto directory = open_output(output, context, Draws::no);
   const std::vector<compare::ValidationRow> rows = rows_of(subjects, input, context);
-  const Results results{
-      .name = "validation", .heading = "Validation matrix", .table = compare::to_table(rows)};
+  const Results results{.name = "validation",
+                        .heading = "Validation matrix",
+                        .table = matrix_table(rows, subjects, input, context)};
   const dem::Table shown =
       results.table.select({"id", "feature", "reference_kind", "claim", "expected", "measured", "difference",
                             "tolerance", "as_expected", "verdict", "condition"});
@@ -81,7 +104,7 @@ Command validate_command() {
           "Example:\n  fiberchain validate --part beams,static\n"
           "Verdicts on published claims follow from the measured values: holds, holds only if (the row's\n"
           "condition), disputed. Exit status 1 if a measured value is not as expected.",
-      .options = with_output(
+      .options = with_shards(
           {{"--part", "LIST",
             "beams, static, damping, friction, contact, materials, stability, flow, packing [all]"},
            {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),

@@ -79,7 +79,7 @@ ValidationRow unjudged(const Claim& claim, const Measured& measured) {
           .evidence = evidence_of(claim, measured.evidence)};
 }
 
-/// What a check measured, in the order of its ids; empty if it was not begun.
+/// What a check measured, in the order of its ids.
 using Found = std::vector<Measured>;
 
 Found measured(const ValidationInput& input, const Check& check) {
@@ -91,36 +91,56 @@ Found measured(const ValidationInput& input, const Check& check) {
   return found;
 }
 
-/// Of all checks of the subjects, one after the other.
-std::vector<Found> measured(const ValidationInput& input, const std::vector<ValidationSubject>& subjects,
-                            const ValidationWatch& watch) {
+/// All checks of the subjects, one after the other, and which of them are to be measured.
+struct Measurements {
   std::vector<const Check*> checks;
+  std::vector<std::size_t> own;
+};
+
+Measurements measurements_of(const std::vector<ValidationSubject>& subjects,
+                             const std::optional<Shard>& shard) {
+  constexpr double least_cost = 0.3;  // of those that say nothing of it [s]
+  Measurements all;
   std::vector<double> costs;
   for (const ValidationSubject& subject : subjects) {
     for (const Check& check : subject.checks()) {
-      checks.push_back(&check);
-      costs.push_back(check.cost);
+      all.checks.push_back(&check);
+      costs.push_back(std::max(check.cost, least_cost));
     }
   }
-  std::vector<Found> found(checks.size());
-  input.jobs.run_dearest_first(costs, [&](std::size_t n) {
+  all.own = dealt_by_cost(shard.value_or(Shard{}), costs);
+  return all;
+}
+
+/// What checks have found; none for those of other shards and those that were not begun.
+using Findings = std::vector<std::optional<Found>>;
+
+Findings measured(const ValidationInput& input, const Measurements& all, const ValidationWatch& watch) {
+  std::vector<double> costs;
+  for (const std::size_t n : all.own) costs.push_back(all.checks[n]->cost);
+  Findings found(all.checks.size());
+  input.jobs.run_dearest_first(costs, [&](std::size_t i) {
     if (watch.stopped()) return;
-    found[n] = measured(input, *checks[n]);
+    const std::size_t n = all.own[i];
+    found[n] = measured(input, *all.checks[n]);
     watch.advance();
   });
   return found;
 }
 
 /// The rows of a subject whose checks have found this.
-void add_rows(const ValidationInput& input, const ValidationSubject& subject, const std::vector<Found>& found,
+void add_rows(const ValidationInput& input, const ValidationSubject& subject, const Findings& found,
               std::vector<ValidationRow>& rows) {
   std::map<std::string_view, const Measured*> by_id;
   for (std::size_t n = 0; n < found.size(); ++n) {
+    if (!found[n]) continue;
     const Check& check = subject.checks()[n];
-    for (std::size_t i = 0; i < check.ids.size(); ++i) by_id[check.ids[i]] = &found[n][i];
+    for (std::size_t i = 0; i < check.ids.size(); ++i) by_id[check.ids[i]] = &(*found[n])[i];
   }
   for (const Claim& claim : input.claims) {
-    if (claim.subject == subject.name) rows.push_back(row_of(claim, *by_id.at(claim.id)));
+    if (claim.subject != subject.name) continue;
+    if (const auto measured = by_id.find(claim.id); measured != by_id.end())
+      rows.push_back(row_of(claim, *measured->second));
   }
 }
 
@@ -171,10 +191,8 @@ void check_complete(const std::vector<Claim>& claims, std::string_view subject, 
   }
 }
 
-std::size_t measurements(const std::vector<ValidationSubject>& subjects) {
-  std::size_t count = 0;
-  for (const ValidationSubject& subject : subjects) count += subject.checks().size();
-  return count;
+std::size_t measurements(const std::vector<ValidationSubject>& subjects, const std::optional<Shard>& shard) {
+  return measurements_of(subjects, shard).own.size();
 }
 
 std::vector<ValidationRow> validation_rows(const ValidationInput& input,
@@ -182,13 +200,19 @@ std::vector<ValidationRow> validation_rows(const ValidationInput& input,
                                            const ValidationWatch& watch) {
   for (const ValidationSubject& subject : subjects)
     check_complete(input.claims, subject.name, subject.checks());
-  const std::vector<Found> found = measured(input, subjects, watch);
+  const Measurements all = measurements_of(subjects, input.shard);
+  const Findings found = measured(input, all, watch);
   std::vector<ValidationRow> rows;
-  auto next = found.begin();
+  std::size_t first = 0;
   for (const ValidationSubject& subject : subjects) {
-    const auto end = next + static_cast<std::ptrdiff_t>(subject.checks().size());
-    if (std::none_of(next, end, std::mem_fn(&Found::empty))) add_rows(input, subject, {next, end}, rows);
-    next = end;
+    const std::size_t end = first + subject.checks().size();
+    const auto not_begun = [&](std::size_t n) { return n >= first && n < end && !found[n]; };
+    if (std::ranges::none_of(all.own, not_begun)) {
+      const auto begin = found.begin();
+      add_rows(input, subject,
+               {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end)}, rows);
+    }
+    first = end;
   }
   return rows;
 }

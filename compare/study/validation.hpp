@@ -9,6 +9,7 @@
 
 #include "compare/study/jobs.hpp"
 #include "compare/study/published.hpp"
+#include "compare/study/shard.hpp"
 #include "compare/study/validation_report.hpp"
 
 /// The validation matrix: claims are data (published.hpp), their measures are tables of id and function, one
@@ -18,6 +19,7 @@ namespace fiberchain::compare {
 struct ValidationInput {
   std::vector<Claim> claims;
   Jobs jobs = 1;
+  std::optional<Shard> shard = {};  ///< measurements that are made; without it all
 };
 
 /// A number or word that a field of the claim's evidence text shows.
@@ -101,15 +103,17 @@ struct ValidationWatch {
 };
 
 /// Rows of the subjects in their order, each subject's in the order of its claims. All are measured side by
-/// side, the dearest first. When stopped, of the subjects that were measured whole.
+/// side, the dearest first. When stopped, of the subjects that were measured whole. Of a shard, rows of its
+/// measurements, which are dealt by their costs.
 /// @throws InputError as above, or where a measure does not return a value for each id
 ///   or does not fill the claim's evidence text
 std::vector<ValidationRow> validation_rows(const ValidationInput& input,
                                            const std::vector<ValidationSubject>& subjects,
                                            const ValidationWatch& watch = {});
 
-/// Measurements that rows of these subjects take.
-std::size_t measurements(const std::vector<ValidationSubject>& subjects);
+/// Measurements that rows of these subjects take, or a shard of them.
+std::size_t measurements(const std::vector<ValidationSubject>& subjects,
+                         const std::optional<Shard>& shard = {});
 
 /// The claim's row, judged.
 /// @throws InputError if the evidence text has more fields than were measured, or if what is expected and

@@ -200,6 +200,7 @@ Assembly::Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOption
 
 Assembly::~Assembly() = default;
 Assembly::Assembly(Assembly&&) noexcept = default;
+Assembly& Assembly::operator=(Assembly&&) noexcept = default;
 
 void Assembly::insert(FiberGroup group) {
   check(group);

@@ -87,6 +87,13 @@ struct AssemblySample {
   double overlap_mean() const { return overlapping > 0 ? overlap / static_cast<double>(overlapping) : 0; }
 };
 
+/// What an assembly keeps of the steps that led to it, beside its state.
+struct MarchRecord {
+  double deepest_overlap = 0;      ///< over the smaller radius
+  double longest_path = 0;         ///< of a sphere in a step [m]
+  std::vector<double> walls = {};  ///< as Contacts::wall_records()
+};
+
 /// Whether contact_forces() has those of a march's last step to round-off.
 enum class ContactForces { not_kept, kept };
 
@@ -97,6 +104,7 @@ class Assembly {
   Assembly(std::vector<FiberGroup> groups, Domain domain, AssemblyOptions options);
   ~Assembly();
   Assembly(Assembly&&) noexcept;
+  Assembly& operator=(Assembly&&) noexcept;
 
   /// Adds fibers now, as the last group. The step stays: throws InvalidInput if it is beyond what they allow.
   void insert(FiberGroup group);
@@ -186,6 +194,10 @@ class Assembly {
   StepTimes times() const;                    ///< since the start; zero unless asked for
   IdleTimes idle_times() const;               ///< of the threads, likewise
   std::vector<PartTimes> part_times() const;  ///< likewise; `reached` now
+
+  MarchRecord record() const;
+  /// Of steps that another engine has made: dem/lammps.
+  void adopt(const MarchRecord& record);
 
   /// The whole state by named fields: a restored assembly continues bit for bit.
   SavedState saved() const;

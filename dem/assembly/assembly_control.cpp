@@ -73,4 +73,18 @@ void Assembly::shift_wall(int wall, const V& by) {
   keep_listed(s, w);
 }
 
+MarchRecord Assembly::record() const {
+  return {state_->contacts.deepest(), state_->longest_path, state_->contacts.wall_records()};
+}
+
+void Assembly::adopt(const MarchRecord& record) {
+  State& s = *state_;
+  if (record.walls.size() != s.contacts.wall_records().size())
+    throw InvalidInput(fmt::format("{} numbers of walls' records are not allowed: these walls have {}",
+                                   record.walls.size(), s.contacts.wall_records().size()));
+  s.contacts.set_deepest(record.deepest_overlap);
+  s.longest_path = record.longest_path;
+  s.contacts.set_wall_records(record.walls.data());
+}
+
 }  // namespace fiberchain::dem

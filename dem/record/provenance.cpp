@@ -66,12 +66,10 @@ Provenance with_scene(Provenance provenance, const std::filesystem::path& scene,
 
 std::vector<std::pair<std::string, std::string>> entries(const Provenance& p) {
   std::vector<std::pair<std::string, std::string>> all = {
-      {"program", "fiberchain"}, {"version", p.version},
-      {"commit", p.commit},      {"command", p.command},
-      {"scene", p.scene},        {"scene_sha256", p.scene_sha256},
-      {"set", p.settings},       {"compiler", p.compiler},
-      {"flags", p.flags},        {"cpu", p.cpu},
-      {"date", p.date}};
+      {"program", "fiberchain"}, {"version", p.version}, {"commit", p.commit},
+      {"command", p.command},    {"scene", p.scene},     {"scene_sha256", p.scene_sha256},
+      {"set", p.settings},       {"shard", p.shard},     {"compiler", p.compiler},
+      {"flags", p.flags},        {"cpu", p.cpu},         {"date", p.date}};
   std::erase_if(all, [](const auto& entry) { return entry.second.empty(); });
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   for (auto& [key, value] : all) std::ranges::replace_if(value, is_control, '?');

@@ -15,6 +15,7 @@ struct Provenance {
   std::string scene;          ///< path of the scene file, "" if there is none
   std::string scene_sha256;   ///< SHA-256 of its content as `sha256sum` prints it, "" if there is none
   std::string settings = {};  ///< "key=value; ..." in place of what the scene says, "" if there are none
+  std::string shard = {};     ///< "2/4 of 37 cases" of a part of a study, "" of a whole one
   std::string compiler;       ///< name and version
   std::string flags;          ///< its flags
   std::string cpu;            ///< model of the processor that ran it

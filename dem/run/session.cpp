@@ -179,7 +179,8 @@ class Session {
         if (checkpointed_ != now) write_checkpoint();
         return;
       }
-      const std::int64_t next = std::min({schedule_.after(now), batches_.next_step(now), now + kStride});
+      const std::int64_t due = std::min(schedule_.after(now), batches_.next_step(now)),
+                         next = watchers_.march ? due : std::min(due, now + kStride);
       if (next > now) march(next - now, next);
       batches_.insert_due(assembly_);
       write_due();
@@ -204,6 +205,7 @@ class Session {
  private:
   void march(std::int64_t steps, std::int64_t to) {
     const ProcessorTimer timer(times_.march);
+    if (watchers_.march) return watchers_.march(assembly_, steps);
     const bool kept = job_.scene.output.contacts && schedule_.frames.holds(to);
     assembly_.march(steps, kept ? ContactForces::kept : ContactForces::not_kept);
     writer_.write_breaks(assembly_);

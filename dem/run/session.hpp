@@ -35,6 +35,9 @@ struct PackingWatchers {
   std::ostream& terminal;                             ///< shows where the run stands...
   bool watched;                                       ///< ... if somebody watches
   std::function<void(const Assembly&)> sampled = {};  ///< called at every sample of the log, where given
+  /// In place of Assembly::march, where given: another engine marches, and gives back an assembly that is so
+  /// many steps on. It is then asked for whole intervals of output only.
+  std::function<void(Assembly&, std::int64_t steps)> march = {};
 };
 
 /// What the parts of a run have had of the processors [s].

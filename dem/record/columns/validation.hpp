@@ -8,6 +8,10 @@ namespace fiberchain::dem::columns {
 using enum CellKind;
 
 inline constexpr Column validation[] = {
+    // Parts of a study.
+    {"case", integer, "1",
+     "number of the row's case in the whole, from 1, in tables of a part (--shard) of a study"},
+
     // Validation matrix.
     {"id", text, "", "identifier of the claim or published value, unique"},
     {"feature", text, "", "what is tested"},

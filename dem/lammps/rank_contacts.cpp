@@ -1,0 +1,292 @@
+#include "dem/lammps/rank_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dem/simd/lane_count.hpp"
+
+namespace fiberchain::dem::mpi {
+namespace {
+
+/// Gap of the inner pairs over the skin: over the radius as in Contacts.
+constexpr double inner_skin = 0.108;
+
+const TravellingContact* contact_with(const std::vector<TravellingContact>& contacts, std::int64_t partner) {
+  const auto found = std::ranges::find(contacts, static_cast<double>(partner), &TravellingContact::partner);
+  return found == contacts.end() ? nullptr : &*found;
+}
+
+SavedContact saved(const double* history) {
+  SavedContact contact{.key = {sphere_primitive(0), sphere_primitive(0)}};
+  std::copy_n(history, contact_history_size, contact.history);
+  return contact;
+}
+
+TravellingContact travelling(std::int64_t partner, const double* history) {
+  TravellingContact contact{static_cast<double>(partner), {}};
+  std::copy_n(history, contact_history_size, contact.history);
+  return contact;
+}
+
+void add_times(WallLoad& sum, double factor, const WallLoad& more) {
+  sum.force = sum.force + factor * more.force;
+  sum.moment = sum.moment + factor * more.moment;
+}
+
+/// As Contacts has it: m (v+ - v-) = dt (F - c (v- + v+) / 2).
+void kick(WallDrive& drive, double load, double step) {
+  const double half_drag = 0.5 * step * drive.damping / drive.mass;
+  drive.speed = ((1 - half_drag) * drive.speed + step / drive.mass * (drive.force + load)) / (1 + half_drag);
+}
+
+}  // namespace
+
+RankContacts::RankContacts(const Plan& plan, InstructionSet set)
+    : plan_(plan),
+      law_(law_of(plan.domain.contacts)),
+      kernel_(law_.kernel({plan.contact_kinds == 1, false, plan.rolls, false}, set)),
+      walls_(plan.domain.walls),
+      records_(walls_.size()),
+      wall_loads_(6 * walls_.size(), 0.0),
+      wall_paths_(walls_.size(), 0.0),
+      near_(walls_.size()) {
+  for (const Wall& wall : walls_) shapes_.push_back(shape_index(law_, wall));
+}
+
+void RankContacts::each(const UseContact& use) const {
+  const auto history = [&](std::int32_t number) {
+    return histories_.rows.data() + static_cast<std::ptrdiff_t>(number) * contact_history_size;
+  };
+  for (std::int32_t p = 0; p < pairs_; ++p) {
+    if (contact_[p] != 0) use(first_[p], second_[p], history(contact_[p]));
+  }
+  for (std::size_t w = 0; w < near_.size(); ++w) {
+    for (std::size_t n = 0; n < near_[w].count; ++n) {
+      if (near_[w].contact[n] != 0)
+        use(near_[w].slots[n], -1 - static_cast<std::int64_t>(w), history(near_[w].contact[n]));
+    }
+  }
+}
+
+void RankContacts::unlist(Rows& rows, int own, const std::function<std::int64_t(int)>& number) {
+  if (!listed_) return;
+  for (int i = 0; i < own; ++i) rows.contacts[i].clear();
+  each([&](std::int32_t first, std::int64_t second, const double* history) {
+    if (second < 0) {
+      rows.contacts[first].push_back(travelling(second, history));
+      return;
+    }
+    rows.contacts[first].push_back(travelling(number(static_cast<int>(second)), history));
+    if (second >= own) return;  // its own rank has it, too
+    TravellingContact other = travelling(number(first), history);
+    law_.exchange_bodies(other.history);
+    rows.contacts[second].push_back(other);
+  });
+  listed_ = false;
+}
+
+void RankContacts::list(Rows& rows, int own, int all, const std::vector<SlotPair>& pairs, double time,
+                        const std::function<std::int64_t(int)>& number) {
+  histories_.reset();
+  const auto begin_from = [&](int slot, std::int64_t partner) -> std::int32_t {
+    const TravellingContact* contact = contact_with(rows.contacts[slot], partner);
+    if (contact == nullptr) return 0;
+    histories_.reserve(1);
+    const std::int32_t at = histories_.take();
+    histories_.put(at, saved(contact->history));
+    return at;
+  };
+  pairs_ = static_cast<std::int32_t>(pairs.size());
+  const std::size_t padded = whole_vectors(pairs.size(), kernel_.width);
+  first_.assign(padded, all), second_.assign(padded, all + 1), contact_.assign(padded, 0);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    first_[p] = pairs[p].first, second_[p] = pairs[p].second;
+    if (!rows.contacts[pairs[p].first].empty())
+      contact_[p] = begin_from(pairs[p].first, number(pairs[p].second));
+  }
+  std::fill(wall_paths_.begin(), wall_paths_.end(), 0.0);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    WallNeighbors& near = near_[w];
+    near.slots.clear(), near.contact.clear();
+    const WallShape shape = walls_[w].shape.moved(pose_at(walls_[w], time));
+    for (int i = 0; i < own; ++i) {
+      const double* x = rows.position_of(i);
+      const Vec<double, 3> place{x[0], x[1], x[2]};
+      if (shape.nearest(place).distance >= x[radius_offset] + plan_.skin + plan_.law_reach) continue;
+      near.slots.push_back(i);
+      near.contact.push_back(rows.contacts[i].empty() ? 0 : begin_from(i, -1 - static_cast<std::int64_t>(w)));
+    }
+    near.count = near.slots.size();
+    near.slots.resize(whole_vectors(near.count, kernel_.width), all + 2);
+    near.contact.resize(near.slots.size(), 0);
+  }
+  for (int i = 0; i < own; ++i) rows.contacts[i].clear();
+  inner_.stale = true;
+  listed_ = true;
+}
+
+double RankContacts::inner_cutoff() const { return plan_.law_reach + inner_skin * plan_.skin; }
+
+void RankContacts::add_path(double path) {
+  inner_.displacement_since += 2 * path;
+  inner_.stale = inner_.stale || !(inner_.displacement_since < (1 - 1e-9) * inner_skin * plan_.skin);
+}
+
+ContactView RankContacts::view(Rows& rows) {
+  ContactView view{};
+  view.position_radius = rows.position_radius.data();
+  view.velocity_spin = rows.velocity_spin.data();
+  view.kind = rows.kind.data();
+  view.radius = plan_.groups.front().radius;
+  view.first = first_.data();
+  view.second = second_.data();
+  view.contact = contact_.data();
+  view.histories = histories_.rows.data();
+  view.work = histories_.work.data();
+  view.parameters = plan_.pair_parameters.data();
+  view.kinds = plan_.contact_kinds;
+  view.step = plan_.step;
+  view.reach = plan_.law_reach;
+  return view;
+}
+
+void RankContacts::prune(Rows& rows, int all) {
+  inner_.prune(view(rows), static_cast<std::int32_t>(first_.size()), inner_cutoff(), kernel_, all);
+  const std::size_t touching = static_cast<std::size_t>(inner_.count) + lanes_beyond;
+  if (touching_.size() < touching) touching_.resize(touching);
+}
+
+WallView RankContacts::wall_view(std::size_t w, double time) const {
+  const Wall& wall = walls_[w];
+  WallView view{};
+  const WallPose pose = pose_at(wall, time);
+  const WallVelocity motion = velocity_at(wall, time - 0.5 * plan_.step);
+  wall.shape.numbers(pose, view.shape);
+  view.shape_index = shapes_[w];
+  for (int c = 0; c < 3; ++c) {
+    view.center[c] = pose.center_now()[c];
+    view.velocity[c] = motion.velocity[c];
+    view.spin[c] = motion.spin[c];
+  }
+  view.count = static_cast<std::int32_t>(near_[w].slots.size());
+  view.slots = near_[w].slots.data();
+  view.contact = const_cast<std::int32_t*>(near_[w].contact.data());  // the loop numbers those that begin
+  view.parameters =
+      plan_.wall_parameters.data() + w * static_cast<std::size_t>(plan_.contact_kinds) * law_.parameters_size;
+  return view;
+}
+
+void RankContacts::touch_walls(const ContactView& contacts, double time, ContactTask& task) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    double* load = wall_loads_.data() + 6 * w;
+    std::fill_n(load, 6, 0.0);
+    if (!is_active(walls_[w], time)) continue;
+    std::fill_n(task.wall_force, 3, 0.0), std::fill_n(task.wall_moment, 3, 0.0);
+    kernel_.wall(contacts, wall_view(w, time), task);
+    for (int c = 0; c < 3; ++c) load[c] = task.wall_force[c], load[3 + c] = task.wall_moment[c];
+  }
+}
+
+void RankContacts::work_out(Rows& rows, int own, int all, double time) {
+  // pads: a pair too far apart to touch, and a sphere far from every wall
+  for (int n = 0; n < Rows::pads; ++n) std::fill_n(rows.position_of(all + n), position_radius_size, 0.0);
+  for (int c = 0; c < 3; ++c) rows.position_of(all + 1)[c] = 1e6 * plan_.largest_radius();
+  rows.position_of(all + 2)[radius_offset] = -std::numeric_limits<double>::max();
+  if (inner_.stale) prune(rows, all);
+  std::size_t most = static_cast<std::size_t>(inner_.count);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    most += near_[w].count;
+    if (is_active(walls_[w], time)) continue;
+    for (std::int32_t& contact : near_[w].contact) {
+      if (contact != 0) histories_.give_back(contact), contact = 0;
+    }
+  }
+  histories_.reserve(most);
+  std::fill_n(rows.load.data(), static_cast<std::size_t>(all) * load_size, 0.0);
+  const ContactView contacts = view(rows);
+  ContactTask task{.inner = inner_.view(),
+                   .inner_count = inner_.count,
+                   .slots_begin = 0,
+                   .slots_end = all + Rows::pads,
+                   .loads = rows.load.data(),
+                   .touching = touching_.data(),
+                   .free = histories_.free.data(),
+                   .free_count = histories_.free_count,
+                   .halo = nullptr,
+                   .halo_count = 0,
+                   .contacts = 0,
+                   .account = {},
+                   .power = {},
+                   .wall_force = {},
+                   .wall_moment = {},
+                   .deepest = deepest_};
+  kernel_.pairs(contacts, task);
+  touch_walls(contacts, time, task);
+  histories_.free_count = task.free_count;
+  deepest_ = task.deepest;
+  static_cast<void>(own);
+}
+
+void RankContacts::end_forces(const std::vector<double>& loads_of_all, double time) {
+  const double step = plan_.step;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    Wall& wall = walls_[w];
+    WallRecord& record = records_[w];
+    const double* load = loads_of_all.data() + 6 * w;
+    record.now = {{load[0], load[1], load[2]}, {load[3], load[4], load[5]}};
+    const WallVelocity before = velocity_at(wall, time - 0.5 * step);
+    if (wall.motion.drive && is_active(wall, time))
+      kick(*wall.motion.drive, dot(record.now.force, wall.motion.drive->axis), step);
+    const WallVelocity after = velocity_at(wall, time + 0.5 * step);
+    add_times(record.impulse, step, record.now);
+    record.force_peak = std::max(record.force_peak, norm(record.now.force));
+    record.moment_peak = std::max(record.moment_peak, norm(record.now.moment));
+    record.power = -0.5 * (dot(record.now.force, before.velocity + after.velocity) +
+                           dot(record.now.moment, before.spin + after.spin));
+    record.work += step * record.power;
+    if (is_at_rest(wall)) continue;
+    const double turning = turns_visibly(wall) ? norm(after.spin) * (turn_reach_ + plan_.skin) : 0;
+    wall_paths_[w] += step * (norm(after.velocity) + turning);
+  }
+}
+
+void RankContacts::move_walls() {
+  for (Wall& wall : walls_) {
+    if (wall.motion.drive) wall.motion.drive->shift += plan_.step * wall.motion.drive->speed;
+  }
+}
+
+/// Spheres may go half of the skin, too, before lists are made anew; one step more is left.
+bool RankContacts::walls_moved_far() const {
+  return std::ranges::any_of(wall_paths_, [&](double path) { return path > 0.4 * plan_.skin; });
+}
+
+std::vector<double> RankContacts::wall_records() const {
+  std::vector<double> all;
+  for (std::size_t w = 0; w < records_.size(); ++w) {
+    const WallRecord& r = records_[w];
+    for (const auto& v : {r.now.force, r.now.moment, r.impulse.force, r.impulse.moment})
+      all.insert(all.end(), v.c, v.c + 3);
+    const std::optional<WallDrive>& drive = walls_[w].motion.drive;
+    all.insert(all.end(), {r.force_peak, r.moment_peak, r.interval_begin, r.work, r.power,
+                           drive ? drive->shift : 0, drive ? drive->speed : 0});
+  }
+  return all;
+}
+
+void RankContacts::set_wall_records(const std::vector<double>& records) {
+  const double* from = records.data();
+  for (std::size_t w = 0; w < records_.size(); ++w) {
+    WallRecord& r = records_[w];
+    for (Vec<double, 3>* v : {&r.now.force, &r.now.moment, &r.impulse.force, &r.impulse.moment})
+      std::copy_n(from, 3, v->c), from += 3;
+    r.force_peak = from[0], r.moment_peak = from[1], r.interval_begin = from[2];
+    r.work = from[3], r.power = from[4];
+    if (std::optional<WallDrive>& drive = walls_[w].motion.drive)
+      drive->shift = from[5], drive->speed = from[6];
+    from += 7;
+  }
+}
+
+}  // namespace fiberchain::dem::mpi
