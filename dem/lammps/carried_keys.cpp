@@ -22,6 +22,8 @@ void refuse_what_is_not_carried(const PackingScene& scene) {
     const std::string kind = fmt::format("fibers[{}]", k);
     if (fiber.rolling_friction > 0) refuse(kind + ".bond.rolling_friction", "rolling friction of the bonds");
     if (!fiber.branches.empty()) refuse(kind + ".material_damping", "Maxwell branches");
+    if (scene.kinds[k].smooth) refuse(kind + ".surface", "smooth fibers");
+    if (fiber.spacing != 1) refuse(kind + ".spacing", "spheres that do not touch along the fiber");
     if (fiber.strength) refuse(kind + ".bond.strength", "bonds that break");
     if (fiber.yield) refuse(kind + ".bond.yield", "bonds that yield");
   }

@@ -18,7 +18,7 @@ namespace {
 
 /// Largest gap of neighbors over the smallest radius: more than in Contacts, whose lists are made anew for
 /// those alone that have moved far.
-constexpr double skin_over_radius = 1.5;
+constexpr double skin_over_radius = 0.9;
 
 const std::vector<double>& reals(const SavedState& saved, std::string_view name) {
   return std::get<std::vector<double>>(saved.find(name)->second.values);

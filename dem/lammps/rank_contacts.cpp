@@ -10,7 +10,7 @@ namespace fiberchain::dem::mpi {
 namespace {
 
 /// Gap of the inner pairs over the skin: over the radius as in Contacts.
-constexpr double inner_skin = 0.108;
+constexpr double inner_skin = 0.18;
 
 const TravellingContact* contact_with(const std::vector<TravellingContact>& contacts, std::int64_t partner) {
   const auto found = std::ranges::find(contacts, static_cast<double>(partner), &TravellingContact::partner);

@@ -70,6 +70,8 @@ const std::vector<std::string> carried{"scene",
                                        "output.vtk"};
 /// motion.rolling is of use with bond.rolling_friction alone; of motion.integrator leapfrog is carried.
 const std::vector<std::string> refused{"fibers.material_damping",
+                                       "fibers.surface",
+                                       "fibers.spacing",
                                        "fibers.bond.rolling_friction",
                                        "fibers.bond.strength",
                                        "fibers.bond.yield",
