@@ -17,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double largest_aspect_ratio = 1e7;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 Matrix3d matrix(const VelocityGradient& gradient) {
   Matrix3d g;
@@ -88,7 +88,7 @@ double jeffery_period(double aspect_ratio, double rate) {
 double orbit_constant(double aspect_ratio, const Direction& p) {
   require_aspect_ratio(aspect_ratio);
   const Vector3d v = unit(p);
-  return v(2) == 0 ? infinity : std::hypot(v(1), v(0) / aspect_ratio) / std::abs(v(2));
+  return v(2) == 0 ? unbounded : std::hypot(v(1), v(0) / aspect_ratio) / std::abs(v(2));
 }
 
 JefferyOrbit jeffery_orbit(double aspect_ratio, double rate, const Direction& p) {

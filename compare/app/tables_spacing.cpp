@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "compare/app/commands.hpp"
+#include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
 #include "compare/app/sweep.hpp"
 #include "compare/spacing/study.hpp"
@@ -37,13 +38,13 @@ SweepOptions<compare::SpacingSweep> tables_spacing_options() {
 int run_tables_spacing(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   const compare::SpacingSweep sweep = read_sweep(tables_spacing_options(), arguments);
-  const std::vector<compare::SpacingCase> cases = compare::cases(sweep);
   const auto directory = open_output(output, context);
-  const auto progress = context.progress(cases.size());
-  const auto points = compare::spacing_points(cases, {output.jobs, [&] { progress->advance(); }});
-  Results results{
-      .name = "spacing", .heading = "Fibers cut into longer bonds", .table = compare::spacing_table(points)};
-  if (directory) results.more_tables = {{"spacing-bonds", compare::fewest_bonds_table(sweep, output.jobs)}};
+  const auto [points, numbers] = measured(compare::spacing_points, compare::cases(sweep), output, context);
+  Results results{.name = "spacing",
+                  .heading = "Fibers cut into longer bonds",
+                  .table = table_by_case(points, numbers, output, compare::spacing_table)};
+  if (directory && context.stopped == 0 && output.makes_fixed_tables())
+    results.more_tables = {{"spacing-bonds", compare::fewest_bonds_table(sweep, output.jobs)}};
   deliver(results, results.table.select(tables_spacing_shown), output, directory, context);
   return kSuccess;
 }
@@ -59,7 +60,7 @@ Command tables_spacing_command() {
       .footer =
           std::string("Example:\n  fiberchain tables spacing --aspect-ratio 60 --spacing 1,3,5 --load 1\n") +
           kListHelp,
-      .options = with_output(tables_spacing_options()),
+      .options = with_shards(tables_spacing_options()),
       .run = &run_tables_spacing};
 }
 

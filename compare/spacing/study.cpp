@@ -11,6 +11,7 @@
 #include "compare/static/tip.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
+#include "compare/study/stopping.hpp"
 #include "dem/motion/time_step.hpp"
 #include "dem/vibration/first_mode.hpp"
 #include "reference/chain_modes.hpp"
@@ -114,8 +115,11 @@ double damping_law(const dem::Fiber& fiber) {
 std::vector<SpacingPoint> spacing_points(const std::vector<SpacingCase>& cases,
                                          const SpacingOptions& options) {
   for (const SpacingCase& asked : cases) dem::check(spaced_fiber(asked));
-  std::vector<SpacingPoint> points(cases.size());
+  std::vector<SpacingPoint> points;
+  for (const SpacingCase& asked : cases)
+    points.push_back({asked, 0, nan, nan, nan, nan, nan, nan, std::string(not_begun)});
   options.jobs.run(cases.size(), [&](std::size_t i) {
+    if (options.stopped()) return;
     points[i] = point(cases[i]);
     options.advance();
   });

@@ -30,6 +30,7 @@ struct SpacingPoint {
   double damping_ratio;         ///< xi_f / xi_b of the first mode at small damping
   double damping_law_error;     ///< that over damping_law(), less 1
   double stable_step;           ///< largest stable step over that of the paper's bonds at s = 1, no dashpots
+  std::string status = "converged";  ///< or not_begun
 };
 
 /// What is varied. Spacings that do not make whole bonds of an aspect ratio are left out.
@@ -44,6 +45,7 @@ struct SpacingSweep {
 struct SpacingOptions {
   Jobs jobs = 1;
   std::function<void()> advance = [] {};
+  std::function<bool()> stopped = [] { return false; };  ///< then no more is begun: status not_begun
 };
 
 /// @throws InputError where nothing is left

@@ -18,7 +18,8 @@ dem::NamedRow spacing_row(const SpacingPoint& p) {
           {"frequency_error", p.frequency_error},
           {"damping_over_bond_damping", p.damping_ratio},
           {"damping_law_error", p.damping_law_error},
-          {"stable_step_gain", p.stable_step}};
+          {"stable_step_gain", p.stable_step},
+          {"status", p.status}};
 }
 
 dem::NamedRow fewest_row(const FewestBonds& f) {
