@@ -75,7 +75,7 @@ dem::Table smooth_time_table(const std::vector<SmoothTime>& times) {
             {"spheres", t.spheres},
             {"contacts", t.contacts},
             {"sphere_step_ns", t.sphere_step},
-            {"step_ratio", t.ratio},
+            {"packing_time_ratio", t.ratio},
             {"chosen_step", t.chosen_step}};
   });
 }

@@ -67,7 +67,7 @@ inline constexpr Column flow[] = {
     {"sphere_step_ratio", number, "1",
      "sphere_step_ns over that of the first: fibers of one size, explicit bonds, or walls that are planes"},
     {"surface", text, "", "what fibers touch each other by"},
-    {"step_ratio", number, "1", "run time of a step of all fibers over that of the first row"},
+    {"packing_time_ratio", number, "1", "run time of a step of all fibers over that of the first row"},
     {"chosen_step", number, "s", "time step where the scene gives none"},
     {"walls", text, "", "how the box around the fibers is given"},
     {"triangles", integer, "1", "of the meshes among the walls"},

@@ -18,7 +18,6 @@ inline constexpr Column spacing[] = {
      "largest stable step without dashpots over that of the paper's touching spheres"},
     {"spacing_goal", text, "", "what bonds are counted for: free end (of the cantilever), first frequency"},
     {"touching_error", number, "1", "its error with the paper's bond and touching spheres"},
-    {"wanted_error", number, "1", "error allowed of the corrected bond"},
     {"spaced_error", number, "1",
      "error of the fewest corrected bonds that keep it; `bonds` is their number"},
     {"times_fewer", number, "1", "touching spheres' number of bonds over those; their spacing"},
