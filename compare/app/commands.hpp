@@ -15,6 +15,7 @@ Command fit_command();             ///< laws fitted to the damping against aspec
 Command identify_command();        ///< Young's modulus and damping from a ring-down
 Command materials_command();       ///< the materials of data/materials
 Command render_command();          ///< pictures of a trajectory, Fig 11
+Command report_command();          ///< one page that shows what holds
 Command export_command();          ///< a trajectory as text for other programs
 Command run_command();             ///< one scene
 Command stability_command();       ///< largest stable step, theory and runs
@@ -61,6 +62,7 @@ inline std::vector<Command> all_commands() {
           stability_command(),
           bench_command(),
           validate_command(),
+          report_command(),
           manual_command(),
           completion_command()};
 }
