@@ -16,6 +16,7 @@ Command identify_command();        ///< Young's modulus and damping from a ring-
 Command merge_command();           ///< shards of a study become the whole
 Command materials_command();       ///< the materials of data/materials
 Command render_command();          ///< pictures of a trajectory, Fig 11
+Command report_command();          ///< one page that shows what holds
 Command export_command();          ///< a trajectory as text for other programs
 Command run_command();             ///< one scene
 Command stability_command();       ///< largest stable step, theory and runs
@@ -65,6 +66,7 @@ inline std::vector<Command> all_commands() {
           bench_command(),
           merge_command(),
           validate_command(),
+          report_command(),
           manual_command(),
           completion_command()};
 }

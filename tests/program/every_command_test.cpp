@@ -105,7 +105,9 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
         {"calibrate", "--material", "carbon-steel", "--diameter", "20 um", "--aspect-ratio", "7"},
         {"calibrate", "--damping-ratio", "0.02", "--aspect-ratio", "7", "--verify"},
         {"identify", "ring.csv", "--diameter", "1 mm", "--aspect-ratio", "9", "--density", "900"},
-        {"validate", "--part", "beams"}}) {
+        {"validate", "--part", "beams"},
+        {"report", "--from", "results"},
+        {"report", "--no-run"}}) {
     check_fine(run(words, {.directory = scratch.path}), words);
   }
 }
@@ -122,6 +124,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said) {
                              {"render", "key.yaml"},
                              {"tables", "statc"},
                              {"calbrate"},
+                             {"report", "--from", "none"},
                              {"fit", "--aspect-ratio", "x"}})
     check_fine(run(words, {.directory = scratch.path}), words, 2);
 }
