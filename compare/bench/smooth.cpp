@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "compare/study/tabulate.hpp"
@@ -19,16 +20,26 @@ struct Fallen {
   std::vector<double> windows = {};  ///< of the processor: others may use it too [s]
 };
 
-Fallen fallen(dem::PackingScene scene, bool smooth, double spacing, std::int64_t fall) {
+struct Surface {
+  bool smooth;
+  double spacing;
+};
+
+dem::PackingScene with_surface(dem::PackingScene scene, const Surface& surface) {
+  scene.step = {};
   for (dem::PackingFiberKind& kind : scene.kinds) {
-    kind.smooth = smooth;
-    kind.fiber.aspect_ratio = static_cast<int>(std::lround(kind.fiber.aspect_ratio / spacing));
-    kind.fiber.spacing = spacing;
+    kind.smooth = surface.smooth;
+    kind.fiber.aspect_ratio = static_cast<int>(std::lround(kind.fiber.aspect_ratio / surface.spacing));
+    kind.fiber.spacing = surface.spacing;
   }
-  dem::PackingStart start = dem::packing_start(scene, 1);
-  const double step = start.choice.step;
-  Fallen one{{smooth ? "smooth" : "spheres", spacing, 0, 0, step, 0, 1},
-             dem::make_assembly(std::move(start))};
+  return scene;
+}
+
+Fallen fallen(dem::PackingScene scene, const Surface& surface, double step, std::int64_t fall) {
+  const double chosen = dem::plan_of(scene).choice.step;
+  scene.step = step;
+  Fallen one{{surface.smooth ? "smooth" : "spheres", surface.spacing, 0, 0, chosen, 0, 1},
+             dem::make_assembly(dem::packing_start(scene, 1))};
   one.assembly.march(fall);
   one.time.spheres = one.assembly.spheres();
   return one;
@@ -44,11 +55,13 @@ double middle(std::vector<double> values) {
 std::vector<SmoothTime> smooth_times(const dem::PackingScene& scene, const BenchOptions& options) {
   const std::int64_t fall = options.quick ? 6000 : 15000, window = options.quick ? 50 : 200;
   const int rounds = options.quick ? 7 : 31;
+  constexpr Surface surfaces[] = {{false, 1}, {true, 1}, {true, 2.5}};
+  double step = std::numeric_limits<double>::infinity();
+  for (const Surface& surface : surfaces)
+    step = std::min(step, dem::plan_of(with_surface(scene, surface)).choice.step);
   std::vector<std::unique_ptr<Fallen>> all;
-  const auto add = [&](bool smooth, double spacing) {
-    all.push_back(std::make_unique<Fallen>(fallen(scene, smooth, spacing, fall)));
-  };
-  add(false, 1), add(true, 1), add(true, 2.5);
+  for (const Surface& surface : surfaces)
+    all.push_back(std::make_unique<Fallen>(fallen(with_surface(scene, surface), surface, step, fall)));
   for (int round = 0; round < rounds; ++round) {
     for (auto& one : all) {
       const dem::ProcessorTimer timer(one->windows.emplace_back(0));

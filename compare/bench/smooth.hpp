@@ -20,7 +20,8 @@ struct SmoothTime {
 };
 
 /// `scene` with fibers that touch by their spheres, with smooth ones, and with smooth ones of fewer nodes,
-/// each once it has fallen: goes on in turns, window by window, on one thread.
+/// each once it has fallen with a
+/// step that all bear: goes on in turns, window by window, on one thread.
 std::vector<SmoothTime> smooth_times(const dem::PackingScene& scene, const BenchOptions& options);
 
 dem::Table smooth_time_table(const std::vector<SmoothTime>& times);

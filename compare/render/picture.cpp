@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "compare/figures/figure_metadata.hpp"
 #include "compare/figures/gnuplot.hpp"
@@ -11,15 +12,41 @@
 namespace fiberchain::compare {
 namespace {
 
-/// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn.
+double length_of(const dem::TrajectoryFrame& frame, const dem::FrameBond& bond) {
+  return norm(frame.position[bond.first + 1] - frame.position[bond.first]);
+}
+
+/// Of each fiber's bonds.
+std::vector<double> shortest_bonds(const dem::TrajectoryFrame& frame) {
+  const std::int32_t fibers = frame.fiber.empty() ? 0 : *std::ranges::max_element(frame.fiber) + 1;
+  std::vector<double> shortest(fibers, std::numeric_limits<double>::infinity());
+  for (const dem::FrameBond& bond : frame.bonds) {
+    double& of_fiber = shortest[frame.fiber[bond.first]];
+    of_fiber = std::min(of_fiber, length_of(frame, bond));
+  }
+  return shortest;
+}
+
+bool goes_through_a_side(const dem::TrajectoryFrame& frame, const dem::FrameBond& bond) {
+  const Point way = frame.position[bond.first + 1] - frame.position[bond.first];
+  for (int c = 0; c < 3; ++c) {
+    if (frame.periodic[c] && std::abs(way[c]) > 0.5 * (frame.high[c] - frame.low[c])) return true;
+  }
+  return false;
+}
+
+/// Spheres, joined by cylinders along the bonds. A bond through a periodic side is not drawn, nor one twice
+/// as long as another of its fiber: it has broken.
 std::vector<Rod> rods_of(const dem::TrajectoryFrame& frame, const std::vector<double>& values,
                          const std::pair<double, double>& range) {
   std::vector<Rod> rods;
   for (std::size_t i = 0; i < frame.position.size(); ++i)
     rods.push_back({frame.position[i], frame.position[i], frame.radius[i], palette_place(values[i], range)});
+  const std::vector<double> shortest = shortest_bonds(frame);
   for (const dem::FrameBond& bond : frame.bonds) {
     const auto a = static_cast<std::size_t>(bond.first), b = a + 1;
-    if (norm(frame.position[b] - frame.position[a]) > 4 * frame.radius[a]) continue;
+    const bool has_broken = length_of(frame, bond) > 2 * shortest[frame.fiber[a]];
+    if (has_broken || goes_through_a_side(frame, bond)) continue;
     rods.push_back({frame.position[a], frame.position[b], frame.radius[a],
                     palette_place((values[a] + values[b]) / 2, range)});
   }
