@@ -1,3 +1,5 @@
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <csignal>
 
@@ -13,6 +15,13 @@ namespace fiberchain::app {
 namespace {
 
 using Subjects = std::vector<compare::ValidationSubject>;
+
+std::string parts_in_words() {
+  std::vector<std::string> names;
+  for (const compare::ValidationSubject& subject : compare::validation_subjects())
+    names.emplace_back(subject.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
 /// The subjects asked for, in the order of the matrix; all if none is.
 Subjects subjects_of(const Arguments& arguments) {
@@ -105,8 +114,7 @@ Command validate_command() {
           "Verdicts on published claims follow from the measured values: holds, holds only if (the row's\n"
           "condition), disputed. Exit status 1 if a measured value is not as expected.",
       .options = with_shards(
-          {{"--part", "LIST",
-            "beams, static, damping, friction, contact, materials, stability, flow, packing [all]"},
+          {{"--part", "LIST", parts_in_words() + " [all]"},
            {"--data", "DIR", "data directory, in place of FIBERCHAIN_DATA or the program's own"}}),
       .run = &run_validate};
 }

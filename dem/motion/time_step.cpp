@@ -95,7 +95,8 @@ double endless_chain_limit(const Fiber& fiber, const StokesDrag& stokes, double 
 
 double stable_time_step(const Fiber& fiber, double drag) {
   const double endless = endless_chain_limit(fiber, {}, drag);
-  if (fiber.spacing == 1 || finite_chain_is_stable(fiber, endless, drag)) return endless;
+  const bool ends_as_others = fiber.spacing == 1 && fiber.mass == MassModel::spheres;
+  if (ends_as_others || finite_chain_is_stable(fiber, endless, drag)) return endless;
   double low = 0, high = endless;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;

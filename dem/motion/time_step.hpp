@@ -8,9 +8,9 @@ namespace fiberchain::dem {
 /// Largest stable step [s] of the leapfrog with lagged damping on an endless straight chain, whose spectrum
 /// bounds that of every finite one. A wave with stiffness, dashpot and mass matrices K, C, M is stable while
 /// 4 M - 2 dt C - dt^2 K is positive definite: the amplification leaves the unit circle at -1. `drag` [1/s]
-/// adds to C. Holds for the bond model and damping of the fiber at hand. Of a fiber whose spheres do not
-/// touch no more than that of the finite chain, whose ends may be lighter. Throws InvalidInput as check()
-/// does.
+/// adds to C. Holds for the bond model and damping of the fiber at hand. Of a fiber with lighter ends
+/// (the cylinder's mass, spheres that do not touch) no more than that of the finite chain: ends of half the
+/// mass lower it to 0.916 of the corrected bond's. Throws InvalidInput as check() does.
 double stable_time_step(const Fiber& fiber, double drag = 0.0);
 
 /// The same of the leapfrog with the dashpots solved within the step: that of the undamped chain, whatever

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <string>
 
 #include "dem/insertion/insertion_grid.hpp"
@@ -54,21 +56,48 @@ void check_walls(const PackingScene& scene, const PackingFiberKind& kind, std::s
   }
 }
 
-/// All spheres, in the order of kinds, fibers and spheres.
+/// Places along a fiber between whose spheres of its radius no other finds room, and the sphere at each or
+/// before it: its own spheres, of a smooth one more between them.
+struct FiberPlaces {
+  std::vector<Vec<double, 3>> position;
+  std::vector<std::size_t> sphere;
+};
+
+FiberPlaces places_along(const PackingFiberKind& kind, std::span<const Vec<double, 3>> spheres) {
+  const double R = sphere_radius(kind.fiber);
+  const int parts = kind.smooth ? static_cast<int>(std::ceil(bond_length(kind.fiber) / R)) : 1;
+  FiberPlaces places;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const bool is_last = i + 1 == spheres.size();
+    for (int k = 0; k < (is_last ? 1 : parts); ++k) {
+      const Vec<double, 3> on = is_last ? Vec<double, 3>{} : spheres[i + 1] - spheres[i];
+      places.position.push_back(spheres[i] + (static_cast<double>(k) / parts) * on);
+      places.sphere.push_back(i);
+    }
+  }
+  return places;
+}
+
+/// All fibers, in the order of kinds: each against those before it, of spheres also against itself.
 void check_others(const PackingScene& scene, const PlacedSpheres& all) {
   const auto [least, largest] = std::ranges::minmax(all.radius);
   InsertionGrid before(box_around(all.position), scene.domain.period, largest, -refused_from * least,
                        std::ssize(all.radius));
   std::size_t n = 0;
   for (const PackingFiberKind& kind : scene.kinds) {
-    for (std::size_t f = 0; f < kind.starts.size(); ++f) {
-      for (std::size_t i = 0; i <= static_cast<std::size_t>(kind.fiber.aspect_ratio); ++i, ++n) {
-        if (!before.free(all.position[n], all.radius[n])) {
-          throw InvalidInput(
-              fmt::format("{}it lies in another one by half a radius or more", sphere_of(kind, f, i)));
+    const double R = sphere_radius(kind.fiber);
+    const std::size_t count = static_cast<std::size_t>(kind.fiber.aspect_ratio) + 1;
+    for (std::size_t f = 0; f < kind.starts.size(); ++f, n += count) {
+      const FiberPlaces places = places_along(kind, std::span(all.position).subspan(n, count));
+      for (std::size_t k = 0; k < places.position.size(); ++k) {
+        if (!before.free(places.position[k], R)) {
+          throw InvalidInput(fmt::format("{}it lies in another one by half a radius or more",
+                                         sphere_of(kind, f, places.sphere[k])));
         }
-        before.add(all.position[n], all.radius[n]);
+        if (!kind.smooth) before.add(places.position[k], R);
       }
+      if (!kind.smooth) continue;
+      for (const Vec<double, 3>& place : places.position) before.add(place, R);
     }
   }
 }

@@ -2,6 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "dem/model/errors.hpp"
+#include "dem/scene/check_starts.hpp"
 #include "dem/scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(spacing_scene_test)
@@ -90,6 +92,20 @@ BOOST_AUTO_TEST_CASE(in_fluids_and_among_fibers_it_is_refused_by_its_key) {
   check_refused(packing(one, "fluid: {viscosity: 1e-3}\n"),
                 "s.yaml:3: fibers[0].spacing: 2.6 is not allowed in a fluid");
   BOOST_TEST(refusal(packing("  - {" + keys_of("1") + ", count: 2}\n")) == "");
+}
+
+/// Two that cross in the middle of bonds, far from all spheres.
+BOOST_AUTO_TEST_CASE(smooth_fibers_from_files_start_apart_between_their_spheres) {
+  const auto starts_at = [](double height) {
+    const auto text = packing("  - {" + keys_of("2.6") + ", surface: smooth, count: 2}\n");
+    auto scene = std::get<dem::PackingScene>(dem::parse_scene({"s.yaml", text}));
+    scene.kinds[0].count = 0;
+    scene.kinds[0].starts = {{{0.01, 0.03, 0.03}, {1, 0, 0}}, {{0.0126, 0.0274, 0.03 + height}, {0, 1, 0}}};
+    dem::check_starts(scene);
+  };
+  BOOST_CHECK_NO_THROW(starts_at(1.55e-3));
+  BOOST_CHECK_THROW(starts_at(1.4e-3), dem::InvalidInput);
+  BOOST_CHECK_THROW(starts_at(-0.5e-3), dem::InvalidInput);
 }
 
 BOOST_AUTO_TEST_CASE(an_arcs_radius_is_that_of_its_bonds) {
