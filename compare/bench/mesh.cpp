@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "compare/bench/turns.hpp"
 #include "compare/study/tabulate.hpp"
 #include "dem/mesh/mesh_shape.hpp"
-#include "dem/run/processor_time.hpp"
 #include "dem/scene/build_packing.hpp"
 
 namespace fiberchain::compare {
@@ -48,14 +47,8 @@ dem::TriangleSoup box_of_triangles(const dem::Box& box, int cells, double dent) 
   return soup;
 }
 
-struct Runner {
-  MeshTime time;
-  dem::Assembly assembly;
-  std::vector<double> windows = {};  ///< of the processor: others may use it too [s]
-};
-
-Runner runner(const dem::PackingStart& start, const dem::CarriedState& state, std::int64_t steps,
-              const std::string& name, std::vector<dem::Wall> walls, std::int64_t triangles) {
+dem::Assembly taken_over(const dem::PackingStart& start, const dem::CarriedState& state, std::int64_t steps,
+                         std::vector<dem::Wall> walls) {
   std::vector<dem::FiberGroup> groups;
   for (std::size_t g = 0; g < state.groups.size(); ++g)
     groups.push_back({start.groups[g].chain, state.groups[g].fibers});
@@ -63,33 +56,29 @@ Runner runner(const dem::PackingStart& start, const dem::CarriedState& state, st
   domain.walls = std::move(walls);
   dem::AssemblyOptions options = start.options;
   options.steps_before = steps;
-  Runner own{{name, triangles, 0, 0, 0, 1}, dem::Assembly(std::move(groups), std::move(domain), options)};
-  own.assembly.take_over(state);
-  own.time.spheres = own.assembly.spheres();
-  return own;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
+  dem::Assembly assembly(std::move(groups), std::move(domain), options);
+  assembly.take_over(state);
+  return assembly;
 }
 
 }  // namespace
 
 std::vector<MeshTime> mesh_times(const dem::PackingScene& scene, const BenchOptions& options) {
-  const std::int64_t fall = options.quick ? 6000 : 15000, window = options.quick ? 50 : 200;
-  const int rounds = options.quick ? 7 : 31;
+  const TurnPlan plan = turn_plan(options);
   const dem::PackingStart start = dem::packing_start(scene, 1);
   dem::CarriedState state;
   {
     dem::PackingStart fallen = dem::packing_start(scene, 2);
     dem::Assembly assembly = dem::make_assembly(std::move(fallen));
-    assembly.march(fall);
+    assembly.march(plan.fall);
     state = dem::carried_state(assembly.saved());
   }
-  std::vector<std::unique_ptr<Runner>> all;
+  std::vector<MeshTime> times;
+  std::vector<std::unique_ptr<dem::Assembly>> packings;
   const auto add = [&](const std::string& name, std::vector<dem::Wall> walls, std::int64_t triangles) {
-    all.push_back(std::make_unique<Runner>(runner(start, state, fall, name, std::move(walls), triangles)));
+    packings.push_back(
+        std::make_unique<dem::Assembly>(taken_over(start, state, plan.fall, std::move(walls))));
+    times.push_back({name, triangles, packings.back()->spheres(), 0, 0, 1});
   };
   add("planes", start.domain.walls, 0);
   const auto add_mesh = [&](const std::string& name, int cells, double dent) {
@@ -101,24 +90,12 @@ std::vector<MeshTime> mesh_times(const dem::PackingScene& scene, const BenchOpti
   add_mesh("mesh", 9, 0);
   add_mesh("mesh", 91, 0);
   add_mesh("dented mesh", 91, 1e-5);
-  for (auto& one : all) one->assembly.march(window);  // warm
-  for (int round = 0; round < rounds; ++round) {
-    for (auto& one : all) {
-      double& had = one->windows.emplace_back(0);
-      const dem::ProcessorTimer timer(had);
-      one->assembly.march(window);
-    }
-  }
-  std::vector<MeshTime> times;
-  for (const auto& one : all) {
-    std::vector<double> ratios;
-    for (int round = 0; round < rounds; ++round)
-      ratios.push_back(one->windows[round] / all[0]->windows[round]);
-    one->time.ratio = median(ratios);
-    one->time.all = 1e9 * median(one->windows) / static_cast<double>(one->time.spheres * window);
-    for (const auto& contact : one->assembly.contacts())
-      one->time.at_walls += is_facet(contact.key.second) ? 1 : 0;
-    times.push_back(one->time);
+  for (auto& one : packings) one->march(plan.window);  // warm
+  const std::vector<TurnTime> turns = march_in_turns(packings, plan);
+  for (std::size_t n = 0; n < times.size(); ++n) {
+    times[n].all = turns[n].sphere_step, times[n].ratio = turns[n].ratio;
+    for (const auto& contact : packings[n]->contacts())
+      times[n].at_walls += is_facet(contact.key.second) ? 1 : 0;
   }
   return times;
 }

@@ -12,6 +12,7 @@
 #include "compare/study/errors.hpp"
 #include "dem/files/csv_reader.hpp"
 #include "dem/files/numbers.hpp"
+#include "dem/record/csv.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -44,12 +45,8 @@ TextTable read_table(const fs::path& path) {
   auto record = reader.record();
   if (!record) reader.fail("no header: the file holds no table");
   table.columns = *record;
-  for (const std::string& line : reader.comments()) {
-    const auto colon = line.find(": ");
-    const auto begin = line.find_first_not_of("# ");
-    if (begin != std::string::npos && colon != std::string::npos && begin < colon)
-      table.provenance.emplace_back(line.substr(begin, colon - begin), line.substr(colon + 2));
-  }
+  table.provenance = dem::csv_comments(reader);
+  std::erase_if(table.provenance, [](const auto& entry) { return entry.first.empty(); });
   while ((record = reader.record())) {
     if (record->size() != table.columns.size())
       reader.fail(fmt::format("{} fields where the header has {}", record->size(), table.columns.size()));
@@ -243,16 +240,9 @@ std::vector<fs::path> pictures_of(const std::vector<Part>& parts) {
   return alone;
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos && !text.starts_with('#')) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_line(const std::vector<std::string>& fields) {
   std::vector<std::string> quoted;
-  std::ranges::transform(fields, std::back_inserter(quoted), csv_field);
+  std::ranges::transform(fields, std::back_inserter(quoted), dem::csv_field);
   return fmt::format("{}\n", fmt::join(quoted, ","));
 }
 

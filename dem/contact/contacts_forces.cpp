@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dem/contact/contacts.hpp"
+#include "dem/contact/wall_view.hpp"
 
 // Forces and moments of all contacts at a step.
 namespace fiberchain::dem {
@@ -48,23 +49,7 @@ void Contacts::reserve_segments(Part& part) const {
 }
 
 WallView Contacts::wall_view(int w, WallNeighbors& neighbors, double time) const {
-  const Wall& wall = domain_.walls[w];
-  WallView view{};
-  const WallPose pose = pose_at(wall, time);
-  const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
-  wall.shape.numbers(pose, view.shape);
-  view.shape_index = shapes_[w];
-  for (int c = 0; c < 3; ++c) {
-    view.center[c] = pose.center_now()[c];
-    view.velocity[c] = motion.velocity[c];
-    view.spin[c] = motion.spin[c];
-  }
-  view.slots = neighbors.slots.data();
-  view.count = static_cast<std::int32_t>(neighbors.slots.size());
-  view.nearest = neighbors.nearest.data();
-  view.contact = neighbors.contact.data();
-  view.parameters = wall_parameters(w, 0);
-  return view;
+  return wall_view_at(domain_.walls[w], shapes_[w], neighbors, wall_parameters(w, 0), time, step_);
 }
 
 void Contacts::touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task) {

@@ -7,17 +7,6 @@
 namespace fiberchain::dem {
 namespace {
 
-void add_times(WallLoad& sum, double factor, const WallLoad& more) {
-  sum.force = sum.force + factor * more.force;
-  sum.moment = sum.moment + factor * more.moment;
-}
-
-/// A kick of the mass with the loads of its middle: m (v+ - v-) = dt (F - c (v- + v+) / 2).
-void kick(WallDrive& drive, double load, double step) {
-  const double half_drag = 0.5 * step * drive.damping / drive.mass;
-  drive.speed = ((1 - half_drag) * drive.speed + step / drive.mass * (drive.force + load)) / (1 + half_drag);
-}
-
 /// Of what is no farther than `reach` from where a wall turns [m].
 double displacement_between(const WallPose& before, const WallPose& now, double reach) {
   const double shifted = norm(now.shift - before.shift);
@@ -30,32 +19,17 @@ double displacement_between(const WallPose& before, const WallPose& now, double 
 
 void Contacts::end_forces(double time) {
   for (std::size_t w = 0; w < domain_.walls.size(); ++w) {
-    Wall& wall = domain_.walls[w];
-    WallRecord& record = records_[w];
-    record.now = {};
+    WallLoad now;
     for (Part& part : parts_) {
-      add_times(record.now, 1, part.wall_loads[w]);
-      record.work += part.wall_brought[w];
+      add_times(now, 1, part.wall_loads[w]);
+      records_[w].work += part.wall_brought[w];
       part.wall_brought[w] = 0;
     }
-    const WallVelocity before = velocity_at(wall, time - 0.5 * step_);
-    if (wall.motion.drive && is_active(wall, time))
-      kick(*wall.motion.drive, dot(record.now.force, wall.motion.drive->axis), step_);
-    const WallVelocity after = velocity_at(wall, time + 0.5 * step_);
-    add_times(record.impulse, step_, record.now);
-    record.force_peak = std::max(record.force_peak, norm(record.now.force));
-    record.moment_peak = std::max(record.moment_peak, norm(record.now.moment));
-    record.power = -0.5 * (dot(record.now.force, before.velocity + after.velocity) +
-                           dot(record.now.moment, before.spin + after.spin));
-    record.work += step_ * record.power;
+    end_step(domain_.walls[w], records_[w], now, time, step_);
   }
 }
 
-void Contacts::move_walls() {
-  for (Wall& wall : domain_.walls) {
-    if (wall.motion.drive) wall.motion.drive->shift += step_ * wall.motion.drive->speed;
-  }
-}
+void Contacts::move_walls() { move_driven(domain_.walls, step_); }
 
 void Contacts::count_from(std::size_t w, const Vec<double, 3>& offset) {
   Wall& wall = domain_.walls[w];
@@ -152,31 +126,9 @@ void Contacts::measure_turn_reach() {
   }
 }
 
-std::vector<double> Contacts::wall_records() const {
-  std::vector<double> all;
-  for (std::size_t w = 0; w < records_.size(); ++w) {
-    const WallRecord& r = records_[w];
-    for (const auto& v : {r.now.force, r.now.moment, r.impulse.force, r.impulse.moment})
-      all.insert(all.end(), v.c, v.c + 3);
-    const std::optional<WallDrive>& drive = domain_.walls[w].motion.drive;
-    all.insert(all.end(), {r.force_peak, r.moment_peak, r.interval_begin, r.work, r.power,
-                           drive ? drive->shift : 0, drive ? drive->speed : 0});
-  }
-  return all;
-}
+std::vector<double> Contacts::wall_records() const { return record_numbers(records_, domain_.walls); }
 
-void Contacts::set_wall_records(const double* from) {
-  for (std::size_t w = 0; w < records_.size(); ++w) {
-    WallRecord& r = records_[w];
-    for (Vec<double, 3>* v : {&r.now.force, &r.now.moment, &r.impulse.force, &r.impulse.moment})
-      std::copy_n(from, 3, v->c), from += 3;
-    r.force_peak = from[0], r.moment_peak = from[1], r.interval_begin = from[2];
-    r.work = from[3], r.power = from[4];
-    if (std::optional<WallDrive>& drive = domain_.walls[w].motion.drive)
-      drive->shift = from[5], drive->speed = from[6];
-    from += 7;
-  }
-}
+void Contacts::set_wall_records(const double* from) { set_record_numbers(from, records_, domain_.walls); }
 
 void Contacts::add_mesh_ways(double time) {
   for (const std::size_t w : mesh_walls_) {

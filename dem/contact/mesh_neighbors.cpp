@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "dem/contact/walk_rebuilt.hpp"
@@ -114,41 +115,39 @@ void MeshNeighbors::choose(std::size_t n, const TriangleMesh& mesh, const Vec<do
   if (!(list_.flat[n].margin > margin)) choose_inner(n, mesh, center, reach, margin);
 }
 
-bool MeshNeighbors::find_flat(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
-                              double reach) {
+std::optional<double> MeshNeighbors::find_flat(std::size_t n, const MeshMoment& moment,
+                                               const Vec<double, 3>& center, double reach) {
   const FlatPlace& flat = list_.flat[n];
   const Vec<double, 3> way = center - flat.center;
   const double gone_squared = dot(way, way);
-  if (!(gone_squared < flat.margin * flat.margin)) return false;
+  if (!(gone_squared < flat.margin * flat.margin)) return {};
   const double height = height_over(flat, center);
-  if (!is_told_by(flat, moment.mesh.sides, height, reach)) return false;
+  if (!is_told_by(flat, moment.mesh.sides, height, reach)) return {};
   found_.contacts.clear();
-  clear_for_ = std::abs(height) - reach;
-  if (clear_for_ < 0)
-    found_.contacts.push_back(contact_at(flat, height));
-  else
-    clear_for_ = std::min(clear_for_, flat.margin - std::sqrt(gone_squared));
-  return true;
+  const double clear_for = std::abs(height) - reach;
+  if (clear_for >= 0) return std::min(clear_for, flat.margin - std::sqrt(gone_squared));
+  found_.contacts.push_back(contact_at(flat, height));
+  return clear_for;
 }
 
 double MeshNeighbors::look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
                            double radius, bool held) {
   const TriangleMesh& mesh = *moment.mesh.mesh;
   const double reach = radius + moment.gap, margin = inner_margin * radius;
-  if (find_flat(n, moment, center, reach)) return clear_for_;
+  if (const auto clear_for = find_flat(n, moment, center, reach)) return *clear_for;
   double gone = norm(center - list_.chosen_at[n]);
   const auto is_clear = [&] { return gone < list_.clearance[n]; };
   if (list_.inner_count[n] < 0 || (!(gone < margin) && !is_clear())) {
     choose(n, mesh, center, reach, margin);
     gone = 0;
-    if (find_flat(n, moment, center, reach)) return clear_for_;
+    if (const auto clear_for = find_flat(n, moment, center, reach)) return *clear_for;
     if (list_.inner_count[n] < 0) choose_inner(n, mesh, center, reach, margin);
   }
   found_.contacts.clear();
   if (is_clear()) return list_.clearance[n] - gone;
   if (norm(center - list_.flat[n].center) > flat_tried_again * radius) {
     list_.flat[n] = flat_place(mesh, list_.inner_of(n), center, reach, margin - gone);
-    if (find_flat(n, moment, center, reach)) return clear_for_;
+    if (const auto clear_for = find_flat(n, moment, center, reach)) return *clear_for;
   }
   const double least =
       find_mesh_contacts(mesh, moment.mesh.sides, list_.inner_of(n), center, reach, held, found_);

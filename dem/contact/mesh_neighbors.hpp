@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,8 +49,9 @@ class MeshNeighbors {
   /// where it has some.
   double look(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double radius,
               bool held);
-  /// The same where it is in a flat place, with no look at the mesh; whether it is.
-  bool find_flat(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center, double reach);
+  /// The same where it is in a flat place, with no look at the mesh; nothing where it is not.
+  std::optional<double> find_flat(std::size_t n, const MeshMoment& moment, const Vec<double, 3>& center,
+                                  double reach);
   /// What is known of the mesh around the n-th sphere here: whether it is flat; its inner triangles, too,
   /// where it is not or not for long.
   void choose(std::size_t n, const TriangleMesh& mesh, const Vec<double, 3>& center, double reach,
@@ -89,7 +91,6 @@ class MeshNeighbors {
   std::vector<std::size_t> awake_;   ///< of find_contacts(): numbers in the list
   WallNeighbors last_{};
   MeshContactScratch found_;
-  double clear_for_ = 0;  ///< of look(): as far as the sphere may go with no contact [m]; else negative
   std::vector<MeshContact> all_;  ///< found in this step, in space
 };
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "dem/math/vec.hpp"
+#include "dem/model/domain.hpp"
 
 namespace fiberchain::dem {
 
@@ -28,5 +31,20 @@ struct WallSample {
   double work;            ///< done on fibers since the start [J]
   Vec<double, 3> center;  ///< about which moments are [m]
 };
+
+void add_times(WallLoad& sum, double factor, const WallLoad& more);
+
+/// The loads of a step at `time` [s] enter the record, and kick a driven wall.
+void end_step(Wall& wall, WallRecord& record, const WallLoad& now, double time, double step);
+
+/// Driven walls go on by a step [s].
+void move_driven(std::vector<Wall>& walls, double step);
+
+/// Numbers of one wall's record in a file; the last two are shift and speed of its drive.
+inline constexpr int wall_record_size = 19;
+
+std::vector<double> record_numbers(const std::vector<WallRecord>& records, const std::vector<Wall>& walls);
+/// `from` has wall_record_size numbers a wall.
+void set_record_numbers(const double* from, std::vector<WallRecord>& records, std::vector<Wall>& walls);
 
 }  // namespace fiberchain::dem

@@ -9,6 +9,7 @@
 
 #include "dem/assembly/carried_state.hpp"
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/wall_record.hpp"
 #include "dem/lammps/carried_keys.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/motion/relaxation.hpp"

@@ -46,8 +46,7 @@ class PairFiberchain : public Pair {
     ev_init(eflag, vflag);
     const int all = atom->nlocal + atom->nghost;
     // at the start of a run the forces of its first moment are there already
-    if (update->setupflag == 0)
-      rank_.contacts.work_out(rank_.rows, atom->nlocal, all, rank_.plan.time(update->ntimestep));
+    if (update->setupflag == 0) rank_.contacts.work_out(rank_.rows, all, rank_.plan.time(update->ntimestep));
     for (int i = 0; i < atom->nlocal; ++i) {
       const double* load = rank_.rows.load_of(static_cast<std::size_t>(i));
       for (int c = 0; c < 3; ++c) atom->f[i][c] += load[c], atom->torque[i][c] += load[moment_offset + c];

@@ -43,9 +43,6 @@ struct Plan {
   double smallest_radius() const;
 };
 
-/// Numbers of a wall's record as Contacts::wall_records() has them.
-inline constexpr int wall_record_size = 19;
-
 /// Whether two spheres of these numbers are joined by a bond.
 bool are_bonded(const GroupNumbers& group, std::int64_t lower, std::int64_t higher);
 

@@ -29,17 +29,6 @@ TravellingContact travelling(std::int64_t partner, const double* history) {
   return contact;
 }
 
-void add_times(WallLoad& sum, double factor, const WallLoad& more) {
-  sum.force = sum.force + factor * more.force;
-  sum.moment = sum.moment + factor * more.moment;
-}
-
-/// As Contacts has it: m (v+ - v-) = dt (F - c (v- + v+) / 2).
-void kick(WallDrive& drive, double load, double step) {
-  const double half_drag = 0.5 * step * drive.damping / drive.mass;
-  drive.speed = ((1 - half_drag) * drive.speed + step / drive.mass * (drive.force + load)) / (1 + half_drag);
-}
-
 }  // namespace
 
 RankContacts::RankContacts(const Plan& plan, InstructionSet set)
@@ -157,38 +146,20 @@ void RankContacts::prune(Rows& rows, int all) {
   if (touching_.size() < touching) touching_.resize(touching);
 }
 
-WallView RankContacts::wall_view(std::size_t w, double time) const {
-  const Wall& wall = walls_[w];
-  WallView view{};
-  const WallPose pose = pose_at(wall, time);
-  const WallVelocity motion = velocity_at(wall, time - 0.5 * plan_.step);
-  wall.shape.numbers(pose, view.shape);
-  view.shape_index = shapes_[w];
-  for (int c = 0; c < 3; ++c) {
-    view.center[c] = pose.center_now()[c];
-    view.velocity[c] = motion.velocity[c];
-    view.spin[c] = motion.spin[c];
-  }
-  view.count = static_cast<std::int32_t>(near_[w].slots.size());
-  view.slots = near_[w].slots.data();
-  view.contact = const_cast<std::int32_t*>(near_[w].contact.data());  // the loop numbers those that begin
-  view.parameters =
-      plan_.wall_parameters.data() + w * static_cast<std::size_t>(plan_.contact_kinds) * law_.parameters_size;
-  return view;
-}
-
 void RankContacts::touch_walls(const ContactView& contacts, double time, ContactTask& task) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     double* load = wall_loads_.data() + 6 * w;
     std::fill_n(load, 6, 0.0);
     if (!is_active(walls_[w], time)) continue;
     std::fill_n(task.wall_force, 3, 0.0), std::fill_n(task.wall_moment, 3, 0.0);
-    kernel_.wall(contacts, wall_view(w, time), task);
+    const double* parameters = plan_.wall_parameters.data() +
+                               w * static_cast<std::size_t>(plan_.contact_kinds) * law_.parameters_size;
+    kernel_.wall(contacts, wall_view_at(walls_[w], shapes_[w], near_[w], parameters, time, plan_.step), task);
     for (int c = 0; c < 3; ++c) load[c] = task.wall_force[c], load[3 + c] = task.wall_moment[c];
   }
 }
 
-void RankContacts::work_out(Rows& rows, int own, int all, double time) {
+void RankContacts::work_out(Rows& rows, int all, double time) {
   // pads: a pair too far apart to touch, and a sphere far from every wall
   for (int n = 0; n < Rows::pads; ++n) std::fill_n(rows.position_of(all + n), position_radius_size, 0.0);
   for (int c = 0; c < 3; ++c) rows.position_of(all + 1)[c] = 1e6 * plan_.largest_radius();
@@ -225,68 +196,32 @@ void RankContacts::work_out(Rows& rows, int own, int all, double time) {
   touch_walls(contacts, time, task);
   histories_.free_count = task.free_count;
   deepest_ = task.deepest;
-  static_cast<void>(own);
 }
 
 void RankContacts::end_forces(const std::vector<double>& loads_of_all, double time) {
   const double step = plan_.step;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall& wall = walls_[w];
-    WallRecord& record = records_[w];
     const double* load = loads_of_all.data() + 6 * w;
-    record.now = {{load[0], load[1], load[2]}, {load[3], load[4], load[5]}};
-    const WallVelocity before = velocity_at(wall, time - 0.5 * step);
-    if (wall.motion.drive && is_active(wall, time))
-      kick(*wall.motion.drive, dot(record.now.force, wall.motion.drive->axis), step);
-    const WallVelocity after = velocity_at(wall, time + 0.5 * step);
-    add_times(record.impulse, step, record.now);
-    record.force_peak = std::max(record.force_peak, norm(record.now.force));
-    record.moment_peak = std::max(record.moment_peak, norm(record.now.moment));
-    record.power = -0.5 * (dot(record.now.force, before.velocity + after.velocity) +
-                           dot(record.now.moment, before.spin + after.spin));
-    record.work += step * record.power;
+    end_step(wall, records_[w], {{load[0], load[1], load[2]}, {load[3], load[4], load[5]}}, time, step);
     if (is_at_rest(wall)) continue;
+    const WallVelocity after = velocity_at(wall, time + 0.5 * step);
     const double turning = turns_visibly(wall) ? norm(after.spin) * (turn_reach_ + plan_.skin) : 0;
     wall_paths_[w] += step * (norm(after.velocity) + turning);
   }
 }
 
-void RankContacts::move_walls() {
-  for (Wall& wall : walls_) {
-    if (wall.motion.drive) wall.motion.drive->shift += plan_.step * wall.motion.drive->speed;
-  }
-}
+void RankContacts::move_walls() { move_driven(walls_, plan_.step); }
 
 /// Spheres may go half of the skin, too, before lists are made anew; one step more is left.
 bool RankContacts::walls_moved_far() const {
   return std::ranges::any_of(wall_paths_, [&](double path) { return path > 0.4 * plan_.skin; });
 }
 
-std::vector<double> RankContacts::wall_records() const {
-  std::vector<double> all;
-  for (std::size_t w = 0; w < records_.size(); ++w) {
-    const WallRecord& r = records_[w];
-    for (const auto& v : {r.now.force, r.now.moment, r.impulse.force, r.impulse.moment})
-      all.insert(all.end(), v.c, v.c + 3);
-    const std::optional<WallDrive>& drive = walls_[w].motion.drive;
-    all.insert(all.end(), {r.force_peak, r.moment_peak, r.interval_begin, r.work, r.power,
-                           drive ? drive->shift : 0, drive ? drive->speed : 0});
-  }
-  return all;
-}
+std::vector<double> RankContacts::wall_records() const { return record_numbers(records_, walls_); }
 
 void RankContacts::set_wall_records(const std::vector<double>& records) {
-  const double* from = records.data();
-  for (std::size_t w = 0; w < records_.size(); ++w) {
-    WallRecord& r = records_[w];
-    for (Vec<double, 3>* v : {&r.now.force, &r.now.moment, &r.impulse.force, &r.impulse.moment})
-      std::copy_n(from, 3, v->c), from += 3;
-    r.force_peak = from[0], r.moment_peak = from[1], r.interval_begin = from[2];
-    r.work = from[3], r.power = from[4];
-    if (std::optional<WallDrive>& drive = walls_[w].motion.drive)
-      drive->shift = from[5], drive->speed = from[6];
-    from += 7;
-  }
+  set_record_numbers(records.data(), records_, walls_);
 }
 
 }  // namespace fiberchain::dem::mpi

@@ -7,6 +7,8 @@
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/inner_pairs.hpp"
 #include "dem/contact/wall_neighbors.hpp"
+#include "dem/contact/wall_record.hpp"
+#include "dem/contact/wall_view.hpp"
 #include "dem/lammps/plan.hpp"
 #include "dem/lammps/rows.hpp"
 
@@ -36,7 +38,7 @@ class RankContacts {
   /// Spheres have moved by no more than `path` [m] since.
   void add_path(double path);
   /// Loads of all spheres' contacts, which were at rest in `rows.load`; only own spheres' are whole.
-  void work_out(Rows& rows, int own, int all, double time);
+  void work_out(Rows& rows, int all, double time);
 
   /// Forces and moments on the walls by this rank's spheres at the last work_out(): force, moment of each.
   const std::vector<double>& wall_loads() const { return wall_loads_; }
@@ -59,7 +61,6 @@ class RankContacts {
 
  private:
   ContactView view(Rows& rows);
-  WallView wall_view(std::size_t wall, double time) const;
   void prune(Rows& rows, int all);
   void touch_walls(const ContactView& contacts, double time, ContactTask& task);
   double inner_cutoff() const;

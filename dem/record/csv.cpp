@@ -13,16 +13,8 @@
 namespace fiberchain::dem {
 namespace {
 
-std::string quoted_field(const std::string& text) {
-  const bool plain = text.find_first_of(",\"\r\n") == std::string::npos && !text.starts_with('#');
-  if (plain) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string field(const Cell& cell, CellKind kind) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return quoted_field(*text);
+  if (const auto* text = std::get_if<std::string>(&cell)) return csv_field(*text);
   if (const auto* integer = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *integer);
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{}", *number);
   return kind == CellKind::text ? "" : "nan";
@@ -56,6 +48,20 @@ Table header(const CsvReader& reader, std::vector<std::string> columns) {
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+  const bool plain = text.find_first_of(",\"\r\n") == std::string::npos && !text.starts_with('#');
+  if (plain) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::vector<std::pair<std::string, std::string>> csv_comments(const CsvReader& reader) {
+  std::vector<std::pair<std::string, std::string>> comments;
+  for (const std::string& line : reader.comments()) comments.push_back(comment(line));
+  return comments;
+}
+
 std::string to_csv(const Table& table, const Provenance& provenance) {
   std::string text;
   for (const auto& [key, value] : entries(provenance)) text += fmt::format("# {}: {}\n", key, value);
@@ -74,8 +80,7 @@ CsvDocument read_csv(std::istream& input, const std::string& name) {
   CsvReader reader(input, name, [](const std::string& what) { throw InputError(what); });
   auto fields = reader.record();
   if (!fields) reader.fail("no header: the file holds no table");
-  CsvDocument document{{}, header(reader, *fields), {}};
-  for (const std::string& line : reader.comments()) document.comments.push_back(comment(line));
+  CsvDocument document{csv_comments(reader), header(reader, *fields), {}};
   const std::vector<std::string> columns = document.table.columns();
   while ((fields = reader.record())) {
     if (fields->size() != columns.size()) {

@@ -16,6 +16,14 @@ namespace fiberchain::dem {
 /// The table as CSV under its provenance.
 std::string to_csv(const Table& table, const Provenance& provenance);
 
+/// A text as a field of CSV, quoted where it must be.
+std::string csv_field(const std::string& text);
+
+class CsvReader;
+
+/// "# key: value" lines that a reader has passed, in order; without a key where a line is not such.
+std::vector<std::pair<std::string, std::string>> csv_comments(const CsvReader& reader);
+
 /// A table read back, with the entries of the comment lines.
 struct CsvDocument {
   std::vector<std::pair<std::string, std::string>> comments;  ///< of "# key: value" lines, in order

@@ -8,10 +8,12 @@
 #include "dem/chain/residual.hpp"
 #include "dem/equilibrium/newton.hpp"
 #include "dem/insertion/placement.hpp"
+#include "dem/motion/time_step.hpp"
 #include "dem/vibration/first_mode.hpp"
 #include "dem/vibration/release.hpp"
 #include "reference/chain_modes.hpp"
 #include "reference/damped_beam.hpp"
+#include "tests/dem/swinging_fiber.hpp"
 
 BOOST_AUTO_TEST_SUITE(cylinder_mass_test)
 
@@ -92,64 +94,19 @@ BOOST_AUTO_TEST_CASE(its_first_frequency_goes_to_the_beams_at_second_order) {
 }
 
 BOOST_AUTO_TEST_CASE(every_integrator_keeps_its_energy_and_finds_the_same_motion) {
-  const dem::Fiber f = fiber(11);
-  std::vector<V> tips;
-  const auto run = [&](dem::Integrator integrator, dem::BondForm form) {
-    dem::ReleaseOptions options;
-    options.integrator = integrator, options.form = form, options.energy = true;
-    if (integrator == dem::Integrator::cvode) options.tolerance = 1e-9;
-    if (integrator != dem::Integrator::cvode) options.step_ratio = 0.1;
-    const auto record = dem::ring_down<3>({bent_release<3>(f)}, options)[0];
-    BOOST_TEST(record.failure == "");
-    const double start = record.samples.front().energy;
-    for (const auto& sample : record.samples) {
-      if (std::abs(sample.energy / start - 1) < 1e-4) continue;
-      BOOST_ERROR("energy " << sample.energy / start << " at " << sample.time);
-      break;
-    }
-    tips.push_back(record.samples.back().position);
-  };
-  run(dem::Integrator::leapfrog, dem::BondForm::total);
-  run(dem::Integrator::leapfrog, dem::BondForm::incremental);
-  run(dem::Integrator::leapfrog_damped, dem::BondForm::total);
-  run(dem::Integrator::implicit, dem::BondForm::total);
-  run(dem::Integrator::cvode, dem::BondForm::total);
-  for (const V& tip : tips) BOOST_TEST(norm(tip - tips.back()) < 2e-3 * dem::fiber_length(f));
+  swinging::check_schemes(bent_release<3>(fiber(11)),
+                          {{dem::Integrator::leapfrog, dem::BondForm::total},
+                           {dem::Integrator::leapfrog, dem::BondForm::incremental},
+                           {dem::Integrator::leapfrog_damped, dem::BondForm::total},
+                           {dem::Integrator::implicit, dem::BondForm::total},
+                           {dem::Integrator::cvode, dem::BondForm::total}},
+                          1e-4, 2e-3);
 }
 
 BOOST_AUTO_TEST_CASE(a_packing_lets_it_fall_and_swing_as_it_should) {
-  const dem::Fiber f = fiber(13);
-  const auto chain = dem::straight_chain<3>(f);
-  for (const auto form : {dem::BondForm::total, dem::BondForm::incremental}) {
-    dem::ChainState<3> state = dem::placed(chain, dem::FiberStart{{0, 0, 0}, {0.3, 1, -0.2}});
-    for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-      const double s = static_cast<double>(i) / 13;
-      state.velocity[i] = {0.2 * s * s, -0.1 * s, 0.3 * std::sin(5 * s)};
-      state.spin[i] = {1, -2 * s, 3};
-    }
-    dem::Domain around;
-    around.gravity = {0.4, -1.1, -9.81};
-    dem::ChainState<3> other = state;
-    for (auto& pose : other.poses) pose.position[0] += 1;
-    dem::Assembly assembly({{chain, {state, other}}}, around, {.step = 2e-6, .form = form});
-    const auto account = [&] {
-      V momentum{};
-      const dem::ChainState<3> now = assembly.state(0, 0);
-      for (int i = 0; i <= 13; ++i)
-        momentum = momentum +
-                   dem::mass_share(f, i) * dem::sphere_mass(f) * now.velocity[static_cast<std::size_t>(i)];
-      return momentum;
-    };
-    const V before = account();
-    const auto energy_before = assembly.energy();
-    assembly.march(8000);
-    const V expected = before + (assembly.time() * dem::fiber_mass(f)) * around.gravity;
-    BOOST_TEST(norm(account() - expected) < 1e-12 * norm(expected));
-    const auto energy = assembly.energy();
-    const double change = energy.kinetic + energy.bonds + energy.gravity - energy_before.kinetic -
-                          energy_before.bonds - energy_before.gravity;
-    BOOST_TEST(std::abs(change) < 1e-3 * energy_before.kinetic);
-  }
+  const auto chain = dem::straight_chain<3>(fiber(13));
+  for (const auto form : {dem::BondForm::total, dem::BondForm::incremental})
+    swinging::check_fall(chain, 2, {.step = 2e-6, .form = form}, 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(it_settles_in_a_fluid_with_its_weight_over_its_drag) {

@@ -18,6 +18,7 @@
 #include "reference/chain_modes.hpp"
 #include "reference/elastica.hpp"
 #include "reference/reissner.hpp"
+#include "tests/dem/swinging_fiber.hpp"
 
 BOOST_AUTO_TEST_SUITE(spacing_test)
 
@@ -231,59 +232,24 @@ BOOST_AUTO_TEST_CASE(every_integrator_keeps_its_energy_and_finds_the_same_motion
     dem::Load<3> pull{f.aspect_ratio, {}, {}};
     pull.force[1] = dem::load_force(f, 0.3);
     release.start = dem::solve_equilibrium<3>(release.chain, {{0}, {pull}}).poses;
-    std::vector<V> tips;
-    const auto run = [&](dem::Integrator integrator, dem::BondForm form) {
-      dem::ReleaseOptions options;
-      options.integrator = integrator, options.form = form, options.energy = true;
-      if (integrator == dem::Integrator::cvode) options.tolerance = 1e-9;
-      if (integrator != dem::Integrator::cvode) options.step_ratio = 0.1;
-      const auto record = dem::ring_down<3>({release}, options)[0];
-      BOOST_TEST(record.failure == "");
-      double worst = 0;
-      for (const auto& sample : record.samples)
-        worst = std::max(worst, std::abs(sample.energy / record.samples.front().energy - 1));
-      BOOST_TEST(worst < 2e-3, dem::name(integrator) << " s " << s);
-      tips.push_back(record.samples.back().position);
-    };
-    run(dem::Integrator::leapfrog, dem::BondForm::total);
-    run(dem::Integrator::leapfrog, dem::BondForm::incremental);
-    run(dem::Integrator::leapfrog_damped, dem::BondForm::total);
-    run(dem::Integrator::leapfrog_stiff, dem::BondForm::total);
-    run(dem::Integrator::implicit, dem::BondForm::total);
-    run(dem::Integrator::cvode, dem::BondForm::total);
-    for (const V& tip : tips) BOOST_TEST(norm(tip - tips.back()) < 5e-3 * dem::fiber_length(f));
+    BOOST_TEST_CONTEXT("s " << s) {
+      swinging::check_schemes(release,
+                              {{dem::Integrator::leapfrog, dem::BondForm::total},
+                               {dem::Integrator::leapfrog, dem::BondForm::incremental},
+                               {dem::Integrator::leapfrog_damped, dem::BondForm::total},
+                               {dem::Integrator::leapfrog_stiff, dem::BondForm::total},
+                               {dem::Integrator::implicit, dem::BondForm::total},
+                               {dem::Integrator::cvode, dem::BondForm::total}},
+                              2e-3, 5e-3);
+    }
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_packing_lets_it_fall_and_swing_as_it_should) {
-  const dem::Fiber f = spaced(5, 2.6, BondModel::corrected, MassModel::cylinder);
-  const auto chain = dem::straight_chain<3>(f);
+  const auto chain = dem::straight_chain<3>(spaced(5, 2.6, BondModel::corrected, MassModel::cylinder));
   for (const auto integrator : {dem::Integrator::leapfrog, dem::Integrator::leapfrog_stiff}) {
-    dem::ChainState<3> state = dem::placed(chain, dem::FiberStart{{0, 0, 0}, {0.3, 1, -0.2}});
-    for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-      const double x = static_cast<double>(i) / 5;
-      state.velocity[i] = {0.2 * x * x, -0.1 * x, 0.3 * std::sin(5 * x)};
-      state.spin[i] = {1, -2 * x, 3};
-    }
-    dem::Domain around;
-    around.gravity = {0.4, -1.1, -9.81};
-    dem::Assembly assembly({{chain, {state}}}, around,
-                           {.step = 2e-6, .integrator = integrator, .form = dem::BondForm::total});
-    const auto momentum = [&] {
-      V sum{};
-      const dem::ChainState<3> now = assembly.state(0, 0);
-      for (int i = 0; i <= 5; ++i)
-        sum = sum + dem::mass_share(f, i) * dem::sphere_mass(f) * now.velocity[static_cast<std::size_t>(i)];
-      return sum;
-    };
-    const V before = momentum();
-    const auto start = assembly.energy();
-    assembly.march(8000);
-    const V expected = before + (assembly.time() * dem::fiber_mass(f)) * around.gravity;
-    BOOST_TEST(norm(momentum() - expected) < 1e-11 * norm(expected));
-    const auto end = assembly.energy();
-    const double change = end.kinetic + end.bonds + end.gravity - start.kinetic - start.bonds - start.gravity;
-    BOOST_TEST(std::abs(change) < 1e-3 * start.kinetic);
+    swinging::check_fall(chain, 1, {.step = 2e-6, .integrator = integrator, .form = dem::BondForm::total},
+                         1e-11);
   }
 }
 

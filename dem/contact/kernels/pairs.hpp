@@ -103,6 +103,20 @@ unsigned touched_mask(const std::int32_t* contact) {
   return mask;
 }
 
+/// Puts the listed pairs p + lane of a mask behind the inner ones found; how many there are then.
+inline std::int32_t add_inner(const ContactView& view, std::int32_t p, unsigned chosen,
+                              const InnerPairs& inner, std::int32_t found) {
+  for (; chosen != 0; chosen &= chosen - 1) {
+    const std::int32_t pair = p + __builtin_ctz(chosen);
+    inner.pair[found] = pair;
+    inner.first[found] = view.first[pair];
+    inner.second[found] = view.second[pair];
+    inner.contact[found] = view.contact[pair];
+    inner.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
+  }
+  return found;
+}
+
 template <ContactPhysics P, class Real>
 FIBERCHAIN_FLATTEN std::int32_t prune_pairs(const ContactView& view, std::int32_t begin, std::int32_t end,
                                             double gap, const InnerPairs& inner, std::int32_t found) {
@@ -110,14 +124,7 @@ FIBERCHAIN_FLATTEN std::int32_t prune_pairs(const ContactView& view, std::int32_
   for (std::int32_t p = begin; p < end; p += lanes) {
     fetch_positions<Real>(view, view.second, p, end);
     const unsigned closer = closer_than<P, Real>(view, Real(gap), view.first + p, view.second + p);
-    for (unsigned chosen = closer | touched_mask<Real>(view.contact + p); chosen != 0; chosen &= chosen - 1) {
-      const std::int32_t pair = p + __builtin_ctz(chosen);
-      inner.pair[found] = pair;
-      inner.first[found] = view.first[pair];
-      inner.second[found] = view.second[pair];
-      inner.contact[found] = view.contact[pair];
-      inner.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
-    }
+    found = add_inner(view, p, closer | touched_mask<Real>(view.contact + p), inner, found);
   }
   return found;
 }

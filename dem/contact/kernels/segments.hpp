@@ -74,14 +74,7 @@ FIBERCHAIN_FLATTEN std::int32_t prune_bodies(const ContactView& base, std::int32
   for (std::int32_t p = begin; p < end; p += lanes) {
     fetch_positions<Real>(view, view.second, p, end);
     const unsigned closer = bodies_closer_than<Real>(view, Real(gap), view.first + p, view.second + p);
-    for (unsigned chosen = closer | touched_mask<Real>(view.contact + p); chosen != 0; chosen &= chosen - 1) {
-      const std::int32_t pair = p + __builtin_ctz(chosen);
-      inner.pair[found] = pair;
-      inner.first[found] = view.first[pair];
-      inner.second[found] = view.second[pair];
-      inner.contact[found] = view.contact[pair];
-      inner.touches[found++] = view.contact[pair] != 0 ? 1 : 0;
-    }
+    found = add_inner(view, p, closer | touched_mask<Real>(view.contact + p), inner, found);
   }
   return found;
 }
@@ -144,10 +137,18 @@ bool are_neighbors(const SegmentView& view, std::int32_t a, std::int32_t b) {
   return a == b || (view.nodes.end[a] != a && view.nodes.end[b] != b && (a - b == 1 || b - a == 1));
 }
 
+/// Whether a contact is among those that end in this step.
+inline bool has_ended(const SegmentView& view, const ContactTask& task, std::int32_t contact, int ended) {
+  for (int n = 0; n < ended; ++n) {
+    if (task.inner.contact[view.ended[n]] == contact) return true;
+  }
+  return false;
+}
+
 /// The contact that one of a pair goes on with: of the same bodies or their neighbors, the one pressed in
 /// deepest of those that share a body, else of those that end in this step (contacts slide over two joints at
 /// once).
-template <class Real>
+template <class Law, class Real>
 std::int32_t source_of(const SegmentView& view, const ContactTask& task, std::int32_t pair, int ended) {
   const std::int32_t i = task.inner.first[pair], j = task.inner.second[pair];
   std::int32_t low = 0, high = view.pair_count;
@@ -165,12 +166,9 @@ std::int32_t source_of(const SegmentView& view, const ContactTask& task, std::in
     const std::int32_t a = view.first[p], b = view.second[p], contact = view.contact[p];
     if (contact == 0 || (a == i && b == j)) continue;
     if (!are_neighbors<Real>(view, a, i) || !are_neighbors<Real>(view, b, j)) continue;
-    if (a != i && b != j) {
-      bool ends = false;
-      for (int n = 0; n < ended; ++n) ends = ends || task.inner.contact[view.ended[n]] == contact;
-      if (!ends) continue;
-    }
-    const double depth = view.histories[static_cast<std::ptrdiff_t>(contact) * contact_history_size + 3];
+    if (a != i && b != j && !has_ended(view, task, contact, ended)) continue;
+    const double depth =
+        view.histories[static_cast<std::ptrdiff_t>(contact) * contact_history_size + Law::sqrt_overlap_at];
     const double weight = (a == i || b == j) ? 2 * depth : depth;
     if (weight > deepest) deepest = weight, best = contact;
   }
@@ -179,10 +177,10 @@ std::int32_t source_of(const SegmentView& view, const ContactTask& task, std::in
 
 /// Histories of contacts that begin, and back those of contacts that have ended. One that ends hands on all
 /// that is known of the step before; of one that goes on the spring is copied, with no share of it yet.
-template <ContactPhysics P, class Real>
+template <class Law, ContactPhysics P, class Real>
 void begin_and_end(const SegmentView& view, ContactTask& task, int begun, int ended) {
   const InnerPairs& inner = task.inner;
-  for (int n = 0; n < begun; ++n) view.source[n] = source_of<Real>(view, task, view.begun[n], ended);
+  for (int n = 0; n < begun; ++n) view.source[n] = source_of<Law, Real>(view, task, view.begun[n], ended);
   for (int n = 0; n < begun; ++n) {
     const std::int32_t pair = view.begun[n], from = view.source[n];
     const std::int32_t contact = begin_contact<P>(view, task);
@@ -191,13 +189,11 @@ void begin_and_end(const SegmentView& view, ContactTask& task, int begun, int en
     double* to = view.histories + static_cast<std::ptrdiff_t>(contact) * contact_history_size;
     double* old = view.histories + static_cast<std::ptrdiff_t>(from) * contact_history_size;
     for (int c = 0; c < contact_history_size; ++c) to[c] = old[c];
-    bool ends = false;
-    for (int e = 0; e < ended; ++e) ends = ends || inner.contact[view.ended[e]] == from;
-    if (!ends) {
-      to[5] = 0, to[6] = -1;
+    if (!has_ended(view, task, from, ended)) {
+      to[Law::rolling_power_at] = 0, to[Law::share_less_one_at] = -1;
       continue;
     }
-    old[6] = -1, old[5] = 0;  // handed on once
+    old[Law::share_less_one_at] = -1, old[Law::rolling_power_at] = 0;  // handed on once
     if constexpr (P.accounted) {
       for (int c = 0; c < contact_account_size; ++c) {
         double& work = view.work[static_cast<std::ptrdiff_t>(from) * contact_account_size + c];
@@ -299,7 +295,7 @@ FIBERCHAIN_FLATTEN void contact_bodies(const ContactView& base, ContactTask& tas
   int begun = 0, ended = 0;
   const int near = find_near<Real>(view, task, ended);
   const int touching = choose_touching<Real>(view, task, near, begun, ended);
-  begin_and_end<P, Real>(view, task, begun, ended);
+  begin_and_end<Law, P, Real>(view, task, begun, ended);
   task.contacts += touching;
   Real deepest(0.0);
   for (int n = 0; n < touching; n += lanes) {

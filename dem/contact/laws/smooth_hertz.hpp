@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "dem/contact/laws/hertz_mindlin.hpp"
@@ -24,6 +25,8 @@ struct SmoothHertz {
     Real share_less_one;  ///< share - 1
     Real stiffer;         ///< stiffness - 1
   };
+  /// Places among the numbers of a history.
+  static constexpr int sqrt_overlap_at = 3, rolling_power_at = 5, share_less_one_at = 6;
 
   template <class Real>
   static Real share_of(const History<Real>& h) {
@@ -89,5 +92,11 @@ struct SmoothHertz {
     return -elastic_force(p, h) * h.normal_velocity;
   }
 };
+
+using SmoothHertzHistory = SmoothHertz::History<double>;
+static_assert(offsetof(SmoothHertzHistory, sqrt_overlap) == SmoothHertz::sqrt_overlap_at * sizeof(double));
+static_assert(offsetof(SmoothHertzHistory, rolling_power) == SmoothHertz::rolling_power_at * sizeof(double));
+static_assert(offsetof(SmoothHertzHistory, share_less_one) ==
+              SmoothHertz::share_less_one_at * sizeof(double));
 
 }  // namespace fiberchain::dem

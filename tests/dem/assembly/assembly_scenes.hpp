@@ -57,4 +57,27 @@ inline dem::FiberGroup scattered(const dem::Chain<3>& chain, int count, double s
   return group;
 }
 
+struct Momenta {
+  V linear{}, angular{};
+  double linear_size = 0, angular_size = 0;  ///< sums of the sizes of each sphere's
+};
+
+/// Of every sphere of every fiber.
+inline Momenta momenta(const dem::Assembly& assembly) {
+  Momenta sum;
+  for (int g = 0; g < assembly.groups(); ++g) {
+    const dem::Fiber& fiber = assembly.chain(g).fiber;
+    for (const dem::ChainState<3>& state : assembly.states(g)) {
+      for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+        const double share = dem::mass_share(fiber, static_cast<int>(i));
+        const V p = share * dem::sphere_mass(fiber) * state.velocity[i],
+                L = cross(state.poses[i].position, p) + share * dem::sphere_inertia(fiber) * state.spin[i];
+        sum.linear = sum.linear + p, sum.angular = sum.angular + L;
+        sum.linear_size += norm(p), sum.angular_size += norm(L);
+      }
+    }
+  }
+  return sum;
+}
+
 }  // namespace scenes

@@ -7,6 +7,7 @@
 
 #include "dem/assembly/assembly.hpp"
 #include "dem/model/errors.hpp"
+#include "tests/dem/assembly/assembly_scenes.hpp"
 
 BOOST_AUTO_TEST_SUITE(assembly_test)
 
@@ -46,31 +47,6 @@ dem::FiberGroup colliding_fibers(const dem::Fiber& fiber, int count, unsigned se
     group.fibers.push_back(state);
   }
   return group;
-}
-
-struct Momenta {
-  Vec3 linear{}, angular{};
-  double linear_size = 0, angular_size = 0;
-};
-
-/// Of every sphere of every fiber.
-Momenta momenta(const dem::Assembly& assembly) {
-  Momenta sum;
-  for (int g = 0; g < assembly.groups(); ++g) {
-    const dem::Fiber& fiber = assembly.chain(g).fiber;
-    const double m = dem::sphere_mass(fiber), J = dem::sphere_inertia(fiber);
-    for (int f = 0; f < assembly.fibers(g); ++f) {
-      const dem::ChainState<3> s = assembly.state(g, f);
-      for (std::size_t i = 0; i < s.poses.size(); ++i) {
-        const Vec3 p = m * s.velocity[i];
-        sum.linear = sum.linear + p;
-        sum.angular = sum.angular + dem::cross(s.poses[i].position, p) + J * s.spin[i];
-        sum.linear_size += dem::norm(p);
-        sum.angular_size += dem::norm(dem::cross(s.poses[i].position, p)) + J * dem::norm(s.spin[i]);
-      }
-    }
-  }
-  return sum;
 }
 
 dem::Domain open_space() {
@@ -137,13 +113,13 @@ void keeps_momenta(const dem::Fiber& fiber, const dem::Domain& around, const dem
   others.fibers.assign(all.fibers.begin() + 20, all.fibers.end());
   all.fibers.resize(20);
   dem::Assembly assembly({all, others}, around, options);
-  const Momenta before = momenta(assembly);
+  const scenes::Momenta before = scenes::momenta(assembly);
   std::int64_t most = 0;
   for (int n = 0; n < 40; ++n) {
     assembly.march(100);
     most = std::max(most, assembly.touching());
   }
-  const Momenta after = momenta(assembly);
+  const scenes::Momenta after = scenes::momenta(assembly);
   BOOST_TEST(most > 30);
   const double over = assembly.step() / dem::bond_time_step(fiber);
   BOOST_TEST_MESSAGE("dt / t_b " << over << ": momentum off by "
