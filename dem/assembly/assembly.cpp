@@ -116,13 +116,6 @@ void check_smooth(const std::vector<FiberGroup>& groups, const Domain& domain,
     smooth_law(law_of(domain.contacts));
     if (packing_law(options).intact_place >= 0 || fails(group.chain.fiber))
       throw InvalidKey("fibers", "smooth surfaces are not built together with bonds that break or yield");
-    for (const Wall& wall : domain.walls) {
-      if (mesh_in(wall) != nullptr || wall.shape.get_if<BoxObstacle>() != nullptr)
-        throw InvalidKey("walls",
-                         fmt::format("a {} is not allowed: smooth fibers (surface: smooth) touch walls with "
-                                     "their spheres, between which edges come",
-                                     mesh_in(wall) != nullptr ? "mesh" : "solid box"));
-    }
   }
 }
 

@@ -104,6 +104,7 @@ void Contacts::cut(int count) {
   for (Part& part : parts_) {
     part.walls.resize(domain_.walls.size());
     part.meshes.resize(domain_.walls.size());
+    part.ridges.resize(ridges_.size());
     part.wall_loads.resize(domain_.walls.size());
     part.wall_brought.resize(domain_.walls.size());
     part.halo_of_part.resize(count);
@@ -146,11 +147,13 @@ void Contacts::begin(SphereStorage& rows, Partition parts, double time, ThreadPo
   set_parameters();
   const bool periodic = std::ranges::any_of(domain_.period.c, [](double p) { return p > 0; });
   const ContactPhysics physics{bodies_.size() == 1, periodic, rolls(domain_), accounted_};
+  if (fiber_bodies_.smooth && ridges_.empty()) find_walls_ridges();
   cut(parts.count());
   fiber_bodies_.build(SphereStorage::pads);
   if (fiber_bodies_.smooth) {
     smooth_kernel_ = smooth_kernel(*law_, physics, instruction_set_);
     kernel_ = &smooth_kernel_;
+    segment_kernel_ = &segment_kernel(physics, instruction_set_);
     neighbors_ = NeighborList({fiber_bodies_.bound, fiber_, domain_.period}, skin_ + law_reach_,
                               std::move(parts), *kernel_, fiber_bodies_);
   } else {

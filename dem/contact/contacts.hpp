@@ -13,6 +13,8 @@
 #include "dem/contact/mesh_neighbors.hpp"
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/pair_list.hpp"
+#include "dem/contact/ridge_neighbors.hpp"
+#include "dem/contact/kernels/segment_kernel.hpp"
 #include "dem/contact/wall_neighbors.hpp"
 #include "dem/contact/wall_record.hpp"
 #include "dem/parallel/force_buffers.hpp"
@@ -176,6 +178,7 @@ class Contacts {
     std::vector<WallLoad> wall_loads;   ///< of each now
     std::vector<double> wall_brought;   ///< work of each as it came or went, waiting for end_forces() [J]
     std::vector<MeshNeighbors> meshes;  ///< of walls that are meshes, by the walls' numbers
+    std::vector<RidgeNeighbors> ridges;  ///< of walls with edges among smooth fibers, likewise
     double path = 0;                    ///< sum of add_displacements() [m]
     ContactHistories histories;         ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
@@ -192,6 +195,7 @@ class Contacts {
     PairList pairs;
     WallNeighbors wall;
     MeshNeighbors mesh;
+    RidgeNeighbors ridges;
   };
 
   /// Fills the rows behind those of the spheres, for the lanes that pad vectors.
@@ -208,6 +212,10 @@ class Contacts {
   void update_wall(int part, std::size_t wall, UpdateScratch& scratch);
   bool is_mesh(std::size_t wall) const { return shapes_[wall] == std::ssize(law_->shapes); }
   void update_mesh(int part, std::size_t wall, UpdateScratch& scratch);
+  bool has_ridges(std::size_t wall) const { return !ridges_.empty() && ridges_[wall].mesh != nullptr; }
+  void update_ridges(int part, std::size_t wall, UpdateScratch& scratch);
+  /// The surface of a wall that is a mesh, or taken for one: a solid box among smooth fibers.
+  MeshShape mesh_at(const Wall& now, std::size_t wall, const WallPose& pose) const;
   /// By the parts that a part's halo forces are for.
   void sort_halo(int part, std::int32_t count);
   /// Numbers of the law's Parameters.
@@ -221,9 +229,12 @@ class Contacts {
   /// At which its normal spring is pressed [W]. A kick lasts from half a step before to half a step after.
   double closing_power(const SavedContact& contact) const;
   /// What a wall that has just come stores in contacts at once [J].
-  double brought_by(const WallNeighbors& neighbors, int wall, const Part& part) const;
+  double brought_by(std::size_t wall, const Part& part) const;
   /// A wall that is gone takes what its contacts stored.
-  void drop(WallNeighbors& neighbors, int wall, Part& part) const;
+  void drop(std::size_t wall, Part& part) const;
+  /// visit(key, number) for the contacts of a part's bodies with a wall.
+  template <class Visit>
+  void each_at_wall(const Part& part, std::size_t wall, const Visit& visit) const;
   int kind_of(const ContactBody& body);
   /// Largest gap at which any of these bodies and walls act on each other [m].
   double law_reach(const std::vector<ContactBody>& bodies) const;
@@ -253,8 +264,17 @@ class Contacts {
   void touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task);
   /// What of the meshes that are there each sphere of a part touches now.
   void find_mesh_contacts(Part& part, const SphereStorage& rows, double time);
+  /// What segments touch of the ridges of walls that are there, behind find_mesh_contacts().
+  void find_ridge_contacts(Part& part, const SphereStorage& rows, double time);
+  /// The law for these, and for the nodes at such walls.
+  void touch_ridges(Part& part, std::size_t wall, const ContactView& contacts, double time,
+                    ContactTask& task);
+  void put_ridge_contact(Part& part, const SavedContact& contact);
+  TouchingPair<double> ridge_pair_at(const SavedContact& contact, const std::vector<Wall>& walls,
+                                     const SphereStorage& rows, double time, double& arm,
+                                     Vec<double, 3>& center) const;
   /// A contact that is known already, behind those of its part that come before it.
-  void put_mesh_contact(Part& part, const MeshShape& mesh, const SavedContact& contact);
+  void put_mesh_contact(Part& part, const SavedContact& contact);
   void add_mesh_ways(double time);
   /// Counts where a wall stands from another place at t = 0, without moving it or where it was listed.
   void count_from(std::size_t wall, const Vec<double, 3>& offset);
@@ -282,6 +302,14 @@ class Contacts {
   const ContactKernel* kernel_ = nullptr;
   FiberBodies fiber_bodies_;
   ContactKernel smooth_kernel_{};  ///< of scenes with smooth fibers
+  const SegmentKernel* segment_kernel_ = nullptr;  ///< likewise
+  /// Of a wall with edges, that segments may touch.
+  struct EdgedWall {
+    std::shared_ptr<const TriangleMesh> mesh;
+    MeshRidges ridges;
+  };
+  std::vector<EdgedWall> ridges_;  ///< of each wall; empty without smooth fibers
+  void find_walls_ridges();
   NeighborList neighbors_;
   double reference_time_ = 0;
   std::vector<WallPose> reference_poses_;  ///< of the walls when the list was built
@@ -297,6 +325,21 @@ class Contacts {
 };
 
 template <class Visit>
+void Contacts::each_at_wall(const Part& part, std::size_t w, const Visit& visit) const {
+  const Primitive facet = facet_primitive(static_cast<std::int64_t>(w));
+  const WallNeighbors& neighbors = part.walls[w];
+  for (std::size_t n = 0; n < neighbors.count; ++n) {
+    if (neighbors.contact[n] == 0) continue;
+    visit(ContactKey{sphere_primitive(neighbors.slots[n]), facet, neighbors.key_slot(n)},
+          neighbors.contact[n]);
+  }
+  if (!has_ridges(w)) return;
+  const RidgeContacts& ridges = part.ridges[w].contacts();
+  for (std::size_t n = 0; n < ridges.count; ++n)
+    visit(ContactKey{segment_primitive(ridges.bodies[n]), facet, ridges.features[n]}, ridges.contact[n]);
+}
+
+template <class Visit>
 void Contacts::each_place(const Visit& visit) const {
   for (std::int32_t k = 0; const Part& part : parts_) {
     const PairList& pairs = part.pairs;
@@ -306,16 +349,8 @@ void Contacts::each_place(const Visit& visit) const {
                          k,
                          pairs.contact[p]});
     }
-    for (std::size_t w = 0; w < part.walls.size(); ++w) {
-      const WallNeighbors& neighbors = part.walls[w];
-      for (std::size_t n = 0; n < neighbors.count; ++n) {
-        if (neighbors.contact[n] == 0) continue;
-        visit(ContactPlace{{sphere_primitive(neighbors.slots[n]),
-                            facet_primitive(static_cast<std::int64_t>(w)), neighbors.key_slot(n)},
-                           k,
-                           neighbors.contact[n]});
-      }
-    }
+    for (std::size_t w = 0; w < part.walls.size(); ++w)
+      each_at_wall(part, w, [&](const ContactKey& key, std::int32_t number) { visit(ContactPlace{key, k, number}); });
     ++k;
   }
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "dem/contact/contacts.hpp"
 
 // Energy that contacts store and dissipate, and the work of walls.
@@ -65,29 +67,26 @@ double Contacts::closing_power(const SavedContact& c) const {
   return law_->closing_power(parameters_of(c), c.history);
 }
 
-double Contacts::brought_by(const WallNeighbors& neighbors, int wall, const Part& part) const {
+double Contacts::brought_by(std::size_t wall, const Part& part) const {
   double energy = 0;
-  for (std::size_t n = 0; n < neighbors.count; ++n) {
-    if (neighbors.contact[n] == 0) continue;
-    const SavedContact contact = part.histories.at(
-        neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
+  each_at_wall(part, wall, [&](const ContactKey& key, std::int32_t number) {
+    const SavedContact contact = part.histories.at(number, key);
     // tangential springs of the first step come out of the motion
     energy +=
         law_->normal_energy(parameters_of(contact), contact.history) - 0.5 * step_ * closing_power(contact);
-  }
+  });
   return energy;
 }
 
-void Contacts::drop(WallNeighbors& neighbors, int wall, Part& part) const {
-  for (std::size_t n = 0; n < neighbors.count; ++n) {
-    if (neighbors.contact[n] == 0) continue;
-    const SavedContact contact = part.histories.at(
-        neighbors.contact[n], {sphere_primitive(neighbors.slots[n]), facet_primitive(wall)});
+void Contacts::drop(std::size_t wall, Part& part) const {
+  each_at_wall(part, wall, [&](const ContactKey& key, std::int32_t number) {
+    const SavedContact contact = part.histories.at(number, key);
     part.wall_brought[wall] -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
-    part.histories.give_back(neighbors.contact[n]);
-    neighbors.contact[n] = 0;
-  }
-  if (is_mesh(wall)) neighbors = {};
+    part.histories.give_back(number);
+  });
+  std::ranges::fill(part.walls[wall].contact, 0);
+  if (is_mesh(wall)) part.walls[wall] = {};
+  if (has_ridges(wall)) part.ridges[wall].contacts().clear();
 }
 
 std::vector<double> Contacts::accumulators() const {

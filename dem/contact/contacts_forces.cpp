@@ -58,13 +58,17 @@ void Contacts::touch_walls(Part& part, const ContactView& contacts, double time,
     part.wall_loads[w] = {};
     if (!is_active(domain_.walls[w], time)) continue;
     std::fill_n(task.wall_force, 3, 0.0), std::fill_n(task.wall_moment, 3, 0.0);
-    kernel_->wall(contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
+    if (has_ridges(w)) {
+      touch_ridges(part, w, contacts, time, task);
+    } else {
+      kernel_->wall(contacts, wall_view(static_cast<int>(w), part.walls[w], time), task);
+    }
     for (int c = 0; c < 3; ++c) {
       part.wall_loads[w].force[c] = task.wall_force[c];
       part.wall_loads[w].moment[c] = task.wall_moment[c];
     }
     if (time > 0 && !is_active(domain_.walls[w], time_before))
-      part.wall_brought[w] += brought_by(part.walls[w], static_cast<int>(w), part);
+      part.wall_brought[w] += brought_by(w, part);
   }
 }
 
@@ -73,9 +77,10 @@ void Contacts::work_out(int k, const SphereStorage& rows, double time, LoadRange
   const std::int32_t begin = parts().begin(k), end = parts().end(k);
   if (part.inner.stale) prune(part, end, rows);
   for (std::size_t w = 0; w < part.walls.size(); ++w) {
-    if (!is_active(domain_.walls[w], time)) drop(part.walls[w], static_cast<int>(w), part);
+    if (!is_active(domain_.walls[w], time)) drop(w, part);
   }
   if (!mesh_poses_.empty()) find_mesh_contacts(part, rows, time);
+  if (!ridges_.empty()) find_ridge_contacts(part, rows, time);
   part.histories.reserve(most_new_contacts(part));
   const SegmentView contacts = view(part, rows);
   ContactTask task{.inner = part.inner.view(),

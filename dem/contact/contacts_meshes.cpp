@@ -9,7 +9,7 @@ namespace fiberchain::dem {
 
 void Contacts::update_mesh(int k, std::size_t w, UpdateScratch& scratch) {
   Part& part = parts_[k];
-  const MeshShape shape = moved(*mesh_in(domain_.walls[w]), reference_poses_[w]);
+  const MeshShape shape = mesh_at(domain_.walls[w], w, reference_poses_[w]);
   const TriangleMesh& mesh = *shape.mesh;
   const auto find = [&](std::int32_t i, std::vector<std::int32_t>& found) {
     const Vec<double, 3> center = shape.to_mesh(neighbors_.reference_positions()[i]);
@@ -25,17 +25,18 @@ void Contacts::find_mesh_contacts(Part& part, const SphereStorage& rows, double 
   for (const std::size_t w : mesh_walls_) {
     const Wall& wall = domain_.walls[w];
     if (!is_active(wall, time)) continue;
-    const MeshShape now = moved(*mesh_in(wall), pose_at(wall, time));
+    const MeshShape now = mesh_at(wall, w, pose_at(wall, time));
     const MeshMoment moment{now, rows, law_reach_, part.path + mesh_ways_[w]};
     part.meshes[w].find_contacts(moment, kernel_->width, static_cast<std::int32_t>(spheres()) + 2,
                                  part.walls[w], part.histories);
   }
 }
 
-void Contacts::put_mesh_contact(Part& part, const MeshShape& mesh, const SavedContact& contact) {
+void Contacts::put_mesh_contact(Part& part, const SavedContact& contact) {
   const auto slot = static_cast<std::int32_t>(contact.key.first.number);
   const std::int64_t wall = contact.key.second.number;
   const std::int32_t feature = contact.key.slot;
+  const MeshShape mesh = mesh_at(domain_.walls[wall], wall, {});
   if (feature < 0 || feature >= mesh.mesh->features() || !part.meshes[wall].has(slot)) return;
   WallNeighbors& list = part.walls[wall];
   list.slots.resize(list.count), list.contact.resize(list.count), list.features.resize(list.count);

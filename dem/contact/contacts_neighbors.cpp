@@ -32,6 +32,7 @@ void Contacts::rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, doub
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       part.walls[w].count = 0;
       if (is_mesh(w)) part.walls[w] = {}, part.meshes[w].clear();
+      if (has_ridges(w)) part.ridges[w].clear(), part.ridges[w].contacts().clear();
     }
   }
   reference_time_ = time;
@@ -66,6 +67,9 @@ void Contacts::update_part(int k, UpdateScratch& scratch) {
   part.inner.stale = true;
   for (std::size_t w = 0; w < domain_.walls.size(); ++w)
     is_mesh(w) ? update_mesh(k, w, scratch) : update_wall(k, w, scratch);
+  for (std::size_t w = 0; w < ridges_.size(); ++w) {
+    if (has_ridges(w)) update_ridges(k, w, scratch);
+  }
 }
 
 void Contacts::update_wall(int k, std::size_t w, UpdateScratch& scratch) {

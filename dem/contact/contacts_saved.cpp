@@ -66,6 +66,7 @@ void Contacts::clear() {
     for (std::size_t w = 0; w < part.walls.size(); ++w) {
       std::ranges::fill(part.walls[w].contact, 0);
       if (is_mesh(w)) part.walls[w] = {};
+      if (has_ridges(w)) part.ridges[w].contacts().clear();
     }
   }
 }
@@ -75,11 +76,13 @@ void Contacts::restore(const std::vector<SavedContact>& contacts) {
     const std::int64_t first = contact.key.first.number, second = contact.key.second.number;
     Part& part = parts_[neighbors_.parts().of(static_cast<std::int32_t>(first))];
     part.inner.stale = true;
-    if (is_facet(contact.key.second)) {
-      if (const MeshShape* mesh = mesh_in(domain_.walls[second])) {
-        put_mesh_contact(part, *mesh, contact);
-        continue;
-      }
+    if (is_facet(contact.key.second) && !is_sphere(contact.key.first)) {
+      put_ridge_contact(part, contact);
+      continue;
+    }
+    if (is_facet(contact.key.second) && is_mesh(second)) {
+      put_mesh_contact(part, contact);
+      continue;
     }
     part.histories.reserve(1);
     const auto put = [&](std::int32_t& number) {
@@ -113,6 +116,7 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<
                                        const SphereStorage& rows, double time, double& arm,
                                        Vec<double, 3>& center) const {
   if (fiber_bodies_.smooth && is_of_fiber(c.key.second)) return fiber_pair_at(c, rows, arm, center);
+  if (!is_sphere(c.key.first)) return ridge_pair_at(c, walls, rows, time, arm, center);
   const std::int64_t first = c.key.first.number, second = c.key.second.number;
   center = rows.position(first);
   const Vec<double, 3> x = rows.position(first), v = rows.velocity(first), w = rows.spin(first);
@@ -123,10 +127,9 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<
     const Wall& wall = walls[second];
     const WallPose pose = pose_at(wall, time);
     const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
-    const MeshShape* mesh = mesh_in(wall);
-    const NearestPoint<double> nearest = mesh != nullptr
-                                             ? moved(*mesh, pose).nearest_of_feature(c.key.slot, x)
-                                             : wall.shape.moved(pose).nearest(x);
+    const NearestPoint<double> nearest =
+        is_mesh(second) ? mesh_at(wall, second, pose).nearest_of_feature(c.key.slot, x)
+                        : wall.shape.moved(pose).nearest(x);
     pair.normal = nearest.direction;
     arm = nearest.distance;
     other_velocity = motion.velocity + cross(motion.spin, x + arm * pair.normal - pose.center_now());

@@ -49,6 +49,7 @@ bool Contacts::is_there(const ContactKey& key) const {
 
 SavedContact Contacts::handed_on(const ContactKey& key, const std::vector<SavedContact>& before) const {
   SavedContact best{key};
+  if (is_facet(key.second)) return best;
   double deepest = 0;
   for (std::int64_t a = key.first.number - 1; a <= key.first.number + 1; ++a) {
     for (std::int64_t b = key.second.number - 1; b <= key.second.number + 1; ++b) {

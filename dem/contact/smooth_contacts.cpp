@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "dem/contact/kernels/segment_kernel.hpp"
 #include "dem/contact/laws/smooth_hertz.hpp"
 #include "dem/contact/segment_geometry.hpp"
 #include "dem/model/errors.hpp"
@@ -45,9 +44,13 @@ const ContactLaw& smooth_law(const ContactLaw& law) {
                   law.name, smooth.name));
 }
 
+const SegmentKernel& segment_kernel(const ContactPhysics& physics, InstructionSet set) {
+  return kernel_of<SegmentKernels>(set, segment_index(physics));
+}
+
 ContactKernel smooth_kernel(const ContactLaw& law, const ContactPhysics& physics, InstructionSet set) {
   ContactKernel kernel = law.kernel(physics, set);
-  const SegmentKernel& segments = kernel_of<SegmentKernels>(set, segment_index(physics));
+  const SegmentKernel& segments = segment_kernel(physics, set);
   kernel.prune = segments.prune;
   kernel.pairs = segments.pairs;
   return kernel;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contact/contact_law.hpp"
+#include "dem/contact/kernels/segment_kernel.hpp"
 
 // Contact laws between smooth fibers.
 namespace fiberchain::dem {
@@ -11,6 +12,9 @@ const ContactLaw& smooth_law(const ContactLaw& law);
 
 /// Its loops: between bodies those of segments, which take a SegmentView.
 ContactKernel smooth_kernel(const ContactLaw& law, const ContactPhysics& physics, InstructionSet set);
+
+/// Those of segments alone.
+const SegmentKernel& segment_kernel(const ContactPhysics& physics, InstructionSet set);
 
 /// k over that of spheres of fibers that touch at right angles, or, where `parallel`, side by side; of a
 /// fiber and a sphere, or a wall, what they have.

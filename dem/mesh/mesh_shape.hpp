@@ -27,9 +27,12 @@ struct MeshShape {
   bool is_round_about(const Vec<double, 3>&, const Vec<double, 3>&) const { return false; }
   void turn(const Quaternion<double>& by) { turned_by = normalized(by * turned_by), turned = true; }
 
-  /// From space into the mesh's frame: places, and back: directions.
+  /// From space into the mesh's frame: places and directions, and back: directions.
   Vec<double, 3> to_mesh(const Vec<double, 3>& place) const {
     return turned ? rotate(conjugate(turned_by), place - point) : place - point;
+  }
+  Vec<double, 3> into_mesh(const Vec<double, 3>& direction) const {
+    return turned ? rotate(conjugate(turned_by), direction) : direction;
   }
   Vec<double, 3> to_space(const Vec<double, 3>& direction) const {
     return turned ? rotate(turned_by, direction) : direction;

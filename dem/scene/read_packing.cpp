@@ -254,12 +254,6 @@ void check_smooth(const StrictMapping& top, const PackingScene& scene) {
     if (kind.smooth && fails(kind.fiber))
       top.fail("fibers", "with surface: smooth are not built together with bonds that break or yield");
   }
-  for (const Wall& wall : scene.domain.walls) {
-    const bool mesh = mesh_in(wall) != nullptr;
-    if (mesh || wall.shape.get_if<BoxObstacle>() != nullptr)
-      top.fail("walls", fmt::format("{} are not built for fibers with surface: smooth",
-                                    mesh ? "meshes" : "obstacles"));
-  }
 }
 
 /// What is not built together.

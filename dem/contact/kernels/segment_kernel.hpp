@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/contact/kernels/contact_kernel.hpp"
+#include "dem/contact/kernels/segment_view.hpp"
 
 namespace fiberchain::dem {
 
@@ -8,6 +8,7 @@ namespace fiberchain::dem {
 struct SegmentKernel {
   decltype(ContactKernel::prune) prune;
   decltype(ContactKernel::pairs) pairs;
+  void (*ridges)(const ContactView&, const RidgeView&, ContactTask&);
 };
 
 inline constexpr int segment_combinations = 4;

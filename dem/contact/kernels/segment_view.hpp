@@ -19,4 +19,11 @@ struct SegmentView : ContactView {
   std::ptrdiff_t stride;
 };
 
+/// A wall and the contacts that segments have with its ridges now; slots are their bodies.
+struct RidgeView : WallView {
+  std::int32_t touching;  ///< without pads, which touch nothing
+  const double* places;   ///< along the segments
+  const double* shares;   ///< of whole contacts
+};
+
 }  // namespace fiberchain::dem

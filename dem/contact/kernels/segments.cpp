@@ -1,5 +1,4 @@
-#include "dem/contact/kernels/segments.hpp"
-
+#include "dem/contact/kernels/ridges.hpp"
 #include "dem/contact/kernels/segment_kernel.hpp"
 #include "dem/contact/laws/smooth_hertz.hpp"
 #include "dem/simd/compiled_set.hpp"
@@ -13,7 +12,8 @@ constexpr ContactPhysics segment_physics(bool rolling, bool accounted) {
 
 template <class Real, bool rolling, bool accounted>
 constexpr SegmentKernel segment_kernel_of() {
-  return {prune_bodies<Real>, contact_bodies<SmoothHertz, segment_physics(rolling, accounted), Real>};
+  constexpr ContactPhysics P = segment_physics(rolling, accounted);
+  return {prune_bodies<Real>, contact_bodies<SmoothHertz, P, Real>, contact_ridges<SmoothHertz, P, Real>};
 }
 
 }  // namespace
