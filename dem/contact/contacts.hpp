@@ -213,6 +213,8 @@ class Contacts {
   bool is_mesh(std::size_t wall) const { return shapes_[wall] == std::ssize(law_->shapes); }
   void update_mesh(int part, std::size_t wall, UpdateScratch& scratch);
   bool has_ridges(std::size_t wall) const { return !ridges_.empty() && ridges_[wall].mesh != nullptr; }
+  /// Gap beyond the reach of the law up to which nodes at a wall with ridges are looked at [m].
+  double near_gap(std::size_t wall) const;
   void update_ridges(int part, std::size_t wall, UpdateScratch& scratch);
   /// The surface of a wall that is a mesh, or taken for one: a solid box among smooth fibers.
   MeshShape mesh_at(const Wall& now, std::size_t wall, const WallPose& pose) const;

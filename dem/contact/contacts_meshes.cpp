@@ -13,7 +13,7 @@ void Contacts::update_mesh(int k, std::size_t w, UpdateScratch& scratch) {
   const TriangleMesh& mesh = *shape.mesh;
   const auto find = [&](std::int32_t i, std::vector<std::int32_t>& found) {
     const Vec<double, 3> center = shape.to_mesh(neighbors_.reference_positions()[i]);
-    const double reach = radius_[i] + neighbors_.skin();
+    const double reach = radius_[i] + neighbors_.skin() + near_gap(w);
     mesh.search.near(center, reach, [&](std::int32_t t) {
       if (squared_distance_bound(mesh, t, center) < reach * reach) found.push_back(t);
     });
@@ -26,7 +26,7 @@ void Contacts::find_mesh_contacts(Part& part, const SphereStorage& rows, double 
     const Wall& wall = domain_.walls[w];
     if (!is_active(wall, time)) continue;
     const MeshShape now = mesh_at(wall, w, pose_at(wall, time));
-    const MeshMoment moment{now, rows, law_reach_, part.path + mesh_ways_[w]};
+    const MeshMoment moment{now, rows, law_reach_ + near_gap(w), part.path + mesh_ways_[w]};
     part.meshes[w].find_contacts(moment, kernel_->width, static_cast<std::int32_t>(spheres()) + 2,
                                  part.walls[w], part.histories);
   }

@@ -53,6 +53,10 @@ MeshShape Contacts::mesh_at(const Wall& now, std::size_t w, const WallPose& pose
   return moved(shape, pose);
 }
 
+double Contacts::near_gap(std::size_t w) const {
+  return has_ridges(w) ? ridge_tilt * 2 * fiber_bodies_.largest_bound() : 0;
+}
+
 void Contacts::update_ridges(int k, std::size_t w, UpdateScratch& scratch) {
   const MeshShape shape = mesh_at(domain_.walls[w], w, reference_poses_[w]);
   const TriangleMesh& mesh = *shape.mesh;

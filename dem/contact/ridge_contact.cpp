@@ -83,35 +83,107 @@ double part_of_group(const RidgePoint& own, std::span<const RidgePoint> points, 
   return sum > 0 ? largest / sum : 0;
 }
 
-/// Whether a node touches what a point of its segment does: the same feature, or close to it.
-bool is_same(const NodeContact& node, const RidgePoint& point, const V& touched, double R) {
-  constexpr double close = 0.1;  // of the radius
-  const V apart = node.point - touched;
-  return node.feature == point.feature || dot(apart, apart) < close * close * R * R;
+/// Whether two features are one, or join at a corner along one line.
+bool go_on(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
+  if (a == b) return true;
+  const bool corner_a = mesh.kind_of(a) == FeatureKind::corner,
+             corner_b = mesh.kind_of(b) == FeatureKind::corner;
+  if (mesh.kind_of(a) == FeatureKind::face || mesh.kind_of(b) == FeatureKind::face || (corner_a && corner_b))
+    return false;
+  if (corner_a) std::swap(a, b);
+  const MeshEdge& edge = mesh.edge_at(a);
+  if (corner_a || corner_b) {
+    const std::int32_t corner = b - mesh.corner_feature(0);
+    return corner == edge.low || corner == edge.high;
+  }
+  const MeshEdge& other = mesh.edge_at(b);
+  if (edge.low != other.low && edge.low != other.high && edge.high != other.low && edge.high != other.high)
+    return false;
+  const V u = mesh.vertices[edge.high] - mesh.vertices[edge.low],
+          v = mesh.vertices[other.high] - mesh.vertices[other.low];
+  return std::abs(dot(u, v)) > smooth_cosine * norm(u) * norm(v);
 }
 
-/// Overlaps of a node in about the direction of a point: with the same thing, with others beside it [m].
-struct NodeDepths {
-  double same = 0, beside = 0;
+/// Whether a node touches what a point of its segment does, or close to it.
+bool is_same(const TriangleMesh& mesh, const NodeContact& node, const RidgePoint& point, const V& touched,
+             double R) {
+  constexpr double close = 0.1;  // of the radius
+  const V apart = node.point - touched;
+  return go_on(mesh, node.feature, point.feature) || dot(apart, apart) < close * close * R * R;
+}
+
+/// 1 where a body lies flat, 0 from ridge_tilt on; `rise` over `apart`.
+double flatness(double rise, double apart, double radius) {
+  return within_one(1 - rise / (ridge_tilt * std::max(apart, 1e-9 * radius)));
+}
+
+/// What is known of a point of a segment.
+struct PointBeside {
+  const TriangleMesh& mesh;
+  const RidgePoint& point;
+  V touched;       ///< of the mesh
+  double sine;     ///< of the angle between segment and ridge
+  double length;   ///< of the segment [m]
+  double R;
 };
 
-NodeDepths depths_of(std::span<const NodeContact> node, const RidgePoint& point, const V& touched, double R) {
-  NodeDepths depths;
+/// Of a node beside a point of its segment, in about its direction.
+struct NodeBeside {
+  double apart;                                          ///< [m]
+  double flat = 0;                                       ///< flatness, with anything
+  double other = 0;                                      ///< with other things
+  double distance = std::numeric_limits<double>::max();  ///< from those [m]
+  double like = 0;                                       ///< how much these count
+  double along = 0;                                      ///< flat, and the segment lies along the ridge
+};
+
+/// `apart` goes from the node to the point, along the segment's unit vector or against it.
+NodeBeside node_beside(std::span<const NodeContact> node, const PointBeside& at, double apart,
+                       const V& onward) {
+  NodeBeside beside{apart};
+  const double d = at.point.distance;
   for (const NodeContact& c : node) {
-    double& depth = is_same(c, point, touched, R) ? depths.same : depths.beside;
-    depth = std::max(depth, c.overlap * likeness(c.direction, point.direction));
+    const bool same = is_same(at.mesh, c, at.point, at.touched, at.R);
+    // against what else lies under the node it may be tilted more than the mean on the way
+    const double like = likeness(c.direction, at.point.direction), rise = c.distance - d,
+                 tilted = same ? rise : std::max(rise, apart * dot(onward, c.direction)),
+                 flat = like * flatness(tilted, apart, at.R);
+    beside.flat = std::max(beside.flat, flat);
+    if (same) continue;
+    if (like > 0 && c.distance < beside.distance)
+      beside.other = flat, beside.distance = c.distance, beside.like = like;
   }
-  return depths;
+  beside.along = beside.flat * flatness(std::hypot(d, apart * at.sine) - d, apart, at.R);
+  return beside;
 }
 
 /// A node leaves a contact with the same thing to a point of its segment, but for what the other node has.
-void leave_to(const RidgePoint& point, std::span<NodeContact> node, const V& touched, double R,
-              double other_has) {
+void leave_to(const PointBeside& at, std::span<NodeContact> node, double other_has) {
   for (NodeContact& c : node) {
-    if (!is_same(c, point, touched, R)) continue;
-    const double left = point.seen * likeness(c.direction, point.direction) * (1 - std::min(1.0, other_has));
+    if (!is_same(at.mesh, c, at.point, at.touched, at.R)) continue;
+    const double left = at.point.seen * likeness(c.direction, at.point.direction) * (1 - other_has);
     c.share = std::min(c.share, 1 - left);
   }
+}
+
+/// What of a point its nodes bear.
+double shadow(const PointBeside& at, const NodeBeside& begin, const NodeBeside& end) {
+  const double s = at.point.place, half = std::min(at.R, 0.5 * at.length);
+  double between = 0;
+  if (begin.like > 0 && end.like > 0) {
+    const double rise = (1 - s) * begin.distance + s * end.distance - at.point.distance;
+    between = std::min(begin.like, end.like) * flatness(rise, std::min(begin.apart, end.apart), at.R);
+  }
+  return std::max({between, near(begin.apart, half) * begin.other, near(end.apart, half) * end.other,
+                   std::min(begin.along, end.along)});
+}
+
+/// Sine of the angle between a segment and an edge; 1 at a corner.
+double sine_at(const TriangleMesh& mesh, std::int32_t feature, const V& along) {
+  if (mesh.kind_of(feature) == FeatureKind::corner) return 1;
+  const MeshEdge& edge = mesh.edge_at(feature);
+  const V u = mesh.vertices[edge.high] - mesh.vertices[edge.low];
+  return norm(cross(u, along)) / std::max(norm(u) * norm(along), 1e-290);
 }
 
 }  // namespace
@@ -165,18 +237,18 @@ void share_out(const TriangleMesh& mesh, const SegmentNodes<double>& segment, co
                std::span<RidgePoint> points) {
   const double R = segment.radius, length = norm(segment.end - segment.begin), even = 1e-9 * R * R;
   for (RidgePoint& own : points) {
-    own.share = 0;
-    const double overlap = R - own.distance;
-    const V touched = along(segment, own.place) + own.distance * own.direction;
-    const NodeDepths begin = depths_of(ends.begin, own, touched, R), end = depths_of(ends.end, own, touched, R);
-    const double shadow =
-        std::max({(1 - own.place) * begin.beside + own.place * end.beside,
-                  near(own.place * length, R) * begin.beside, near((1 - own.place) * length, R) * end.beside,
-                  std::min(begin.same, end.same)});
-    leave_to(own, ends.begin, touched, R, hertz(end.same / overlap));
-    leave_to(own, ends.end, touched, R, hertz(begin.same / overlap));
-    if (!(shadow < overlap)) continue;
-    own.share = own.seen * part_of_group(own, points, length, R) * (1 - hertz(shadow / overlap)) *
+    const PointBeside at{mesh,
+                         own,
+                         along(segment, own.place) + own.distance * own.direction,
+                         sine_at(mesh, own.feature, segment.end - segment.begin),
+                         length,
+                         R};
+    const V onward = (1 / length) * (segment.end - segment.begin);
+    const NodeBeside begin = node_beside(ends.begin, at, own.place * length, onward),
+                     end = node_beside(ends.end, at, (1 - own.place) * length, -onward);
+    leave_to(at, ends.begin, end.along);
+    leave_to(at, ends.end, begin.along);
+    own.share = own.seen * part_of_group(own, points, length, R) * (1 - shadow(at, begin, end)) *
                 share_at(mesh, own, segment.begin, segment.end, segment.before, even) *
                 share_at(mesh, own, segment.end, segment.begin, segment.behind, even);
   }

@@ -31,12 +31,18 @@ double find_ridge_points(const TriangleMesh& mesh, const MeshRidges& ridges, Mes
 /// The closest point of one feature, wherever on the segment.
 RidgePoint ridge_point(const TriangleMesh& mesh, std::int32_t feature, const SegmentNodes<double>& segment);
 
-/// What a node touches of the mesh.
+/// Angle [rad] by which a body is tilted over a ridge against what its nodes lie on, from which on both are
+/// contacts of their own. Shares follow from where things lie, not from how deep they are pressed in: so a
+/// blow loses or gains nothing by them.
+inline constexpr double ridge_tilt = 0.1;
+
+/// What a node touches of the mesh, or nearly: by less than ridge_tilt times the longer of its segments and
+/// the diameter.
 struct NodeContact {
   std::int32_t feature;
   Vec<double, 3> direction;  ///< unit vector to the mesh
   Vec<double, 3> point;      ///< of the mesh [m]
-  double overlap;            ///< [m]
+  double distance;           ///< [m]
   double share = 1;          ///< of a contact (share_out())
 };
 
@@ -46,13 +52,13 @@ struct EndContacts {
 };
 
 /// Shares of contacts, so that a straight body has one contact with a ridge wherever its nodes are, and the
-/// force goes over steadily from ridge to ridge, from segment to segment and to the nodes. F being Hertz's
-/// force of each alone:
-/// - points of a segment nearer to each other than its diameter share the largest force, F_max/(F_1 + F_2 +
-///   ...) each; at a joint that is bent around the mesh both segments share.
-/// - A node that touches the ridge itself, beside the point of its segment, leaves the contact to that; of a
-///   segment along a ridge, whose both nodes do, the nodes bear it.
-/// - A point beside a node that touches something else, or between two, bears what is more than theirs.
+/// force goes over steadily from ridge to ridge, from segment to segment and to the nodes:
+/// - points of a segment nearer to each other than its diameter share the largest of their forces F alone,
+///   F_max/(F_1 + F_2 + ...) each; at a joint that is bent around the mesh both segments share.
+/// - A node that is nearest to the ridge itself, beside the point of its segment, leaves the contact to that;
+///   where a segment lies along a ridge, as both nodes do, the nodes bear it.
+/// - Beside a node that lies on something else, nearer than half a diameter (half a segment where that is
+///   shorter), a point has no share unless the segment is tilted; nor between two such nodes.
 void share_out(const TriangleMesh& mesh, const SegmentNodes<double>& segment, const EndContacts& ends,
                std::span<RidgePoint> points);
 

@@ -84,35 +84,51 @@ void RidgeNeighbors::look(Listed& listed, const RidgeMoment& moment) {
   if (found_.empty()) return;
   std::size_t first[2];
   for (const int n : {0, 1})
-    first[n] = touched_by(n == 0 ? listed.body : moment.bodies.end[listed.body], moment, ends_[n]);
+    first[n] = near_node(n == 0 ? listed.body : moment.bodies.end[listed.body], ends_[n]);
   share_out(mesh, segment, {ends_[0], ends_[1]}, found_);
   for (const int n : {0, 1}) {
     for (std::size_t k = 0; k < ends_[n].size(); ++k) {
-      double& share = node_rows_.shares[first[n] + k];
-      share = std::min(share, ends_[n][k].share);
+      const std::int32_t row = near_[first[n] + k].row;
+      if (row < 0) continue;
+      node_rows_.shares[row] = std::min(node_rows_.shares[row], ends_[n][k].share);
     }
   }
 }
 
-std::size_t RidgeNeighbors::touched_by(std::int32_t node, const RidgeMoment& moment,
-                                       std::vector<NodeContact>& all) const {
+std::size_t RidgeNeighbors::near_node(std::int32_t node, std::vector<NodeContact>& all) const {
   all.clear();
-  const WallNeighbors& list = moment.nodes;
-  const auto end = list.slots.begin() + static_cast<std::ptrdiff_t>(list.count);
-  const auto begin = std::lower_bound(list.slots.begin(), end, node);
-  const std::size_t row = list.nearest.size() / 4;
-  const Vec<double, 3> place = moment.mesh.to_mesh(moment.rows.position(node));
-  const double radius = moment.rows.radius(node);
-  for (auto at = begin; at != end && *at == node; ++at) {
-    const std::size_t n = at - list.slots.begin();
-    const auto number = [&](int c) { return list.nearest[c * row + n]; };
-    const Vec<double, 3> direction = moment.mesh.into_mesh({number(0), number(1), number(2)});
-    all.push_back({list.features[n], direction, place + number(3) * direction, radius - number(3)});
-  }
-  return begin - list.slots.begin();
+  const auto first = std::ranges::lower_bound(near_, node, {}, &NearNode::node);
+  for (auto at = first; at != near_.end() && at->node == node; ++at) all.push_back(at->contact);
+  return first - near_.begin();
 }
 
-void RidgeNeighbors::begin_nodes(const RidgeMoment& moment, ContactHistories& histories) {
+void RidgeNeighbors::sort_nodes(const RidgeMoment& moment, ContactHistories& histories) {
+  WallNeighbors& list = moment.nodes;
+  near_.clear();
+  const std::size_t row = list.nearest.size() / 4;
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < list.count; ++n) {
+    const std::int32_t node = list.slots[n];
+    const auto number = [&](std::size_t c) -> double& { return list.nearest[c * row + n]; };
+    const Vec<double, 3> direction = moment.mesh.into_mesh({number(0), number(1), number(2)}),
+                         place = moment.mesh.to_mesh(moment.rows.position(node));
+    const double distance = number(3);
+    const bool touches = distance < moment.rows.radius(node);
+    near_.push_back({node, touches ? static_cast<std::int32_t>(kept) : -1,
+                     {list.features[n], direction, place + distance * direction, distance}});
+    if (!touches) {
+      if (list.contact[n] != 0) histories.give_back(list.contact[n]);
+      continue;
+    }
+    list.slots[kept] = node, list.features[kept] = list.features[n], list.contact[kept] = list.contact[n];
+    for (std::size_t c = 0; c < 4; ++c) list.nearest[c * row + kept] = number(c);
+    ++kept;
+  }
+  for (std::size_t n = kept; n < list.count; ++n) list.contact[n] = 0;
+  list.count = kept;
+}
+
+void RidgeNeighbors::begin_rows(const RidgeMoment& moment, ContactHistories& histories) {
   WallNeighbors& list = moment.nodes;
   const std::size_t padded = list.slots.size();
   node_rows_.bodies.assign(padded, 0);
@@ -231,7 +247,8 @@ void RidgeNeighbors::keep_histories(const RidgeMoment& moment, ContactHistories&
 void RidgeNeighbors::find_contacts(const RidgeMoment& moment, int width, ContactHistories& histories) {
   std::swap(last_, contacts_);
   contacts_.clear(), all_.clear();
-  begin_nodes(moment, histories);
+  sort_nodes(moment, histories);
+  begin_rows(moment, histories);
   for (Listed& listed : list_) {
     look(listed, moment);
     add_found(listed.body, moment);

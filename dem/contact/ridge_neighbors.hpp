@@ -19,7 +19,7 @@ struct RidgeMoment {
   const MeshRidges& ridges;
   const SphereStorage& rows;
   const FiberBodies& bodies;
-  WallNeighbors& nodes;  ///< what nodes touch of the mesh now
+  WallNeighbors& nodes;  ///< what nodes touch of the mesh now, or nearly
 };
 
 /// The contacts of nodes as RidgeView takes them, padded to whole vectors: bodies that begin or end there.
@@ -51,8 +51,8 @@ class RidgeNeighbors {
   void clear();
   bool has(std::int32_t body) const;
 
-  /// The contacts now in place of those of the step before, and shares of the nodes', which get numbers and pads
-  /// that touch nothing. A contact with the same feature keeps its history;
+  /// The contacts now in place of those of the step before, and shares of the nodes', of which those that touch
+  /// get numbers, and pads that touch nothing. A contact with the same feature keeps its history;
   /// another one goes on with that of one of the same segment that ends, in about the same direction; else the
   /// deepest contact of a node or a segment beside it lends its spring, of which the new one has no share yet.
   void find_contacts(const RidgeMoment& moment, int width, ContactHistories& histories);
@@ -71,9 +71,16 @@ class RidgeNeighbors {
   /// Points of a listed segment, to found_.
   void look(Listed& listed, const RidgeMoment& moment);
   void add_found(std::int32_t body, const RidgeMoment& moment);
-  /// What a node touches, in the frame of the mesh; the first of it in moment.nodes.
-  std::size_t touched_by(std::int32_t node, const RidgeMoment& moment, std::vector<NodeContact>& all) const;
-  void begin_nodes(const RidgeMoment& moment, ContactHistories& histories);
+  /// What a node touches, or nearly, in the frame of the mesh.
+  struct NearNode {
+    std::int32_t node, row;  ///< row: of moment.nodes; -1 where it does not touch
+    NodeContact contact;
+  };
+  /// Moves those that do not touch from moment.nodes; rows of the others.
+  void sort_nodes(const RidgeMoment& moment, ContactHistories& histories);
+  void begin_rows(const RidgeMoment& moment, ContactHistories& histories);
+  /// Of a node, to `all`; the first of them in near_.
+  std::size_t near_node(std::int32_t node, std::vector<NodeContact>& all) const;
   void keep_histories(const RidgeMoment& moment, ContactHistories& histories);
   std::int32_t ended_like(std::size_t n, const RidgeMoment& moment);
   std::int32_t lender(std::size_t n, const RidgeMoment& moment, const ContactHistories& histories) const;
@@ -84,6 +91,7 @@ class RidgeNeighbors {
   RidgeContacts contacts_, last_;
   NodeRows node_rows_;
   std::vector<RidgePoint> found_, all_;
+  std::vector<NearNode> near_;  ///< by rising node
   std::vector<NodeContact> ends_[2];
   std::vector<std::int32_t> asked_;
 };

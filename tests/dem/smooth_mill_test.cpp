@@ -2,6 +2,7 @@
 // contacts, saved states.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -18,12 +19,12 @@ using namespace walls_in_motion;
 namespace {
 
 /// A drum with ribs, a coarse paddle that turns, a lid, a shaken funnel; a solid box across the fall.
-Mill ribbed_mill() {
+Mill ribbed_mill(double spacing) {
   const V y{0, 1, 0};
   dem::MeshShape tube = meshes::shape_of(meshes::patch(
                      1, 36, [](double u, double v) {
                        const int n = static_cast<int>(std::lround(36 * v)) % 36;
-                       const double angle = 2 * pi * n / 36, r = n % 9 == 4 ? 0.0165 : 0.0205;
+                       const double angle = 2 * pi * n / 36, r = n % 4 == 2 ? 0.0182 : 0.0205;
                        return V{r * std::cos(angle), r * std::sin(angle), 0.012 * (2 * u - 1)};
                      })),
                  paddle = meshes::shape_of(meshes::box({1e-3, 6e-3, 3e-3}), dem::MeshSides::one),
@@ -34,9 +35,9 @@ Mill ribbed_mill() {
                  }));
   tube.turn(dem::rotation(V{pi / 2, 0, 0}));
   plate.turn(dem::rotation(V{pi / 2, 0, 0}));  // normal to -y
-  plate.point = {0, 0.011, 0}, paddle.point = {0, 0, -15e-3}, cone.point = {0, 0, 14e-3};
-  dem::Wall block{dem::BoxObstacle{{1e-3, 1e-3, -9e-3}, {2e-3, 4e-3, 1e-3}, {0.8, 0, 0.6}, {0, 1, 0}}};
-  block.motion.about = dem::WallAxis{{0, 0, -9e-3}, {0, 0.6, 0.8}};
+  plate.point = {0, 0.011, 0}, paddle.point = {0, 0, -12.5e-3}, cone.point = {0, 0, 14e-3};
+  dem::Wall block{dem::BoxObstacle{{6e-3, 1e-3, 2e-3}, {4e-3, 3e-3, 1e-3}, {0.8, 0, 0.6}, {0, 1, 0}}};
+  block.motion.about = dem::WallAxis{{6e-3, 0, 2e-3}, {0, 0.6, 0.8}};
   block.motion.angular_velocity = 13;
   Mill mill({.drum = {tube},
              .left = {dem::Plane{{0, -0.012, 0}, y}},
@@ -44,15 +45,15 @@ Mill ribbed_mill() {
              .paddle = {paddle},
              .funnel = {cone},
              .more = {block}});
-  dem::Fiber fiber = fiber_with(3);
-  fiber.spacing = 1.7;
+  dem::Fiber fiber = fiber_with(spacing > 1 ? 3 : 5);
+  fiber.spacing = spacing;
   mill.fibers.chain = dem::straight_chain<3>(fiber);
   mill.fibers.chain.smooth = true;
   mill.fibers.fibers.clear();
   for (int n = 0; n < 12; ++n) {
-    const double angle = 0.25 + 2 * pi * n / 12, r = n % 3 == 1 ? 0.0135 : 0.0155;
+    const double angle = -1 + 5.14 * n / 11, r = n % 3 == 1 ? 0.0125 : 0.014;
     mill.fibers.fibers.push_back(dem::placed(
-        mill.fibers.chain, {{r * std::cos(angle), -4e-3, r * std::sin(angle)}, y, {0.1, -0.05, 0.02}}));
+        mill.fibers.chain, {{r * std::cos(angle), -4e-3, r * std::sin(angle)}, {0.3 * std::sin(angle), 0.8, 0.2}, {0.1, -0.05, 0.02}}));
   }
   return mill;
 }
@@ -60,7 +61,7 @@ Mill ribbed_mill() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(impulses_and_work_are_what_smooth_fibers_get) {
-  const Mill mill = ribbed_mill();
+  const Mill mill = ribbed_mill(1);
   dem::Assembly assembly = mill.assembly(4e-6, true);
   const double begin = total(assembly.energy());
   march_and_weigh(mill, assembly);
@@ -88,16 +89,15 @@ void find_all(const dem::Assembly& assembly, std::size_t w, const dem::MeshShape
   const auto position = [&](std::int64_t i) {
     return at.to_mesh(spheres.position[static_cast<std::size_t>(i)]);
   };
-  const auto touched_by = [&](std::int64_t node) {
+  std::vector<std::int32_t> triangles(mesh.faces());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  const auto near = [&](std::int64_t node) {
     std::vector<dem::NodeContact> all;
-    for (const auto& c : assembly.contacts()) {
-      if (c.key.first != dem::sphere_primitive(node) ||
-          c.key.second != dem::facet_primitive(static_cast<std::int64_t>(w)))
-        continue;
-      const V direction = at.into_mesh(c.normal), center = position(node);
-      const double radius = spheres.radius[static_cast<std::size_t>(node)];
-      all.push_back({c.key.slot, direction, center + (radius - c.overlap) * direction, c.overlap});
-    }
+    dem::MeshContactScratch scratch;
+    const double reach = spheres.radius[static_cast<std::size_t>(node)] + 0.2 * bodies.largest_bound();
+    find_mesh_contacts(mesh, at.sides, triangles, position(node), reach, false, scratch);
+    for (const auto& c : scratch.contacts)
+      all.push_back({c.feature, c.direction, position(node) + c.distance * c.direction, c.distance});
     return all;
   };
   std::vector<dem::RidgePoint> points;
@@ -105,7 +105,7 @@ void find_all(const dem::Assembly& assembly, std::size_t w, const dem::MeshShape
     if (bodies.is_none(i)) continue;
     const auto segment = bodies.nodes(i, position);
     find_ridge_points(mesh, ridges, at.sides, edges, segment, segment.radius, points);
-    auto begin = touched_by(i), end = touched_by(i + 1);
+    auto begin = near(i), end = near(i + 1);
     share_out(mesh, segment, {begin, end}, points);
     for (const auto& p : points) {
       if (p.share >= dem::least_share)
@@ -117,7 +117,7 @@ void find_all(const dem::Assembly& assembly, std::size_t w, const dem::MeshShape
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(no_contact_with_a_ridge_is_missed) {
-  Mill mill = ribbed_mill();
+  Mill mill = ribbed_mill(1.7);
   mill.around.walls[3].motion.angular_velocity = -150;
   dem::Assembly assembly = mill.assembly(3e-6);
   std::size_t seen = 0;
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(no_contact_with_a_ridge_is_missed) {
 }
 
 BOOST_AUTO_TEST_CASE(restored_runs_with_ridges_go_on_to_the_bit) {
-  const Mill mill = ribbed_mill();
+  const Mill mill = ribbed_mill(1.7);
   dem::Assembly whole = mill.assembly(3e-6, true), other = mill.assembly(3e-6, true, 2);
   const auto on_ridges = [&] {
     return std::ranges::count_if(whole.contacts(), [](const auto& c) {
