@@ -244,9 +244,9 @@ void check_keys(const State& s, const Integers& keys) {
       return body.number < s.rows.count && body == s.contacts.primitive(body.number);
     };
     // of smooth fibers spheres touch walls, too
-    const bool there = is_facet(other)
-                           ? (is_there(one) || (is_sphere(one) && one.number < s.rows.count)) && other.number < walls
-                           : is_of_fiber(one) && is_there(one) && is_there(other);
+    const bool there = is_facet(other) ? (is_there(one) || (is_sphere(one) && one.number < s.rows.count)) &&
+                                             other.number < walls
+                                       : is_of_fiber(one) && is_there(one) && is_there(other);
     if (!there)
       refuse(keys_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));
   }

@@ -8,13 +8,14 @@
 #include "dem/contact/contact_history.hpp"
 #include "dem/contact/contact_law.hpp"
 #include "dem/contact/contact_state.hpp"
+#include "dem/contact/contact_sums.hpp"
 #include "dem/contact/fiber_bodies.hpp"
 #include "dem/contact/inner_pairs.hpp"
+#include "dem/contact/kernels/segment_kernel.hpp"
 #include "dem/contact/mesh_neighbors.hpp"
 #include "dem/contact/neighbor_list.hpp"
 #include "dem/contact/pair_list.hpp"
 #include "dem/contact/ridge_neighbors.hpp"
-#include "dem/contact/kernels/segment_kernel.hpp"
 #include "dem/contact/wall_neighbors.hpp"
 #include "dem/contact/wall_record.hpp"
 #include "dem/parallel/force_buffers.hpp"
@@ -22,32 +23,6 @@
 
 // All contacts of an assembly: neighbors, contact histories, forces and moments.
 namespace fiberchain::dem {
-
-struct ContactOptions {
-  bool account_energy = false;  ///< sum the work dissipated by contacts and done by walls
-  InstructionSet instruction_set = best_instruction_set();
-};
-
-/// Sums of a part over the steps [J] and of the present moment [W].
-struct ContactAccumulators {
-  std::int64_t contacts = 0;  ///< now
-  ContactAccount<double> account{}, power{};
-
-  ContactAccumulators& operator+=(const ContactAccumulators& more);
-};
-
-/// Over all contacts at one moment.
-struct ContactSums {
-  double stored_energy = 0;      ///< in their springs [J]
-  double overlap = 0;            ///< over the smaller radius
-  std::int64_t overlapping = 0;  ///< contacts whose bodies do: not those of laws that act across a gap
-};
-
-/// What forces start from: histories of contacts, walls whose velocities are of half a step before.
-struct ContactMemory {
-  std::vector<SavedContact> contacts;
-  std::vector<Wall> walls;
-};
 
 class Contacts {
  public:
@@ -175,12 +150,12 @@ class Contacts {
     PairList pairs;
     InnerPairList inner;
     std::vector<WallNeighbors> walls;
-    std::vector<WallLoad> wall_loads;   ///< of each now
-    std::vector<double> wall_brought;   ///< work of each as it came or went, waiting for end_forces() [J]
-    std::vector<MeshNeighbors> meshes;  ///< of walls that are meshes, by the walls' numbers
+    std::vector<WallLoad> wall_loads;    ///< of each now
+    std::vector<double> wall_brought;    ///< work of each as it came or went, waiting for end_forces() [J]
+    std::vector<MeshNeighbors> meshes;   ///< of walls that are meshes, by the walls' numbers
     std::vector<RidgeNeighbors> ridges;  ///< of walls with edges among smooth fibers, likewise
-    double path = 0;                    ///< sum of add_displacements() [m]
-    ContactHistories histories;         ///< of the pairs and at the walls
+    double path = 0;                     ///< sum of add_displacements() [m]
+    ContactHistories histories;          ///< of the pairs and at the walls
     std::vector<std::int32_t> touching;
     std::vector<std::int32_t> segment_pairs;  ///< memory of SegmentView: four lists
     LaneArray segment_places;                 ///< likewise
@@ -266,6 +241,12 @@ class Contacts {
   void touch_walls(Part& part, const ContactView& contacts, double time, ContactTask& task);
   /// What of the meshes that are there each sphere of a part touches now.
   void find_mesh_contacts(Part& part, const SphereStorage& rows, double time);
+  /// Of a wall with edges, that segments may touch.
+  struct EdgedWall {
+    std::shared_ptr<const TriangleMesh> mesh;
+    MeshRidges ridges;
+  };
+  void find_walls_ridges();
   /// What segments touch of the ridges of walls that are there, behind find_mesh_contacts().
   void find_ridge_contacts(Part& part, const SphereStorage& rows, double time);
   /// The law for these, and for the nodes at such walls.
@@ -303,15 +284,9 @@ class Contacts {
   double skin_ = 0, law_reach_ = 0;  ///< [m]
   const ContactKernel* kernel_ = nullptr;
   FiberBodies fiber_bodies_;
-  ContactKernel smooth_kernel_{};  ///< of scenes with smooth fibers
+  ContactKernel smooth_kernel_{};                  ///< of scenes with smooth fibers
   const SegmentKernel* segment_kernel_ = nullptr;  ///< likewise
-  /// Of a wall with edges, that segments may touch.
-  struct EdgedWall {
-    std::shared_ptr<const TriangleMesh> mesh;
-    MeshRidges ridges;
-  };
-  std::vector<EdgedWall> ridges_;  ///< of each wall; empty without smooth fibers
-  void find_walls_ridges();
+  std::vector<EdgedWall> ridges_;                  ///< of each wall; empty without smooth fibers
   NeighborList neighbors_;
   double reference_time_ = 0;
   std::vector<WallPose> reference_poses_;  ///< of the walls when the list was built
@@ -352,7 +327,9 @@ void Contacts::each_place(const Visit& visit) const {
                          pairs.contact[p]});
     }
     for (std::size_t w = 0; w < part.walls.size(); ++w)
-      each_at_wall(part, w, [&](const ContactKey& key, std::int32_t number) { visit(ContactPlace{key, k, number}); });
+      each_at_wall(part, w, [&](const ContactKey& key, std::int32_t number) {
+        visit(ContactPlace{key, k, number});
+      });
     ++k;
   }
 }

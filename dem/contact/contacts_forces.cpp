@@ -67,8 +67,7 @@ void Contacts::touch_walls(Part& part, const ContactView& contacts, double time,
       part.wall_loads[w].force[c] = task.wall_force[c];
       part.wall_loads[w].moment[c] = task.wall_moment[c];
     }
-    if (time > 0 && !is_active(domain_.walls[w], time_before))
-      part.wall_brought[w] += brought_by(w, part);
+    if (time > 0 && !is_active(domain_.walls[w], time_before)) part.wall_brought[w] += brought_by(w, part);
   }
 }
 

@@ -128,8 +128,7 @@ TouchingPair<double> Contacts::ridge_pair_at(const SavedContact& c, const std::v
   const WallPose pose = pose_at(wall, time);
   const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
   const MeshShape shape = mesh_at(wall, c.key.second.number, pose);
-  const RidgePoint at =
-      ridge_point(*shape.mesh, c.key.slot, nodes_in_mesh(fiber_bodies_, rows, shape, body));
+  const RidgePoint at = ridge_point(*shape.mesh, c.key.slot, nodes_in_mesh(fiber_bodies_, rows, shape, body));
   const auto mean = [&](const Vec<double, 3>& a, const Vec<double, 3>& b) { return a + at.place * (b - a); };
   const Vec<double, 3> w = mean(rows.spin(body), rows.spin(end));
   center = mean(rows.position(body), rows.position(end));

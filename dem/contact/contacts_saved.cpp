@@ -127,9 +127,9 @@ TouchingPair<double> Contacts::pair_at(const SavedContact& c, const std::vector<
     const Wall& wall = walls[second];
     const WallPose pose = pose_at(wall, time);
     const WallVelocity motion = velocity_at(wall, time - 0.5 * step_);
-    const NearestPoint<double> nearest =
-        is_mesh(second) ? mesh_at(wall, second, pose).nearest_of_feature(c.key.slot, x)
-                        : wall.shape.moved(pose).nearest(x);
+    const NearestPoint<double> nearest = is_mesh(second)
+                                             ? mesh_at(wall, second, pose).nearest_of_feature(c.key.slot, x)
+                                             : wall.shape.moved(pose).nearest(x);
     pair.normal = nearest.direction;
     arm = nearest.distance;
     other_velocity = motion.velocity + cross(motion.spin, x + arm * pair.normal - pose.center_now());

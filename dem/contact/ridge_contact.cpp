@@ -121,9 +121,9 @@ double flatness(double rise, double apart, double radius) {
 struct PointBeside {
   const TriangleMesh& mesh;
   const RidgePoint& point;
-  V touched;       ///< of the mesh
-  double sine;     ///< of the angle between segment and ridge
-  double length;   ///< of the segment [m]
+  V touched;      ///< of the mesh
+  double sine;    ///< of the angle between segment and ridge
+  double length;  ///< of the segment [m]
   double R;
 };
 

@@ -70,8 +70,7 @@ void RidgeNeighbors::update(const std::vector<std::int32_t>& rebuilt, const Find
 
 void RidgeNeighbors::look(Listed& listed, const RidgeMoment& moment) {
   found_.clear();
-  const SegmentNodes<double> segment =
-      nodes_in_mesh(moment.bodies, moment.rows, moment.mesh, listed.body);
+  const SegmentNodes<double> segment = nodes_in_mesh(moment.bodies, moment.rows, moment.mesh, listed.body);
   const double gone =
       std::max(norm(segment.begin - listed.looked_at[0]), norm(segment.end - listed.looked_at[1]));
   if (gone < listed.clearance) return;
@@ -114,7 +113,8 @@ void RidgeNeighbors::sort_nodes(const RidgeMoment& moment, ContactHistories& his
                          place = moment.mesh.to_mesh(moment.rows.position(node));
     const double distance = number(3);
     const bool touches = distance < moment.rows.radius(node);
-    near_.push_back({node, touches ? static_cast<std::int32_t>(kept) : -1,
+    near_.push_back({node,
+                     touches ? static_cast<std::int32_t>(kept) : -1,
                      {list.features[n], direction, place + distance * direction, distance}});
     if (!touches) {
       if (list.contact[n] != 0) histories.give_back(list.contact[n]);
@@ -165,8 +165,7 @@ void RidgeNeighbors::add_found(std::int32_t body, const RidgeMoment& moment) {
 
 Vec<double, 3> RidgeNeighbors::direction_of(const RidgeContacts& from, std::size_t n,
                                             const RidgeMoment& moment) const {
-  const SegmentNodes<double> segment =
-      nodes_in_mesh(moment.bodies, moment.rows, moment.mesh, from.bodies[n]);
+  const SegmentNodes<double> segment = nodes_in_mesh(moment.bodies, moment.rows, moment.mesh, from.bodies[n]);
   return moment.mesh.to_space(ridge_point(*moment.mesh.mesh, from.features[n], segment).direction);
 }
 
@@ -202,7 +201,8 @@ std::int32_t RidgeNeighbors::lender(std::size_t n, const RidgeMoment& moment,
   const auto beside = [&](const RidgeContacts& some) {
     for (std::size_t p = 0; p < some.count; ++p) {
       if (some.contact[p] == 0 || std::abs(some.bodies[p] - body) > 1) continue;
-      const Vec<double, 3> direction = &some == &contacts_ ? all_[p].direction : direction_of(some, p, moment);
+      const Vec<double, 3> direction =
+          &some == &contacts_ ? all_[p].direction : direction_of(some, p, moment);
       if (dot(direction, all_[n].direction) > ridge_turn_cosine) consider(some.contact[p]);
     }
   };

@@ -51,10 +51,11 @@ class RidgeNeighbors {
   void clear();
   bool has(std::int32_t body) const;
 
-  /// The contacts now in place of those of the step before, and shares of the nodes', of which those that touch
-  /// get numbers, and pads that touch nothing. A contact with the same feature keeps its history;
-  /// another one goes on with that of one of the same segment that ends, in about the same direction; else the
-  /// deepest contact of a node or a segment beside it lends its spring, of which the new one has no share yet.
+  /// The contacts now in place of those of the step before, and shares of the nodes', of which those that
+  /// touch get numbers, and pads that touch nothing. A contact with the same feature keeps its history;
+  /// another one goes on with that of one of the same segment that ends, in about the same direction; else
+  /// the deepest contact of a node or a segment beside it lends its spring, of which the new one has no share
+  /// yet.
   void find_contacts(const RidgeMoment& moment, int width, ContactHistories& histories);
 
   const RidgeContacts& contacts() const { return contacts_; }
@@ -64,9 +65,9 @@ class RidgeNeighbors {
  private:
   struct Listed {
     std::int32_t body;
-    std::size_t begin, end;                  ///< in edges_
-    Vec<double, 3> looked_at[2] = {};        ///< its ends then, in the mesh [m]
-    double clearance = -1;                   ///< that no ridge was nearer than [m]
+    std::size_t begin, end;            ///< in edges_
+    Vec<double, 3> looked_at[2] = {};  ///< its ends then, in the mesh [m]
+    double clearance = -1;             ///< that no ridge was nearer than [m]
   };
   /// Points of a listed segment, to found_.
   void look(Listed& listed, const RidgeMoment& moment);

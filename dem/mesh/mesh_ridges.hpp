@@ -17,10 +17,10 @@ struct MeshRidges {
     bool is_ridge;
   };
 
-  std::vector<std::uint8_t> is_ridge;            ///< of each edge
-  std::vector<std::size_t> faces_begin{0};       ///< of each edge in into_faces, and the end
-  std::vector<Vec<double, 3>> into_faces;        ///< unit vectors from an edge into its faces, across it
-  std::vector<std::size_t> ways_begin{0};        ///< of each corner in ways, and the end
+  std::vector<std::uint8_t> is_ridge;       ///< of each edge
+  std::vector<std::size_t> faces_begin{0};  ///< of each edge in into_faces, and the end
+  std::vector<Vec<double, 3>> into_faces;   ///< unit vectors from an edge into its faces, across it
+  std::vector<std::size_t> ways_begin{0};   ///< of each corner in ways, and the end
   std::vector<Way> ways;
 
   std::span<const Vec<double, 3>> into_faces_at(std::int32_t edge) const {

@@ -32,30 +32,6 @@ std::string wall_in_words(std::size_t number) {
       number + 1);
 }
 
-void check_walls(const PackingScene& scene, const PackingFiberKind& kind, std::size_t fiber,
-                 const Poses<3>& poses) {
-  const double radius = sphere_radius(kind.fiber);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    for (std::size_t w = 0; w < scene.domain.walls.size(); ++w) {
-      const Wall& at = scene.domain.walls[w];
-      const double gap = distance_to(at, poses[i].position, 0);
-      if (i > 0 && is_active(at, 0) && passes_through(at, poses[i - 1].position, poses[i].position, 0)) {
-        throw InvalidInput(fmt::format("{}the fiber goes through {} between it and the sphere before",
-                                       sphere_of(kind, fiber, i), wall_in_words(w)));
-      }
-      if (radius - gap < refused_from * radius) continue;
-      const std::string wall = wall_in_words(w);
-      if (gap <= 0) {
-        throw InvalidInput(
-            fmt::format("{}its center is {:.4g} m behind {}", sphere_of(kind, fiber, i), -gap, wall));
-      }
-      throw InvalidInput(
-          fmt::format("{}it lies in {} by {:.4g} m; allowed: less than half its radius, {:.4g} m",
-                      sphere_of(kind, fiber, i), wall, radius - gap, deepest_start * radius));
-    }
-  }
-}
-
 /// Places along a fiber between whose spheres of its radius no other finds room, and the sphere at each or
 /// before it: its own spheres, of a smooth one more between them.
 struct FiberPlaces {
@@ -76,6 +52,33 @@ FiberPlaces places_along(const PackingFiberKind& kind, std::span<const Vec<doubl
     }
   }
   return places;
+}
+
+void check_walls(const PackingScene& scene, const PackingFiberKind& kind, std::size_t fiber,
+                 std::span<const Vec<double, 3>> spheres) {
+  const double radius = sphere_radius(kind.fiber);
+  const FiberPlaces places = places_along(kind, spheres);
+  for (std::size_t k = 0; k < places.position.size(); ++k) {
+    const std::size_t i = places.sphere[k];
+    for (std::size_t w = 0; w < scene.domain.walls.size(); ++w) {
+      const Wall& at = scene.domain.walls[w];
+      const double gap = distance_to(at, places.position[k], 0);
+      const bool own = k == 0 || places.sphere[k - 1] != i;
+      if (own && i > 0 && is_active(at, 0) && passes_through(at, spheres[i - 1], spheres[i], 0)) {
+        throw InvalidInput(fmt::format("{}the fiber goes through {} between it and the sphere before",
+                                       sphere_of(kind, fiber, i), wall_in_words(w)));
+      }
+      if (radius - gap < refused_from * radius) continue;
+      const std::string wall = wall_in_words(w);
+      if (gap <= 0) {
+        throw InvalidInput(
+            fmt::format("{}its center is {:.4g} m behind {}", sphere_of(kind, fiber, i), -gap, wall));
+      }
+      throw InvalidInput(
+          fmt::format("{}it lies in {} by {:.4g} m; allowed: less than half its radius, {:.4g} m",
+                      sphere_of(kind, fiber, i), wall, radius - gap, deepest_start * radius));
+    }
+  }
 }
 
 /// All fibers, in the order of kinds: each against those before it, of spheres also against itself.
@@ -110,8 +113,9 @@ void check_starts(const PackingScene& scene) {
     const Chain<3> chain = chain_of(kind);
     for (std::size_t f = 0; f < kind.starts.size(); ++f) {
       const Poses<3> poses = placed(chain, kind.starts[f]).poses;
-      check_walls(scene, kind, f, poses);
+      const std::size_t first = all.position.size();
       for (const auto& pose : poses) all.position.push_back(pose.position);
+      check_walls(scene, kind, f, std::span(all.position).subspan(first));
     }
     all.radius.resize(all.position.size(), sphere_radius(kind.fiber));
   }

@@ -330,12 +330,10 @@ BOOST_AUTO_TEST_CASE(what_is_not_built_for_smooth_fibers_is_refused) {
   const auto refused = [&](const dem::Domain& around) {
     BOOST_CHECK_THROW(dem::Assembly(packing.groups, around, {}), dem::InvalidInput);
   };
-  dem::Domain adhesive = packing.around, boxed = packing.around;
+  dem::Domain adhesive = packing.around;
   adhesive.contacts.law = &dem::contact_law("jkr");
   adhesive.contacts.work_of_adhesion = 0.01;
   refused(adhesive);
-  boxed.walls.push_back({dem::BoxObstacle{{0.5, 0.5, 0.5}, {0.01, 0.01, 0.01}, {1, 0, 0}, {0, 1, 0}}});
-  refused(boxed);
   packing.groups[0].chain.fiber.strength = dem::BondStrength{.tension = 1e6};
   refused(packing.around);
 }

@@ -101,9 +101,10 @@ BOOST_DATA_TEST_CASE(a_rod_rests_across_a_ridge, boost::unit_test::data::make({f
   domain.gravity = {0, 0, -g};
   const V along = {0.8, 0.6, 0};
   const double overlap = std::pow(weight / hertz(1), 2.0 / 3);
-  dem::Assembly assembly({{chain, {dem::placed(chain, {V{0, 0, kRadius - 0.9 * overlap} - 7.5 * 2 * kRadius * along,
-                                                       along, {}})}}},
-                         domain, {.step = 2e-6});
+  dem::Assembly assembly(
+      {{chain,
+        {dem::placed(chain, {V{0, 0, kRadius - 0.9 * overlap} - 7.5 * 2 * kRadius * along, along, {}})}}},
+      domain, {.step = 2e-6});
   assembly.march(200000, dem::ContactForces::kept);
   const auto contacts = assembly.contact_forces();
   BOOST_TEST_REQUIRE(contacts.size() == 1u);
@@ -176,8 +177,8 @@ BOOST_AUTO_TEST_CASE(a_rod_drawn_over_a_ridge_meets_one_contact_and_no_bump) {
 
 namespace {
 
-/// Force of a long rod across a tube of n facets from outside over that on the cylinder, mean square departure
-/// from 1 over places of the facets under it.
+/// Force of a long rod across a tube of n facets from outside over that on the cylinder, mean square
+/// departure from 1 over places of the facets under it.
 double departure(int n) {
   const double rho = 7.3, R = 1.3, overlap = 0.02;
   const dem::MeshShape shape = meshes::shape_of(meshes::tube(rho, 4, n, 1));
@@ -192,13 +193,14 @@ double departure(int n) {
   for (int k = 0; k < 50; ++k) {
     const double turned = 2 * pi / n * (k + 0.5) / 50;
     const V out{std::cos(turned), std::sin(turned), 0}, along{-std::sin(turned), std::cos(turned), 0};
-    const V middle = (rho + R - overlap) * out + V{0, 0, 0.4},
-            begin = middle - 6.1 * along, end = middle + 5.7 * along;
+    const V middle = (rho + R - overlap) * out + V{0, 0, 0.4}, begin = middle - 6.1 * along,
+            end = middle + 5.7 * along;
     const dem::SegmentNodes<double> segment{begin, begin, end, end, R};
     find_ridge_points(mesh, ridges, dem::MeshSides::both, edges, segment, R, points);
     share_out(mesh, segment, {}, points);
     V force{};
-    for (const auto& p : points) force = force + p.share * std::pow((R - p.distance) / overlap, 1.5) * p.direction;
+    for (const auto& p : points)
+      force = force + p.share * std::pow((R - p.distance) / overlap, 1.5) * p.direction;
     sum += dot(force + out, force + out) / 50;
   }
   return std::sqrt(sum);
