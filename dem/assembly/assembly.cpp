@@ -114,8 +114,13 @@ void check_smooth(const std::vector<FiberGroup>& groups, const Domain& domain,
   for (const FiberGroup& group : groups) {
     if (!group.chain.smooth) continue;
     smooth_law(law_of(domain.contacts));
-    if (packing_law(options).intact_place >= 0 || fails(group.chain.fiber))
-      throw InvalidKey("fibers", "smooth surfaces are not built together with bonds that break or yield");
+    if (packing_law(options).intact_place >= 0)
+      throw InvalidKey("fibers",
+                       "smooth surfaces are not built together with bonds of a law that breaks them");
+    const Fiber& fiber = group.chain.fiber;
+    if (fiber.strength && fiber.spacing < 1)
+      throw InvalidKey("fibers",
+                       "smooth fibers that break need spacing: 1 or more, or their pieces would overlap");
   }
 }
 

@@ -241,11 +241,10 @@ void check_keys(const State& s, const Integers& keys) {
     const std::int64_t first = keys[n], second = keys[n + 1];
     const Primitive one = primitive_of(first), other = primitive_of(second);
     const auto is_there = [&](const Primitive& body) {
-      return body.number < s.rows.count && body == s.contacts.primitive(body.number);
+      // spheres are left of smooth fibers that have broken
+      return body.number < s.rows.count && (is_sphere(body) || body == s.contacts.primitive(body.number));
     };
-    // of smooth fibers spheres touch walls, too
-    const bool there = is_facet(other) ? (is_there(one) || (is_sphere(one) && one.number < s.rows.count)) &&
-                                             other.number < walls
+    const bool there = is_facet(other) ? is_of_fiber(one) && is_there(one) && other.number < walls
                                        : is_of_fiber(one) && is_there(one) && is_there(other);
     if (!there)
       refuse(keys_field, fmt::format("names a pair {}, {} that this assembly does not have", first, second));

@@ -148,6 +148,7 @@ void Assembly::State::settle_breaks() {
     }
   }
   if (!any) return;
+  released += contacts.held_by_segments(parted);
   part_pieces();
   rebuild_neighbor_list();
   sort_where_mixed();
@@ -190,7 +191,7 @@ void Assembly::State::adopt_failures(int groups) {
 
 void Assembly::State::account_parted() {
   if (parted.empty()) return;
-  for (const std::int64_t row : parted) released -= contacts.brought_between(row, row + 1);
+  released -= contacts.brought_behind(parted);
   parted.clear();
 }
 

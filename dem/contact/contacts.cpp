@@ -81,6 +81,9 @@ void Contacts::part_behind(const std::vector<std::int64_t>& rows) {
       fiber_[at] = ~fiber_[at];
   }
   neighbors_.set_fibers(fiber_);
+  if (!fiber_bodies_.smooth) return;
+  fiber_bodies_.parted = rows;
+  fiber_bodies_.build(SphereStorage::pads);
 }
 
 double Contacts::brought_between(std::int64_t first, std::int64_t second) const {

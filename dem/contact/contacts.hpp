@@ -45,8 +45,12 @@ class Contacts {
   /// Spheres of these rows are no longer joined to those of the next: until part_behind() is called again
   /// they may touch, once the neighbor list is built anew.
   void part_behind(const std::vector<std::int64_t>& rows);
-  /// What the contact of two spheres stores that has just begun at once [J]; 0 where they do not touch.
-  double brought_between(std::int64_t first, std::int64_t second) const;
+  /// What contacts store that go with the segments of smooth fibers whose bonds behind these rows break [J]:
+  /// to be asked before part_behind().
+  double held_by_segments(const std::vector<std::int64_t>& rows);
+  /// What contacts between the spheres on both sides store that have just begun at once [J]; of smooth fibers
+  /// those of both ends with anything, and what more of the others these have than before.
+  double brought_behind(const std::vector<std::int64_t>& rows) const;
 
   /// The neighbors of all spheres at these reference positions. Contacts keep their histories.
   void rebuild_neighbor_list(std::vector<Vec<double, 3>> positions, double time, ThreadPool& pool);
@@ -284,6 +288,8 @@ class Contacts {
   double skin_ = 0, law_reach_ = 0;  ///< [m]
   const ContactKernel* kernel_ = nullptr;
   FiberBodies fiber_bodies_;
+  std::vector<std::pair<ContactKey, double>> shares_before_;  ///< of what ends at breaks had in contacts
+  double brought_between(std::int64_t first, std::int64_t second) const;
   ContactKernel smooth_kernel_{};                  ///< of scenes with smooth fibers
   const SegmentKernel* segment_kernel_ = nullptr;  ///< likewise
   std::vector<EdgedWall> ridges_;                  ///< of each wall; empty without smooth fibers

@@ -27,8 +27,17 @@ void Contacts::reorder_rows(const std::vector<std::int32_t>& new_row, const Sphe
     c.key.first.number = new_row[c.key.first.number];
     if (!is_of_fiber(c.key.second)) continue;
     c.key.second.number = new_row[c.key.second.number];
+    // bodies are known by their new rows already
+    for (Primitive* body : {&c.key.first, &c.key.second}) *body = fiber_bodies_.primitive(body->number);
     if (c.key.first.number > c.key.second.number) exchange_bodies(c);
   }
+  for (auto& [key, share] : shares_before_) {
+    for (Primitive* body : {&key.first, &key.second}) {
+      if (is_of_fiber(*body)) *body = fiber_bodies_.primitive(new_row[body->number]);
+    }
+    if (is_of_fiber(key.second) && key.first.number > key.second.number) std::swap(key.first, key.second);
+  }
+  std::ranges::sort(shares_before_);
   std::ranges::sort(contacts, {}, &SavedContact::key);
   clear();
   rebuild_neighbor_list(rows, time, pool);

@@ -75,4 +75,58 @@ void Contacts::set_shares(SavedContact& before, const SavedContact& now) {
   to_numbers(history, before.history);
 }
 
+double Contacts::held_by_segments(const std::vector<std::int64_t>& rows) {
+  shares_before_.clear();
+  if (!fiber_bodies_.smooth || rows.empty()) return 0;
+  double energy = 0;
+  const auto is_of = [&](const Primitive& body, std::int64_t before, std::int64_t behind) {
+    return body.kind == PrimitiveKind::segment && std::ranges::any_of(rows, [&](std::int64_t row) {
+             return body.number >= row - before && body.number <= row + behind;
+           });
+  };
+  each_place([&](const ContactPlace& place) {
+    const auto& [first, second] = std::pair(place.key.first, place.key.second);
+    const SavedContact contact = saved(place);
+    if (is_of(first, 0, 0) || is_of(second, 0, 0)) {
+      energy += energy_of(contact) + 0.5 * step_ * closing_power(contact);
+    } else if (is_of(first, 1, 1) || is_of(second, 1, 1)) {
+      const auto history = from_numbers<SmoothHertz::History<double>>(contact.history);
+      shares_before_.emplace_back(place.key, SmoothHertz::share_of(history));
+    }
+  });
+  std::ranges::sort(shares_before_);
+  return energy;
+}
+
+double Contacts::brought_behind(const std::vector<std::int64_t>& rows) const {
+  double energy = 0;
+  if (!fiber_bodies_.smooth) {
+    for (const std::int64_t row : rows) energy += brought_between(row, row + 1);
+    return energy;
+  }
+  std::vector<std::int64_t> ends;
+  for (const std::int64_t row : rows) {
+    for (const std::int64_t node : {row, row + 1}) ends.push_back(fiber_bodies_.body_of(node));
+  }
+  const auto is_end = [&](const Primitive& body) {
+    return is_of_fiber(body) && std::ranges::find(ends, body.number) != ends.end();
+  };
+  each_place([&](const ContactPlace& place) {
+    const bool of_wall = is_facet(place.key.second);
+    if (of_wall && is_sphere(place.key.first)) return;  // as before
+    if (!is_end(place.key.first) && !is_end(place.key.second)) return;
+    const SavedContact contact = saved(place);
+    const double normal = law_->normal_energy(parameters_of(contact), contact.history);
+    const auto was =
+        std::ranges::lower_bound(shares_before_, place.key, {}, &std::pair<ContactKey, double>::first);
+    if (was == shares_before_.end() || was->first != place.key) {
+      energy += normal - 0.5 * step_ * closing_power(contact);
+    } else {
+      const auto history = from_numbers<SmoothHertz::History<double>>(contact.history);
+      energy += normal * (1 - was->second / std::max(SmoothHertz::share_of(history), 1e-300));
+    }
+  });
+  return energy;
+}
+
 }  // namespace fiberchain::dem

@@ -43,8 +43,25 @@ void FiberBodies::build(int pads) {
     radius.resize(end.size(), group.radius);
     bound.resize(end.size(), group.bound);
   }
+  part();
   for (int k = 0; k < pads; ++k, ++first) {
     for (std::vector<std::int32_t>* numbers : {&before, &end, &behind}) numbers->push_back(first);
+  }
+}
+
+void FiberBodies::part() {
+  const auto joined = [&](std::int64_t node) { return node > 0 && end[node - 1] == node; };
+  for (const std::int64_t row : parted) {
+    if (end[row] != row + 1) continue;  // spheres
+    end[row] = -1;
+    before[row + 1] = static_cast<std::int32_t>(row + 1);
+    if (joined(row)) behind[row - 1] = static_cast<std::int32_t>(row);
+  }
+  for (const std::int64_t row : parted) {
+    for (const std::int64_t node : {row, row + 1}) {
+      if (is_none(node) && !joined(node))
+        before[node] = end[node] = behind[node] = static_cast<std::int32_t>(node);
+    }
   }
 }
 

@@ -20,8 +20,9 @@ struct BodyGroup {
 };
 
 /// The bodies by which fibers touch each other: spheres, of smooth fibers segments between neighboring ones,
-/// each with the number of its first sphere. The last sphere of a smooth fiber is no body. Empty where all
-/// are spheres.
+/// each with the number of its first sphere. The last sphere of a smooth fiber is no body. Where a bond has
+/// broken there is no segment: both pieces end round, and a sphere left alone is a body again. Empty where
+/// all are spheres.
 struct FiberBodies {
   std::vector<BodyGroup> groups;                  ///< in order
   std::vector<std::int32_t> before, end, behind;  ///< spheres: nodes of each (SegmentNodes); end -1: none
@@ -30,6 +31,7 @@ struct FiberBodies {
   std::vector<double> radius;  ///< [m]
   std::vector<double> bound;   ///< of a sphere around each body, from its middle [m]
   bool smooth = false;         ///< some are segments
+  std::vector<std::int64_t> parted = {};  ///< spheres behind which bonds have broken, by rising number
 
   /// More fibers behind those there.
   void add(const Chain<3>& chain, int count);
@@ -37,6 +39,8 @@ struct FiberBodies {
   void build(int pads);
   double largest_bound() const;  ///< [m]
 
+  /// By which a node meets what lies ahead of its fiber, or behind.
+  std::int64_t body_of(std::int64_t node) const { return is_none(node) ? node - 1 : node; }
   bool is_none(std::int64_t body) const { return end[body] < 0; }
   Primitive primitive(std::int64_t body) const {
     const bool is_segment = std::cmp_less(body, end.size()) && end[body] != body;
@@ -49,6 +53,9 @@ struct FiberBodies {
     return {position(before[body]), position(body), position(end[body]), position(behind[body]),
             radius[body]};
   }
+
+ private:
+  void part();
 };
 
 /// By how many numbers bodies of a fiber may be apart and do not touch: as far as a fiber that touched itself

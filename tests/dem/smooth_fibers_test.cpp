@@ -334,8 +334,6 @@ BOOST_AUTO_TEST_CASE(what_is_not_built_for_smooth_fibers_is_refused) {
   adhesive.contacts.law = &dem::contact_law("jkr");
   adhesive.contacts.work_of_adhesion = 0.01;
   refused(adhesive);
-  packing.groups[0].chain.fiber.strength = dem::BondStrength{.tension = 1e6};
-  refused(packing.around);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

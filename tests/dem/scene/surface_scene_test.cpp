@@ -150,7 +150,8 @@ BOOST_AUTO_TEST_CASE(smooth_fibers_are_read_and_refused_where_they_are_not_built
   refuses("", "spheres, smooth", kind("count: 3, surface: rough"));
   refuses("contacts: {law: jkr, work_of_adhesion: 0.01}\n", "surface: smooth",
           kind("count: 3, surface: smooth"));
-  refuses("", "break or yield", kind("count: 3, surface: smooth, bond: {strength: {tension: 1 MPa}}"));
+  refuses("", "spacing: 1 or more",
+          kind("count: 3, surface: smooth, spacing: 0.5, bond: {strength: {tension: 1 MPa}}"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
