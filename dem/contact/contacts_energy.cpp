@@ -79,12 +79,14 @@ double Contacts::brought_by(std::size_t wall, const Part& part) const {
 }
 
 void Contacts::drop(std::size_t wall, Part& part) const {
+  bool any = false;
   each_at_wall(part, wall, [&](const ContactKey& key, std::int32_t number) {
     const SavedContact contact = part.histories.at(number, key);
     part.wall_brought[wall] -= energy_of(contact) + 0.5 * step_ * closing_power(contact);
     part.histories.give_back(number);
+    any = true;
   });
-  std::ranges::fill(part.walls[wall].contact, 0);
+  if (any) std::ranges::fill(part.walls[wall].contact, 0);
   if (is_mesh(wall)) part.walls[wall] = {};
   if (has_ridges(wall)) part.ridges[wall].contacts().clear();
 }

@@ -125,7 +125,8 @@ struct Passage {
 };
 
 /// A rod that is held level and drawn along itself over a ridge, under an angle to it.
-Passage draw(double slope, bool solid, double angle, double spacing) {
+Passage draw(double slope, bool solid, double angle, double spacing,
+             dem::InstructionSet set = dem::best_instruction_set()) {
   const dem::Chain<3> chain = rod(spacing > 1 ? 5 : 9, spacing);
   const double length = chain.fiber.aspect_ratio * spacing * 2 * kRadius, overlap = 0.002 * kRadius,
                speed = 0.2;
@@ -137,7 +138,7 @@ Passage draw(double slope, bool solid, double angle, double spacing) {
   dem::ChainState<3> state =
       dem::placed(chain, {V{0, 0, kRadius - overlap} - 0.7 * length * along, along, speed * along});
   dem::Assembly assembly({{chain, {state}}}, around(ridge(slope, solid)),
-                         {.step = 2e-6, .grips = {carriage}});
+                         {.step = 2e-6, .instruction_set = set, .grips = {carriage}});
   Passage passage;
   const int samples = 400, steps = static_cast<int>(0.4 * length / speed / assembly.step() / samples);
   for (int n = 0; n < samples; ++n) {
@@ -173,6 +174,14 @@ BOOST_AUTO_TEST_CASE(a_rod_drawn_over_a_ridge_meets_one_contact_and_no_bump) {
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(every_instruction_set_has_the_same_forces_at_ridges) {
+  const Passage scalar = draw(0.3, false, 0.6, 1, dem::InstructionSet::scalar),
+                wide = draw(0.3, false, 0.6, 1);
+  BOOST_TEST(std::abs(scalar.least - wide.least) < 1e-12);
+  BOOST_TEST(std::abs(scalar.most - wide.most) < 1e-12);
+  BOOST_TEST(scalar.contacts == wide.contacts);
 }
 
 namespace {
