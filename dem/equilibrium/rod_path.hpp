@@ -57,7 +57,9 @@ enum class SingularKind {
   limit_point,  ///< the load factor turns
   bifurcation   ///< another path crosses
 };
-std::string_view name(SingularKind kind);
+constexpr std::string_view name(SingularKind kind) {
+  return kind == SingularKind::limit_point ? "limit point" : "bifurcation";
+}
 
 struct SingularPoint {
   SingularKind kind = SingularKind::limit_point;

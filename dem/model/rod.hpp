@@ -15,7 +15,9 @@ enum class LoadDirection {
   following  ///< turns with its sphere. Such loads have no potential
 };
 
-std::string_view name(LoadDirection direction);
+constexpr std::string_view name(LoadDirection direction) {
+  return direction == LoadDirection::dead ? "dead" : "following";
+}
 
 /// A force and a moment on one sphere: global axes where dead; where following those of the sphere, x along
 /// the fiber, which are the global ones for the first member of a straight rest shape.
