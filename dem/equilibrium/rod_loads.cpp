@@ -9,7 +9,6 @@ namespace fiberchain::dem {
 namespace {
 
 using V = Vec<double, 3>;
-using Square = Eigen::Matrix3d;
 
 /// One sphere's share of a load.
 struct SphereLoad {
@@ -118,7 +117,7 @@ void add_load_stiffness(const RodProblem& problem, const Poses<3>& poses, const 
       block.bottomRightCorner<3, 3>() += skew(load.moment);
     } else {  // d(t x w) = (a x t) x w = t (w.a) - (w.t) a
       const Eigen::Vector3d t = eigen(load.lever), w = eigen(load.across);
-      block.bottomRightCorner<3, 3>() -= t * w.transpose() - w.dot(t) * Square::Identity();
+      block.bottomRightCorner<3, 3>() -= t * w.transpose() - w.dot(t) * Eigen::Matrix3d::Identity();
     }
   });
 }

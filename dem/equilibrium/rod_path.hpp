@@ -43,7 +43,7 @@ struct RodPathOptions {
 struct RodPoint {
   double factor = 0;  ///< load factor [-]
   double arc = 0;     ///< arc length since the start of the path [-]
-  Poses<3> poses;
+  Poses<3> poses = {};
   double elastic_energy = 0;  ///< [J]
   double work = 0;            ///< of loads and prescribed supports since the path's start, trapezoids [J]
   double probe = 0;           ///< displacement of the probe [m]
@@ -65,8 +65,8 @@ struct SingularPoint {
   SingularKind kind = SingularKind::limit_point;
   int after = 0;     ///< index of the path point before it
   int crossing = 0;  ///< change of the number of negative eigenvalues over it
-  RodPoint point;
-  ChainVector<3> mode;  ///< null vector, largest component 1 [L, rad]
+  RodPoint point = {};
+  ChainVector<3> mode = {};  ///< null vector, largest component 1 [L, rad]
 };
 
 struct RodPath {
