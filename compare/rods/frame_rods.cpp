@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "compare/rods/benchmark.hpp"
+#include "dem/chain/rod_shapes.hpp"
 
 namespace fiberchain::compare {
 namespace {
@@ -50,7 +51,7 @@ double chain_frame_moment(const RodSetting& setting) {
   frame.point_loads = {{.sphere = 0, .moment = {0, 0, -M}}, {.sphere = n, .moment = {0, 0, M}}};
   const dem::RodPath path = dem::trace_rod(
       frame,
-      {.control = dem::RodControl::load, .points = 30, .tolerance = 1e-12, .singular_tolerance = 1e-13});
+      {.control = dem::RodControl::load, .points = 150, .tolerance = 1e-12, .singular_tolerance = 1e-13});
   return frame_moment * first_singular(path, dem::SingularKind::bifurcation).point.factor;
 }
 
@@ -73,6 +74,40 @@ double rod_frame_moment(const RodSetting& setting) {
   while (low < 1 && sign_at(low + 1.0 / 30) == sign) low += 1.0 / 30;
   return frame_moment *
          reference::rod_critical_factor(frame, low, low + 1.0 / 30, reference::RodMotion::out_of_plane);
+}
+
+// The deep arch: 215 degrees of a circle, clamped and hinged, a force at the middle toward the center (D. A.
+// DaDeppo, R. Schmidt, J. Appl. Mech. 42 (1975) 896-898).
+constexpr double arch_angle = 215 * pi / 180, arch_load = 140;
+
+double chain_arch(const RodSetting& setting) {
+  const dem::Fiber fiber = rod_fiber(setting, arch_angle);
+  const int n = setting.bonds;
+  dem::RodProblem arch{.chain = dem::arc_rod(fiber), .planar = true};
+  arch.supports = {{.sphere = 0}, {.sphere = n, .hold_rotation = {true, true, false}}};
+  const dem::Vec<double, 3> inward{-std::sin(arch_angle / 2), std::cos(arch_angle / 2), 0};
+  arch.point_loads = {{.sphere = n / 2, .force = arch_load * rod_units(fiber).force * inward}};
+  const dem::RodPath path = dem::trace_rod(arch, {.points = 40,
+                                                  .end_factor = 2,
+                                                  .end_displacement = 0.33 * rod_length(fiber),
+                                                  .probe = {n / 2, inward},
+                                                  .tolerance = 1e-12,
+                                                  .singular_tolerance = 1e-13});
+  return arch_load * first_singular(path, dem::SingularKind::limit_point).point.factor;
+}
+
+double rod_arch(const RodSetting& setting) {
+  const dem::Fiber fiber = rod_fiber(setting, arch_angle);
+  const double L = rod_length(fiber), force = arch_load * rod_units(fiber).force, half = arch_angle / 2;
+  const reference::SpaceVector curvature{0, 0, arch_angle / L},
+      inward{-force * std::sin(half), force * std::cos(half), 0};
+  const reference::RodProblem arch{
+      .rod = continuum_rod(fiber, {{L / 2, curvature}, {L / 2, curvature, 0, inward}}, setting.sheared),
+      .end = {.joint = reference::RodJoint::hinge},
+      .planar = true};
+  const auto path = reference::rod_path(arch, reference::solve_rod(arch, 0, reference::rod_at_rest()),
+                                        {.ends = [](const auto& at) { return at.slope < 0; }});
+  return arch_load * reference::rod_limit_points(arch, path).at(0).factor;
 }
 
 }  // namespace
@@ -130,7 +165,16 @@ std::vector<RodBenchmark> frame_rods() {
            .order_paper = 2,
            .order_corrected = 4,
            .chain = [](const RodSetting& s) -> std::vector<double> { return {chain_frame_moment(s)}; },
-           .rod = [](const RodSetting& s) -> std::vector<double> { return {rod_frame_moment(s)}; }}};
+           .rod = [](const RodSetting& s) -> std::vector<double> { return {rod_frame_moment(s)}; }},
+          {.name = "deep-arch",
+           .load_is = "-",
+           .load = 1,
+           .multiple = 2,
+           .shown = 0,
+           .order_paper = 2,
+           .order_corrected = 4,
+           .chain = [](const RodSetting& s) -> std::vector<double> { return {chain_arch(s)}; },
+           .rod = [](const RodSetting& s) -> std::vector<double> { return {rod_arch(s)}; }}};
 }
 
 }  // namespace fiberchain::compare
