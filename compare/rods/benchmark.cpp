@@ -64,7 +64,7 @@ const dem::SingularPoint& first_singular(const dem::RodPath& path, dem::Singular
   return *found;
 }
 
-reference::SpaceVector along(const dem::Vec<double, 3>& v) { return {v[0], v[1], v[2]}; }
+reference::SpaceVector vector_of(const dem::Vec<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<double> over(const dem::Vec<double, 3>& v, double length) {
   return {v[0] / length, v[1] / length, v[2] / length};

@@ -77,7 +77,7 @@ LeesPath lees_path_of_rod(const RodSetting& setting, double downward);
 /// @throws dem::NoConvergence where there is no such point
 const dem::SingularPoint& first_singular(const dem::RodPath& path, dem::SingularKind kind);
 
-reference::SpaceVector along(const dem::Vec<double, 3>& v);
+reference::SpaceVector vector_of(const dem::Vec<double, 3>& v);
 std::vector<double> over(const dem::Vec<double, 3>& v, double length);
 std::vector<double> over(const reference::SpaceVector& v, double length);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -98,7 +99,9 @@ std::vector<double> rod_beyond(const RodSetting& setting) {
   const double L = problem.rod.segments[0].length;
   problem.rod.segments = {{L / 2}, {L / 2}};
   auto guess = reference::rod_at_rest();
-  guess.orientation = {0, 0, std::sin(0.6), std::cos(0.6)};
+  // P / P_cr = (2 K(sin(a/2)) / pi)^2 = 1 + a^2/8 + ..., a the angle of the ends
+  const double a = std::min(2.4, std::sqrt(8 * (setting.load / rod_branch(setting, hinged) - 1)));
+  guess.orientation = {0, 0, std::sin(a / 2), std::cos(a / 2)};
   guess.force = problem.varied.force;
   const auto found = reference::solve_rod(problem, 1, guess);
   return {std::abs(found.sections[1].position[1]) / L, 1 - found.sections[2].position[0] / L};

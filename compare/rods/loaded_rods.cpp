@@ -62,11 +62,11 @@ std::vector<double> rod_places(const RodSetting& setting, const Cantilever& c) {
   const CantileverLoads& loads = c.loads;
   const reference::RodProblem problem{
       .rod = continuum_rod(fiber, parts, setting.sheared),
-      .varied = {.force = along(unit.force * loads.force),
-                 .moment = along(unit.moment * loads.moment),
-                 .weight = along(unit.line_load * loads.weight),
-                 .following_force = along(unit.force * loads.following_force),
-                 .following_weight = along(unit.line_load * loads.following_weight)}};
+      .varied = {.force = vector_of(unit.force * loads.force),
+                 .moment = vector_of(unit.moment * loads.moment),
+                 .weight = vector_of(unit.line_load * loads.weight),
+                 .following_force = vector_of(unit.force * loads.following_force),
+                 .following_weight = vector_of(unit.line_load * loads.following_weight)}};
   const auto sections = reference::follow_rod(problem, 1, 20).sections;
   return both(over(sections[2].position, unit.length), over(sections[1].position, unit.length));
 }
