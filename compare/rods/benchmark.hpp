@@ -33,6 +33,7 @@ struct RodBenchmark {
   double order_corrected;
   std::vector<double> (*chain)(const RodSetting&);
   std::vector<double> (*rod)(const RodSetting&);
+  int order_bonds = 40;  ///< from which to twice as many the order is taken: asymptotic, above rounding
 };
 
 /// All of them, in the order of the tables.

@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Order from 40 to 80 bonds at the usual load and at an odd one, the farther from what is expected, for both
-/// bonds; with the error of 80 bonds.
+/// Order in the number of bonds at the usual load and at an odd one, the farther from what is expected, for
+/// both bonds; with the error of the finer chain.
 std::vector<Measured> orders(std::string_view name) {
   const RodBenchmark& one = rod_benchmark(name);
   std::vector<Measured> found;
@@ -20,12 +20,13 @@ std::vector<Measured> orders(std::string_view name) {
     const double expected = bond == dem::BondModel::paper ? one.order_paper : one.order_corrected;
     double worst = expected, error = 0;
     for (const auto& [nu, factor] : {std::pair{0.17, 1.0}, std::pair{0.41, 0.83}}) {
-      const RodSetting coarse{bond, 40, nu, factor * one.load}, fine{bond, 80, nu, factor * one.load};
+      const RodSetting coarse{bond, one.order_bonds, nu, factor * one.load},
+          fine{bond, 2 * one.order_bonds, nu, factor * one.load};
       const double last = rod_error(one, fine), order = std::log2(rod_error(one, coarse) / last);
       if (factor == 1) error = last;
       if (!(std::abs(order - expected) <= std::abs(worst - expected))) worst = order;
     }
-    found.push_back({worst, {error}});
+    found.push_back({worst, {2 * one.order_bonds, error}});
   }
   return found;
 }

@@ -57,7 +57,7 @@ double beyond(const Column& column) { return 1.4 * column.euler; }
 dem::RodPath chain_path(const dem::Fiber& fiber, const Column& column) {
   return dem::trace_rod(
       chain_column(fiber, column, beyond(column)),
-      {.control = dem::RodControl::load, .points = 7, .tolerance = 1e-12, .singular_tolerance = 1e-13});
+      {.control = dem::RodControl::load, .points = 70, .tolerance = 1e-12, .singular_tolerance = 1e-13});
 }
 
 double rod_branch(const RodSetting& setting, const Column& column) {
@@ -66,7 +66,7 @@ double rod_branch(const RodSetting& setting, const Column& column) {
 }
 
 template <const Column* Ends>
-RodBenchmark column(std::string_view name) {
+RodBenchmark column(std::string_view name, int order_bonds = 40) {
   return {.name = name,
           .load_is = "-",
           .load = 1,
@@ -78,7 +78,8 @@ RodBenchmark column(std::string_view name) {
             const dem::RodPath path = chain_path(rod_fiber(s), *Ends);
             return {beyond(*Ends) * first_singular(path, dem::SingularKind::bifurcation).point.factor};
           },
-          .rod = [](const RodSetting& s) -> std::vector<double> { return {rod_branch(s, *Ends)}; }};
+          .rod = [](const RodSetting& s) -> std::vector<double> { return {rod_branch(s, *Ends)}; },
+          .order_bonds = order_bonds};
 }
 
 /// A hinged column beyond its load: how far its end has come, how high the middle is.
@@ -110,7 +111,7 @@ std::vector<double> rod_beyond(const RodSetting& setting) {
 }  // namespace
 
 std::vector<RodBenchmark> column_rods() {
-  return {column<&clamped_free>("column-clamped-free"),
+  return {column<&clamped_free>("column-clamped-free", 10),
           column<&hinged>("column-hinged"),
           column<&clamped_hinged>("column-clamped-hinged"),
           column<&clamped_clamped>("column-clamped"),

@@ -115,7 +115,7 @@ Figure order_figure(dem::BondModel bond, const Jobs& jobs) {
   const std::vector<RodPoint> points = rod_points(cases(sweep), {.jobs = jobs});
   Figure figure{fmt::format("Distance of chains from their rods, {} bond", dem::name(bond)),
                 {"number of bonds {/:Italic r_f}", true},
-                {"distance of places over {/:Italic L}, of loads over {/:Italic EI}/{/:Italic L}^2", true},
+                {"distance from the rod", true},
                 {}};
   for (const RodPoint& p : points) {
     if (!has_converged(p)) continue;

@@ -13,6 +13,16 @@ using std::numbers::pi;
 // begin. At load factor 1 it is beyond its first limit, E I / L^2.
 constexpr double lee_load = 80;
 
+/// Load factor of a limit point's equilibrium by the balance of the loaded sphere: where the factor turns,
+/// that of the nearest equilibrium that was found is better than what lies on the line between two.
+double limit_factor(const dem::RodProblem& problem, const dem::SingularPoint& limit) {
+  const auto sphere = static_cast<std::size_t>(problem.point_loads.front().sphere);
+  const auto none = dem::rod_forces(problem, limit.point.poses, 0)[sphere],
+             whole = dem::rod_forces(problem, limit.point.poses, 1)[sphere];
+  const auto load = whole - none;
+  return -none.dot(load) / load.dot(load);
+}
+
 dem::RodProblem lees_chain(const dem::Fiber& fiber) {
   const int n = fiber.aspect_ratio;
   dem::RodProblem frame{.chain = dem::cornered_chain<3>(fiber, n / 2), .planar = true};
@@ -51,7 +61,7 @@ double chain_frame_moment(const RodSetting& setting) {
   frame.point_loads = {{.sphere = 0, .moment = {0, 0, -M}}, {.sphere = n, .moment = {0, 0, M}}};
   const dem::RodPath path = dem::trace_rod(
       frame,
-      {.control = dem::RodControl::load, .points = 150, .tolerance = 1e-12, .singular_tolerance = 1e-13});
+      {.control = dem::RodControl::load, .points = 600, .tolerance = 1e-12, .singular_tolerance = 1e-13});
   return frame_moment * first_singular(path, dem::SingularKind::bifurcation).point.factor;
 }
 
@@ -87,13 +97,14 @@ double chain_arch(const RodSetting& setting) {
   arch.supports = {{.sphere = 0}, {.sphere = n, .hold_rotation = {true, true, false}}};
   const dem::Vec<double, 3> inward{-std::sin(arch_angle / 2), std::cos(arch_angle / 2), 0};
   arch.point_loads = {{.sphere = n / 2, .force = arch_load * rod_units(fiber).force * inward}};
-  const dem::RodPath path = dem::trace_rod(arch, {.points = 40,
+  const dem::RodPath path = dem::trace_rod(arch, {.points = 60,
+                                                  .most_points = 2000,
                                                   .end_factor = 2,
                                                   .end_displacement = 0.33 * rod_length(fiber),
                                                   .probe = {n / 2, inward},
                                                   .tolerance = 1e-12,
                                                   .singular_tolerance = 1e-13});
-  return arch_load * first_singular(path, dem::SingularKind::limit_point).point.factor;
+  return arch_load * limit_factor(arch, first_singular(path, dem::SingularKind::limit_point));
 }
 
 double rod_arch(const RodSetting& setting) {
@@ -116,20 +127,22 @@ LeesPath lees_path_of_chain(const RodSetting& setting, double downward) {
   const dem::Fiber fiber = rod_fiber(setting);
   const int n = setting.bonds;
   const double L = rod_length(fiber);
-  const dem::RodPath path = dem::trace_rod(lees_chain(fiber), {.points = 50,
-                                                               .most_points = 800,
-                                                               .end_factor = 10,
-                                                               .end_displacement = downward * L,
-                                                               .probe = {n / 2 + n / 10, {-1, 0, 0}},
-                                                               .tolerance = 1e-12,
-                                                               .singular_tolerance = 1e-13});
+  const dem::RodProblem frame = lees_chain(fiber);
+  const dem::RodPath path = dem::trace_rod(frame, {.points = 60,
+                                                   .most_points = 4000,
+                                                   .end_factor = 10,
+                                                   .end_displacement = downward * L,
+                                                   .probe = {n / 2 + n / 10, {-1, 0, 0}},
+                                                   .tolerance = 1e-12,
+                                                   .singular_tolerance = 1e-13});
   LeesPath found;
   for (const dem::RodPoint& point : path.points) {
     found.down.push_back(point.probe / L);
     found.load.push_back(point.factor * lee_load);
   }
   for (const dem::SingularPoint& point : path.singular)
-    if (point.kind == dem::SingularKind::limit_point) found.limits.push_back(point.point.factor * lee_load);
+    if (point.kind == dem::SingularKind::limit_point)
+      found.limits.push_back(limit_factor(frame, point) * lee_load);
   return found;
 }
 
