@@ -47,7 +47,8 @@ int run_tables_rods(const Arguments& arguments, Context& context) {
   Results results{.name = "rods",
                   .heading = "Rods in space: chains against the rods they stand for",
                   .table = table_by_case(points, numbers, output, compare::rods_table)};
-  if (directory && context.stopped == 0 && !output.shard) results.figures = compare::rod_figures(output.jobs);
+  if (directory && output.figures && context.stopped == 0 && !output.shard)
+    results.figures = compare::rod_figures(output.jobs);
   deliver(results, results.table.select(tables_rods_shown), output, directory, context);
   const auto failed = std::ranges::count_if(points, [](const auto& point) { return !has_converged(point); });
   if (context.stopped != 0) return kSignaled + context.stopped;

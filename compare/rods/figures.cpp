@@ -22,7 +22,7 @@ Figure load_figure(const LoadFigure& what) {
   Figure figure{what.title, {what.load}, {what.value}, {}};
   RodSetting setting{.bond = dem::BondModel::corrected, .bonds = 80, .poisson_ratio = 0.17};
   Series rod{"rod", {}, {}, Mark::line};
-  constexpr int rod_points = 40, chain_points = 14;
+  constexpr int rod_points = 28, chain_points = 14;
   for (int i = 1; i <= rod_points; ++i) {
     setting.load = what.most * i / rod_points;
     rod.add(setting.load, what.sign * one.rod(setting).at(one.shown));

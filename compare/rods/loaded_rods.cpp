@@ -67,7 +67,7 @@ std::vector<double> rod_places(const RodSetting& setting, const Cantilever& c) {
                  .weight = vector_of(unit.line_load * loads.weight),
                  .following_force = vector_of(unit.force * loads.following_force),
                  .following_weight = vector_of(unit.line_load * loads.following_weight)}};
-  const auto sections = reference::follow_rod(problem, 1, 20).sections;
+  const auto sections = reference::follow_rod(problem, 1, 10).sections;
   return both(over(sections[2].position, unit.length), over(sections[1].position, unit.length));
 }
 

@@ -11,6 +11,7 @@
 
 #include "reference/errors.hpp"
 #include "reference/reissner.hpp"
+#include "reference/twisted_ring.hpp"
 
 BOOST_AUTO_TEST_SUITE(rod_path_test)
 
@@ -226,6 +227,20 @@ BOOST_AUTO_TEST_CASE(right_angle_frames_leave_their_plane_at_argyris_loads) {
     BOOST_TEST(std::abs(ref::rod_critical_factor(hinged, 600, 628, ref::RodMotion::out_of_plane) - 622.2) <
                0.05);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_twisted_ring_leaves_its_plane_at_michells_turn) {
+  const double C = 0.61, michell = 2 * pi * std::sqrt(3.0) * EI / C;
+  BOOST_TEST(std::abs(ref::twisted_ring_critical_turn({L, EI, C, infinity, infinity}) / michell - 1) < 1e-12);
+  // stretch alone and shear alone make it softer, in proportion where they are small
+  const auto less = [&](double axial, double shear) {
+    return 1 - ref::twisted_ring_critical_turn({L, EI, C, axial, shear}) / michell;
+  };
+  const double unit = EI / (L * L), stretch = less(1e4 * unit, infinity), shear = less(infinity, 1e4 * unit);
+  BOOST_TEST(stretch > 0);
+  BOOST_TEST(shear > 0);
+  BOOST_TEST(std::abs(less(1e4 * unit, 1e4 * unit) / (stretch + shear) - 1) < 0.01);
+  BOOST_TEST(std::abs(less(1e5 * unit, infinity) * 10 / stretch - 1) < 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_what_is_no_rod) {
