@@ -89,12 +89,16 @@ Figure critical_figure(std::string_view benchmark, std::string title, std::strin
   const RodBenchmark& one = rod_benchmark(benchmark);
   Figure figure{std::move(title), {"Poisson's ratio ν"}, {std::move(value)}, {}};
   RodSetting setting{.bond = dem::BondModel::corrected, .bonds = 40};
-  Series rod{"rod", {}, {}, Mark::line};
-  for (int i = 0; i <= 10; ++i) {
-    setting.poisson_ratio = 0.05 * i;
-    rod.add(setting.poisson_ratio, one.rod(setting).front() / unit(setting.poisson_ratio));
+  for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
+    const bool paper = bond == dem::BondModel::paper;
+    Series rod{paper ? "rod that shears" : "rod", {}, {}, Mark::line, paper ? Dash::dashed : Dash::solid};
+    setting.bond = bond;
+    for (int i = 0; i <= 10; ++i) {
+      setting.poisson_ratio = 0.05 * i;
+      rod.add(setting.poisson_ratio, one.rod(setting).front() / unit(setting.poisson_ratio));
+    }
+    figure.series.push_back(rod);
   }
-  figure.series.push_back(rod);
   for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
     Series chain{fmt::format("chain of 40 bonds, {}", dem::name(bond)), {}, {}, Mark::points};
     setting.bond = bond;
