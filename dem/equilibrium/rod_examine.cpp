@@ -126,7 +126,8 @@ std::optional<RodStation> station_after(const RodContext& context, const RodStat
   if (!state) return std::nullopt;
   RodStation station = station_at(context, *state, from.tangent);
   station.point.iterations = here;
-  station.point.arc = from.point.arc + step;
+  station.point.arc =
+      from.point.arc + std::abs(step) * std::sqrt(inner_product(context, from.tangent, from.tangent));
   return station;
 }
 

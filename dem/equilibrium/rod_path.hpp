@@ -17,6 +17,11 @@ enum class RodControl {
   arc_length     ///< goes through limit points
 };
 
+constexpr std::string_view name(RodControl control) {
+  constexpr std::string_view names[] = {"load", "displacement", "arc-length"};
+  return names[static_cast<int>(control)];
+}
+
 /// A displacement of one sphere along a direction from where it starts.
 struct RodProbe {
   int sphere = 0;

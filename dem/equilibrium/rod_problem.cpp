@@ -138,6 +138,11 @@ void check(const RodProblem& problem) {
   check(problem.chain.fiber);
   refuse_branches(problem.chain.fiber, "rods");
   const auto spheres = static_cast<std::size_t>(problem.chain.fiber.aspect_ratio) + 1;
+  if (problem.chain.fiber.aspect_ratio > most_rod_bonds) {
+    throw InvalidInput(fmt::format(
+        "{} bonds are not allowed: at most {}, rounding of the stretch leaves no more of the bending",
+        problem.chain.fiber.aspect_ratio, most_rod_bonds));
+  }
   if (problem.chain.poses.size() != spheres || (!problem.start.empty() && problem.start.size() != spheres)) {
     throw InvalidInput(fmt::format("poses are not allowed: the rod has {} spheres", spheres));
   }

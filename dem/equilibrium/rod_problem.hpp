@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "dem/chain/residual.hpp"
@@ -15,8 +16,12 @@ enum class LineLoads {
               ///< -e_2 x w on the second, which cancel but at the ends of the load and at corners: order 4
 };
 
+constexpr std::string_view name(LineLoads rule) {
+  return rule == LineLoads::lumped ? "lumped" : "consistent";
+}
+
 struct RodProblem {
-  Chain<3> chain;  ///< rest shape: straight_chain<3>, cornered_chain<3>, or of rod_shapes.hpp
+  Chain<3> chain = {};  ///< rest shape: straight_chain<3>, cornered_chain<3>, or of rod_shapes.hpp
   std::vector<RodSupport> supports = {};
   std::vector<RodPointLoad> point_loads = {};
   std::vector<RodLineLoad> line_loads = {};
@@ -28,9 +33,13 @@ struct RodProblem {
                         ///< shape's
 };
 
-/// Throws InvalidInput for spheres that the rod does not have, supports twice at one sphere or that hold
-/// nothing, rods that can move or turn as a whole along or about an axis that nothing holds, values that are
-/// not finite, prescribed turns without a clamp, planar rods that leave the plane, materials with branches.
+/// Most bonds of a rod: zero_eigenvalue() grows with their third power.
+inline constexpr int most_rod_bonds = 20000;
+
+/// Throws InvalidInput for more bonds than that, spheres that the rod does not have, supports twice at one
+/// sphere or that hold nothing, rods that can move or turn as a whole along or about an axis that nothing
+/// holds, values that are not finite, prescribed turns without a clamp, planar rods that leave the plane,
+/// materials with branches.
 void check(const RodProblem& problem);
 
 /// Forces and moments on every sphere at a load factor, bonds and loads, held directions included [N, N m].
