@@ -39,7 +39,7 @@ void check_said(const std::string& text, const std::string& part) {
 BOOST_AUTO_TEST_CASE(keys_are_the_problem) {
   const dem::RodScene scene = parse_rod(
       kRod +
-      "shape: {corner: 5, turn: {axis: [0, 0, 1], angle: 90 deg}}\n"
+      "shape: {corner: 5, turn: {axis: [0, 0, 1], angle: 90 degree}}\n"
       "supports: [{sphere: 0, rotate: [0, 0, 0.3]}, {sphere: 12, place: y, turn: xy, move: [0, 2 mm, 0]}]\n"
       "loads: [{sphere: 7, reduced_force: [2, 0, 0], steady: true}, {sphere: last, moment: [0, 0, 1e-6]}]\n"
       "line_loads: [{spheres: 5..12, force: [0, 1e-3, 0], direction: following}]\n"
