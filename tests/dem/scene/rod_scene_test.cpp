@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "dem/model/errors.hpp"
 #include "dem/run/run_fiber.hpp"
 #include "dem/scene/scene.hpp"
 
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_at_its_key) {
   check_said(kRod + kHinges + "loads: [{sphere: last}]\n", "needs force or moment");
   check_said(kRod + kHinges + "line_loads: [{spheres: 4..4, force: [0, 1, 0]}]\n", "N < M");
   check_said(kRod + kHinges + "path: {control: displacement}\n", "end_displacement");
-  check_said(kRod + kHinges + "path: {end_factor: 0}\n", "rod.yaml:5: path.end_factor: must not be 0");
+  check_said(kRod + kHinges + "path: {end_factor: 0}\n", "rod.yaml:6: path.end_factor: must not be 0");
   check_said(kRod + "shape: {points: [{at: [0, 0, 0]}, {at: [2 mm, 0, 0]}]}\n" + kHinges, "whole number");
   check_said(kRod + "shape: {corner: 12}\n" + kHinges, "corner = 12 is not allowed");
   check_said(kRod + "shape: {arc: 1, corner: 2}\n" + kHinges, "shape");
