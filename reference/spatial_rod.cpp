@@ -1,30 +1,16 @@
 #include "reference/spatial_rod.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multiroots.h>
-
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "reference/errors.hpp"
-#include "reference/gsl_ode.hpp"
+#include "reference/rod_newton.hpp"
 
 namespace fiberchain::reference {
+namespace detail {
 namespace {
 
-using Eigen::Map;
-using Eigen::Vector3d;
-
-Vector3d vector(const SpaceVector& u) { return {u[0], u[1], u[2]}; }
-
-/// Lengths in L and forces in EI / L^2, so that one set of tolerances serves every rod.
-struct ScaledRod {
-  std::vector<RodSegment> segments;
-  double torsion;  ///< GJ / EI
-  double stretch;  ///< EI / (EA L^2)
-  Vector3d force, moment, weight;
-};
+SpaceVector array(const Vector3d& u) { return {u[0], u[1], u[2]}; }
 
 double length_of(const SpatialRod& rod) {
   double length = 0;
@@ -36,104 +22,147 @@ double length_of(const SpatialRod& rod) {
   return length;
 }
 
-ScaledRod scaled(const SpatialRod& rod, const RodLoads& loads, double length) {
-  require_positive("bending", rod.bending);
-  require_positive("torsion", rod.torsion);
-  require_positive_or_infinite("axial", rod.axial);
-  const double force = length * length / rod.bending;
-  ScaledRod one{.segments = rod.segments,
-                .torsion = rod.torsion / rod.bending,
-                .stretch = 1 / (rod.axial * force),
-                .force = force * vector(loads.force),
-                .moment = length / rod.bending * vector(loads.moment),
-                .weight = force * length * vector(loads.weight)};
-  for (RodSegment& part : one.segments) {
-    part.length /= length;
-    for (double& component : part.rest_curvature) component *= length;
-  }
-  return one;
+ScaledLoads scaled(const RodLoads& loads, double force, double length) {
+  return {vector(loads.force) / force,
+          vector(loads.moment) / (force * length),
+          vector(loads.weight) * length / force,
+          vector(loads.following_force) / force,
+          vector(loads.following_weight) * length / force,
+          vector(loads.begin_force) / force,
+          vector(loads.begin_moment) / (force * length)};
 }
 
-/// Loads between none and all.
-ScaledRod loaded(ScaledRod rod, double factor) {
-  for (Vector3d* load : {&rod.force, &rod.moment, &rod.weight}) *load *= factor;
-  return rod;
+SpaceVector times(SpaceVector v, double factor) {
+  for (double& component : v) component *= factor;
+  return v;
 }
 
-/// r, the section's quaternion (w last, as Eigen stores it), m.
-using SectionState = std::array<double, 10>;
-
-void slopes(const ScaledRod& rod, const RodSegment& part, double beyond, const double* state,
-            double* derivative) {
-  const Eigen::Quaterniond turn = Map<const Eigen::Quaterniond>(state + 3).normalized();
-  const Vector3d tangent = turn * Vector3d::UnitX(), force = rod.force + beyond * rod.weight;
-  const Vector3d moment = turn.conjugate() * Vector3d(Map<const Vector3d>(state + 7));
-  const Vector3d curvature =
-      vector(part.rest_curvature) + Vector3d(moment[0] / rod.torsion, moment[1], moment[2]);
-  const Vector3d along = (1 + rod.stretch * force.dot(tangent)) * tangent;
-  Map<Vector3d>{derivative} = along;
-  const Eigen::Quaterniond spin(0, curvature[0] / 2, curvature[1] / 2, curvature[2] / 2);
-  Map<Eigen::Quaterniond>(derivative + 3) = Map<const Eigen::Quaterniond>(state + 3) * spin;
-  Map<Vector3d>(derivative + 7) = force.cross(along);
-}
-
-/// The free end's state with this moment at the clamp.
-SectionState end_of(const ScaledRod& rod, const Vector3d& clamp_moment) {
-  SectionState state{0, 0, 0, 0, 0, 0, 1, clamp_moment[0], clamp_moment[1], clamp_moment[2]};
-  double begin = 0;
-  for (const RodSegment& part : rod.segments) {
-    Map<Eigen::Quaterniond> turn(state.data() + 3);
-    turn = turn * Eigen::Quaterniond(Eigen::AngleAxisd(part.corner, Vector3d::UnitZ()));
-    detail::OdeIntegrator along(
-        state.size(),
-        [&](double s, const double* at, double* slope) { slopes(rod, part, 1 - begin - s, at, slope); }, {},
-        "a rod in space");
-    double s = 0;
-    along.advance(s, part.length, state);
-    begin += part.length;
-  }
-  return state;
-}
-
-Vector3d from_gsl(const gsl_vector* v) {
-  return {gsl_vector_get(v, 0), gsl_vector_get(v, 1), gsl_vector_get(v, 2)};
-}
-
-int miss(const gsl_vector* clamp_moment, void* of, gsl_vector* out) {
-  const auto& rod = *static_cast<const ScaledRod*>(of);
-  const SectionState end = end_of(rod, from_gsl(clamp_moment));
-  for (std::size_t i = 0; i < 3; ++i) gsl_vector_set(out, i, end[7 + i] - rod.moment[static_cast<int>(i)]);
-  return std::isfinite(gsl_vector_get(out, 0)) ? GSL_SUCCESS : GSL_EBADFUNC;
-}
-
-/// The moment at the clamp, near `start`.
-Vector3d shoot(ScaledRod rod, const Vector3d& start) {
-  gsl_multiroot_function function{&miss, 3, &rod};
-  const std::unique_ptr<gsl_multiroot_fsolver, decltype(&gsl_multiroot_fsolver_free)> solver(
-      gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, 3), &gsl_multiroot_fsolver_free);
-  const std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> first(gsl_vector_alloc(3), &gsl_vector_free);
-  for (std::size_t i = 0; i < 3; ++i) gsl_vector_set(first.get(), i, start[static_cast<int>(i)]);
-  int status = gsl_multiroot_fsolver_set(solver.get(), &function, first.get());
-  for (int tries = 0; status == GSL_SUCCESS && tries < 100; ++tries) {
-    if (gsl_multiroot_test_residual(solver->f, 1e-11) == GSL_SUCCESS) return from_gsl(solver->x);
-    status = gsl_multiroot_fsolver_iterate(solver.get());
-  }
-  throw NoConvergence("the clamp's moment of a rod in space");
+/// Where the rest shape has the end.
+SectionState resting_end(const ScaledRod& rod) {
+  ScaledRod bare = rod;
+  bare.steady = bare.varied = {Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(),
+                               Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+  return shoot(bare, {}, 0).sections.back();
 }
 
 }  // namespace
 
-SpaceVector spatial_rod_end(const SpatialRod& rod, const RodLoads& loads, int load_steps) {
+ScaledRod scaled(const RodProblem& problem) {
+  const SpatialRod& rod = problem.rod;
   const double length = length_of(rod);
-  const ScaledRod all = scaled(rod, loads, length);
-  Vector3d clamp_moment = Vector3d::Zero(), before = clamp_moment;
-  for (int step = 1; step <= load_steps; ++step) {
-    const Vector3d ahead = 2 * clamp_moment - before;
-    before = clamp_moment;
-    clamp_moment = shoot(loaded(all, static_cast<double>(step) / load_steps), ahead);
+  require_positive("bending", rod.bending);
+  require_positive("torsion", rod.torsion);
+  require_positive_or_infinite("axial", rod.axial);
+  require_positive_or_infinite("shear", rod.shear);
+  if (rod.sideways != 0) require_positive("sideways", rod.sideways);
+  const double force = rod.bending / (length * length);
+  ScaledRod one{.segments = rod.segments,
+                .torsion = rod.torsion / rod.bending,
+                .sideways = rod.sideways > 0 ? rod.sideways / rod.bending : 1,
+                .stretch = force / rod.axial,
+                .shear = force / rod.shear,
+                .steady = scaled(problem.steady, force, length),
+                .varied = scaled(problem.varied, force, length),
+                .begin = problem.begin,
+                .end = problem.end,
+                .end_position = Vector3d::Zero(),
+                .end_frame = Eigen::Quaterniond::Identity(),
+                .planar = problem.planar,
+                .length = length,
+                .force = force};
+  for (RodSegment& part : one.segments) {
+    part.length /= length;
+    part.rest_curvature = times(part.rest_curvature, length);
+    part.joint_force = times(part.joint_force, 1 / force);
   }
-  const SectionState end = end_of(all, clamp_moment);
-  return {end[0] * length, end[1] * length, end[2] * length};
+  for (RodEnd* end : {&one.begin, &one.end}) end->moved = times(end->moved, 1 / length);
+  if (problem.end_pose) {
+    Unknowns by = Unknowns::Zero();
+    by.head<3>() = vector(problem.end_pose->position) / length;
+    by.segment<3>(3) = vector(problem.end_pose->rotation);
+    const SectionState end = moved({}, by);
+    one.end_position = end.position, one.end_frame = end.frame;
+  } else {
+    const SectionState end = resting_end(one);
+    one.end_position = end.position, one.end_frame = end.frame;
+  }
+  return one;
+}
+
+SectionState scaled(const RodSection& section, const ScaledRod& rod) {
+  const auto& q = section.orientation;
+  return {vector(section.position) / rod.length, Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized(),
+          vector(section.force) / rod.force, vector(section.moment) / (rod.force * rod.length)};
+}
+
+RodSection section_of(const SectionState& state, const ScaledRod& rod) {
+  const Eigen::Quaterniond& q = state.frame;
+  return {array(state.position * rod.length),
+          {q.x(), q.y(), q.z(), q.w()},
+          array(state.force * rod.force),
+          array(state.moment * rod.force * rod.length)};
+}
+
+namespace {
+
+RodPoint at_factor(const ScaledRod& rod, const SectionState& begin, double factor) {
+  return converged(rod, begin, factor, {Unknowns::Unit(12), 0});
+}
+
+/// Begin of the next point, as far ahead of the last as that was of the one before.
+SectionState ahead(const SectionState& before, const SectionState& last, double ratio) {
+  const Eigen::AngleAxisd turn(last.frame * before.frame.conjugate());
+  return {last.position + ratio * (last.position - before.position),
+          Eigen::Quaterniond(Eigen::AngleAxisd(ratio * turn.angle(), turn.axis())) * last.frame,
+          last.force + ratio * (last.force - before.force),
+          last.moment + ratio * (last.moment - before.moment)};
+}
+
+RodPoint followed(const ScaledRod& rod, double factor, int steps) {
+  RodPoint last = at_factor(rod, {}, 0);
+  SectionState before = last.begin;
+  double step = factor / steps, done_step = step;
+  int left = 2000;
+  while (last.factor != factor && left-- > 0) {
+    const double next = std::abs(factor - last.factor) < 1.001 * std::abs(step) ? factor : last.factor + step;
+    try {
+      RodPoint found = at_factor(rod, ahead(before, last.begin, (next - last.factor) / done_step), next);
+      before = last.begin, done_step = next - last.factor;
+      last = std::move(found);
+    } catch (const NoConvergence&) {
+      step /= 2;
+      if (std::abs(step) < 1e-6 * std::abs(factor)) throw;
+    }
+  }
+  return last;
+}
+
+}  // namespace
+}  // namespace detail
+
+RodSection rod_at_rest() { return {{}, {0, 0, 0, 1}, {}, {}}; }
+
+RodEquilibrium solve_rod(const RodProblem& problem, double factor, const RodSection& begin) {
+  const detail::ScaledRod rod = detail::scaled(problem);
+  return detail::equilibrium_of(rod, detail::at_factor(rod, detail::scaled(begin, rod), factor));
+}
+
+RodEquilibrium follow_rod(const RodProblem& problem, double factor, int steps) {
+  const detail::ScaledRod rod = detail::scaled(problem);
+  return detail::equilibrium_of(rod, detail::followed(rod, factor, steps));
+}
+
+std::vector<RodSection> rod_shape(const RodProblem& problem, const RodEquilibrium& equilibrium, int points) {
+  const detail::ScaledRod rod = detail::scaled(problem);
+  std::vector<RodSection> shape;
+  const auto begin = detail::scaled(equilibrium.sections.front(), rod);
+  for (const auto& state : detail::shape_of(rod, begin, equilibrium.factor, points))
+    shape.push_back(detail::section_of(state, rod));
+  return shape;
+}
+
+SpaceVector spatial_rod_end(const SpatialRod& rod, const RodLoads& loads, int load_steps) {
+  return follow_rod({.rod = rod, .varied = loads}, 1, load_steps).sections.back().position;
 }
 
 }  // namespace fiberchain::reference

@@ -13,6 +13,7 @@
 #include "compare/scenes/damping_report.hpp"
 #include "compare/scenes/flow_report.hpp"
 #include "compare/scenes/release_report.hpp"
+#include "compare/scenes/rod_report.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/record/csv.hpp"
@@ -82,11 +83,27 @@ Outcome outcome_of(const dem::FlowScene& scene, const std::string& name) {
   return {std::move(results), std::move(shown), history.record.failure};
 }
 
+Outcome outcome_of(const dem::RodScene& scene, const std::string& name) {
+  const compare::RodRun run = compare::run_rod(scene);
+  Results results{.name = name,
+                  .heading = "Rod",
+                  .table = compare::rod_table(scene, run),
+                  .more_tables = {{name + "-path", compare::rod_path_table(scene, run)},
+                                  {name + "-shapes", compare::rod_shapes_table(scene, run)}},
+                  .figures = {{name + "-path", compare::rod_path_figure(scene, run)},
+                              {name + "-shapes", compare::rod_shapes_figure(scene, run)}}};
+  dem::Table shown = results.table.select({"aspect_ratio", "path_points", "load_factor", "end_x", "end_y",
+                                           "end_z", "stability", "limit_points", "first_limit",
+                                           "bifurcations", "first_bifurcation", "run_time"});
+  return {std::move(results), std::move(shown), ""};
+}
+
 /// Of a scene that is one fiber.
 Outcome outcome_of(const dem::Scene& scene, const std::string& name) {
   if (const auto* cantilever = std::get_if<dem::CantileverScene>(&scene))
     return outcome_of(*cantilever, name);
   if (const auto* release = std::get_if<dem::ReleaseScene>(&scene)) return outcome_of(*release, name);
+  if (const auto* rod = std::get_if<dem::RodScene>(&scene)) return outcome_of(*rod, name);
   return outcome_of(std::get<dem::FlowScene>(scene), name);
 }
 

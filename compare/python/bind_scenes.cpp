@@ -12,6 +12,7 @@
 #include "compare/scenes/flow_report.hpp"
 #include "compare/scenes/packing_report.hpp"
 #include "compare/scenes/release_report.hpp"
+#include "compare/scenes/rod_report.hpp"
 #include "compare/static/table.hpp"
 #include "compare/study/stopping.hpp"
 #include "dem/record/csv.hpp"
@@ -44,6 +45,20 @@ py::dict rest_of(dem::CantileverScene scene) {
   all["stability"] = std::string(dem::name(rest.stability));
   all["table"] = dict_of(compare::cantilever_table(scene, rest));
   all["shape"] = dict_of(compare::shape_table(rest));
+  return all;
+}
+
+py::dict rod_of(const dem::RodScene& scene) {
+  const compare::RodRun run = released([&](const dem::StopRequest&) { return compare::run_rod(scene); });
+  const dem::RodPath& last = run.result.branch ? *run.result.branch : run.result.path;
+  std::vector<V> positions;
+  for (const auto& pose : last.points.back().poses) positions.push_back(pose.position);
+  py::dict all;
+  all["kind"] = "rod";
+  all["positions"] = array_of(std::move(positions));
+  all["table"] = dict_of(compare::rod_table(scene, run));
+  all["path"] = dict_of(compare::rod_path_table(scene, run));
+  all["shapes"] = dict_of(compare::rod_shapes_table(scene, run));
   return all;
 }
 
@@ -156,6 +171,10 @@ py::dict run(const std::string& content, const std::string& name, const Settings
     if (auto* release = std::get_if<dem::ReleaseScene>(&scene)) {
       if (fiber) release->fiber = *fiber;
       return release_of(*release);
+    }
+    if (auto* rod = std::get_if<dem::RodScene>(&scene)) {
+      if (fiber) throw dem::InvalidInput("fiber is not allowed: a rod's shape is made with its own");
+      return rod_of(*rod);
     }
     auto& flow = std::get<dem::FlowScene>(scene);
     if (fiber) flow.fiber = *fiber;

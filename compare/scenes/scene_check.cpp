@@ -91,6 +91,10 @@ dem::Table check(const dem::CantileverScene& scene, int) {
                      {step, scene.march.step_ratio ? "scene" : "0.8 of the stable step", {}, most});
 }
 
+dem::Table check(const dem::RodScene& scene, int) {
+  return fiber_table("rod", scene, {{}, "no time: Newton's method", {}, {}});
+}
+
 dem::Table check(const dem::ReleaseScene& scene, int) {
   const ReleasePlan plan = plan_release(scene);
   const std::string integrator(name(plan.integrator));

@@ -83,6 +83,9 @@ const Checks& breaking_checks();
 /// Fibers cut into bonds longer than thick: orders, modes, damping, time step, bonds saved.
 const Checks& spacing_checks();
 
+/// Rods in space: orders, published figures, numbering and paths.
+const Checks& rods_checks();
+
 /// A subject of the matrix, which has a file of claims and a table of measures.
 struct ValidationSubject {
   std::string_view name;  ///< of the file, and on the command line

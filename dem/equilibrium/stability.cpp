@@ -1,9 +1,9 @@
 #include "dem/equilibrium/stability.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "dem/chain/pivots.hpp"
 #include "dem/model/errors.hpp"
 
 namespace fiberchain::dem {
@@ -26,36 +26,6 @@ SphereVector<Dim> weights(const Chain<Dim>& chain) {
 template <int Dim>
 bool is_clamped(const Boundary<Dim>& boundary, int sphere) {
   return std::ranges::find(boundary.clamped, sphere) != boundary.clamped.end();
-}
-
-/// Negative eigenvalues of a symmetric matrix. Most have none, which Cholesky says at a fraction of the cost.
-template <int Size>
-int negative(const Eigen::Matrix<double, Size, Size>& A) {
-  if (A.llt().info() == Eigen::Success) return 0;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> solver(A, Eigen::EigenvaluesOnly);
-  return static_cast<int>((solver.eigenvalues().array() < 0).count());
-}
-
-/// Negative eigenvalues of the symmetric part of A: those of the pivots of its block elimination.
-template <int Size>
-int negative_pivots(const BlockTridiagonal<Size>& A) {
-  using B = typename BlockTridiagonal<Size>::Block;
-  int count = 0;
-  B before;
-  for (int i = 0; i < A.blocks(); ++i) {
-    B pivot = 0.5 * (A.diagonal[i] + A.diagonal[i].transpose());
-    if (i > 0) {
-      const B coupling = 0.5 * (A.lower[i] + A.upper[i - 1].transpose());
-      const B scaled = before.partialPivLu().solve(coupling.transpose());
-      pivot.noalias() -= coupling * scaled;
-      pivot = (0.5 * (pivot + pivot.transpose())).eval();
-    }
-    // rows of different units: scaled to a unit diagonal, which keeps the signs
-    const auto scale = pivot.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt().cwiseInverse().eval();
-    count += negative<Size>(scale.asDiagonal() * pivot * scale.asDiagonal());
-    before = pivot;
-  }
-  return count;
 }
 
 template <int Dim>

@@ -15,6 +15,8 @@
 #include "dem/record/columns/material_study.hpp"
 #include "dem/record/columns/packing.hpp"
 #include "dem/record/columns/press.hpp"
+#include "dem/record/columns/rod_path.hpp"
+#include "dem/record/columns/rods.hpp"
 #include "dem/record/columns/spacing.hpp"
 #include "dem/record/columns/validation.hpp"
 #include "dem/record/errors.hpp"
@@ -33,7 +35,7 @@ constexpr auto joined(const Column (&... parts)[n]) {
 constexpr auto kColumns =
     joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
            columns::validation, columns::packing, columns::material, columns::material_study, columns::press,
-           columns::contact, columns::identify, columns::spacing);
+           columns::contact, columns::identify, columns::spacing, columns::rod_path, columns::rods);
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "dem/run/run_fiber.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "dem/equilibrium/newton.hpp"
@@ -88,6 +90,21 @@ ReleaseResult run_scene(const ReleaseScene& scene) {
 
 FlowResult run_scene(const FlowScene& scene) {
   return scene.dimension == Dimension::planar ? flow<2>(scene) : flow<3>(scene);
+}
+
+RodResult run_scene(const RodScene& scene) {
+  RodResult result{trace_rod(scene.problem, scene.path), std::nullopt};
+  if (!scene.branch) return result;
+  int left = scene.branch->bifurcation;
+  for (const SingularPoint& point : result.path.singular) {
+    if (point.kind != SingularKind::bifurcation || --left > 0) continue;
+    result.branch =
+        trace_branch(scene.problem, point, scene.branch->sign, scene.branch->amplitude, scene.path);
+    return result;
+  }
+  throw NoConvergence(fmt::format(
+      "branch.bifurcation = {}: the path has {} bifurcations up to load factor {:.6g}",
+      scene.branch->bifurcation, scene.branch->bifurcation - left, result.path.points.back().factor));
 }
 
 template RestState<2> find_rest<2>(const CantileverScene&);

@@ -63,6 +63,14 @@ struct FlowResult {
   FlowRecord record;                ///< with the reason if the run stopped early
 };
 
+struct RodResult {
+  RodPath path;
+  std::optional<RodPath> branch;  ///< where the scene asks for one
+};
+
+/// @throws InvalidInput, NoConvergence; also for a branch of a bifurcation that the path does not have
+RodResult run_scene(const RodScene& scene);
+
 /// @throws InvalidInput, NoConvergence, Diverged
 CantileverResult run_scene(const CantileverScene& scene);
 

@@ -10,6 +10,7 @@ SceneResult run_scene_of(const SceneText& text, const RunOptions& options) {
   const Scene scene = parse_scene(text);
   if (const auto* packing = std::get_if<PackingScene>(&scene)) return run_scene(text, *packing, options);
   if (const auto* cantilever = std::get_if<CantileverScene>(&scene)) return run_scene(*cantilever);
+  if (const auto* rod = std::get_if<RodScene>(&scene)) return run_scene(*rod);
   if (const auto* release = std::get_if<ReleaseScene>(&scene)) return run_scene(*release);
   return run_scene(std::get<FlowScene>(scene));
 }

@@ -8,7 +8,7 @@
 
 namespace fiberchain::dem {
 
-using SceneResult = std::variant<CantileverResult, ReleaseResult, FlowResult, PackingEndState>;
+using SceneResult = std::variant<CantileverResult, ReleaseResult, FlowResult, RodResult, PackingEndState>;
 
 /// Reads a scene file and runs it. A packing writes its files as it goes, the other kinds return their result
 /// only.

@@ -114,6 +114,14 @@ void check_stretch(const StrictMapping& load, const LoadKeys& keys, const Fiber&
 
 }  // namespace
 
+const Words<std::array<bool, 3>>& axis_words() {
+  static const Words<std::array<bool, 3>> words{{"xyz", {true, true, true}}, {"xy", {true, true, false}},
+                                                {"xz", {true, false, true}}, {"yz", {false, true, true}},
+                                                {"x", {true, false, false}}, {"y", {false, true, false}},
+                                                {"z", {false, false, true}}, {"none", {false, false, false}}};
+  return words;
+}
+
 double bonds_of(const FiberKeys& keys) { return std::max(std::round(keys.aspect_ratio / keys.spacing), 1.0); }
 
 ReadFiber fiber_of(const StrictMapping& mapping, const std::string& key, const FiberKeys& keys) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,9 @@ inline constexpr ValueRange kFraction{.low = 0, .high = 1, .low_open = true, .hi
 inline constexpr ValueRange kCoefficient{.low = 0, .high = 1e6};  ///< of friction, damping, drag
 inline constexpr ValueRange kStepRatio{.low = 1e-6, .high = 1e5};
 inline constexpr const char* kAxes[] = {"x", "y", "z"};
+
+/// Words for which axes are held: `xyz`, `xy`, ..., `none`.
+const Words<std::array<bool, 3>>& axis_words();
 
 /// A fiber as typed.
 struct FiberKeys {
@@ -203,10 +207,12 @@ FluidInFlow fluid_of(const StrictMapping& mapping, const FluidKeys& keys, Dimens
 std::vector<KeyDeclaration> cantilever_declarations();
 std::vector<KeyDeclaration> release_declarations();
 std::vector<KeyDeclaration> flow_declarations();
+std::vector<KeyDeclaration> rod_declarations();
 std::vector<KeyDeclaration> packing_declarations();
 CantileverScene read_cantilever(const StrictMapping& top);
 ReleaseScene read_release(const StrictMapping& top);
 FlowScene read_flow(const StrictMapping& top);
+RodScene read_rod(const StrictMapping& top);
 PackingScene read_packing(const StrictMapping& top);
 
 /// Diameter of the thickest fibers [m].

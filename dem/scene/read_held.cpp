@@ -15,11 +15,6 @@ namespace {
 
 using Axes = std::array<bool, 3>;
 
-const Words<Axes> kAxisWords{{"xyz", {true, true, true}}, {"xy", {true, true, false}},
-                             {"xz", {true, false, true}}, {"yz", {false, true, true}},
-                             {"x", {true, false, false}}, {"y", {false, true, false}},
-                             {"z", {false, false, true}}, {"none", {false, false, false}}};
-
 /// Which spheres, as typed.
 struct SelectionKeys {
   std::string fibers, spheres;
@@ -100,8 +95,8 @@ SceneGrip selected(const StrictMapping& mapping, const SelectionKeys& keys, cons
 KeyTable<HeldKeys> held_keys() {
   KeyTable<HeldKeys> table(HeldKeys{Wall{Plane{}}, {}});
   declare_selection(table);
-  table.choice("place", &HeldKeys::place, kAxisWords, "along which axes their places are held");
-  table.choice("turn", &HeldKeys::turn, kAxisWords, "about which axes their rotations are held");
+  table.choice("place", &HeldKeys::place, axis_words(), "along which axes their places are held");
+  table.choice("turn", &HeldKeys::turn, axis_words(), "about which axes their rotations are held");
   declare_rigid_motion(table, "constant velocity of what holds them, with all of them as one rigid body",
                        "they are held from this time on, where they are then", "and free from this time on");
   return table;

@@ -35,6 +35,7 @@ const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds = {{"cantilever", &cantilever_declarations},
                                                {"release", &release_declarations},
                                                {"flow", &flow_declarations},
+                                               {"rod", &rod_declarations},
                                                {"packing", &packing_declarations}};
   return kinds;
 }
@@ -50,6 +51,8 @@ Scene parse_scene(const SceneText& scene) {
       return read_release(top);
     case 2:
       return read_flow(top);
+    case 3:
+      return read_rod(top);
     default:
       return read_packing(top);
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "dem/equilibrium/dynamic_relaxation.hpp"
+#include "dem/equilibrium/rod_path.hpp"
 #include "dem/flow/integrate_in_flow.hpp"
 #include "dem/model/fiber.hpp"
 #include "dem/scene/key_declaration.hpp"
@@ -80,7 +82,25 @@ struct FlowScene {
   DampingSummary damping = {};  ///< none: fibers in fluids have no branches
 };
 
-using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, PackingScene>;
+/// Which of the bifurcations of a rod's path is left, and how.
+struct RodBranch {
+  int bifurcation = 1;      ///< number along the path, from 1
+  int sign = 1;             ///< 1 or -1: the way of the mode, or against it
+  double amplitude = 0.02;  ///< of the mode at the first point of the branch [L, rad]
+};
+
+/// A rod held and loaded in any way, followed along its equilibria.
+struct RodScene {
+  Dimension dimension = Dimension::planar;
+  Fiber fiber;
+  RodProblem problem = {};
+  RodPathOptions path = {};
+  std::optional<RodBranch> branch = std::nullopt;
+  int shapes = 10;              ///< of the path that are recorded, at most, besides those of singular points
+  DampingSummary damping = {};  ///< none: rods have no branches of a material's memory
+};
+
+using Scene = std::variant<CantileverScene, ReleaseScene, FlowScene, RodScene, PackingScene>;
 
 /// A kind of scene: the word of key `scene`, and its keys.
 struct SceneKind {

@@ -42,7 +42,7 @@ constexpr SizeRange sizes_in(std::string_view unit) {
              {"N m", {1e-36, 1e18}},     {"kg", {1e-18, 1e15}},    {"m^2", {1e-24, 1e18}},
              {"N s/m", {1e-18, 1e18}},   {"rad", {0, 1e6}},        {"Hz", {1e-12, 1e15}},
              {"K", {1e-9, 1e9}},         {"1/K", {0, 1}},          {"J/(kg K)", {1e-9, 1e12}},
-             {"W/(m K)", {1e-12, 1e12}}, {"J/m^2", {1e-15, 1e12}}};
+             {"W/(m K)", {1e-12, 1e12}}, {"J/m^2", {1e-15, 1e12}}, {"N/m", {1e-30, 1e18}}};
   for (const auto& one : all) {
     if (one.unit == unit) return one.sizes;
   }

@@ -45,8 +45,12 @@ BOOST_AUTO_TEST_CASE(scenes_of_one_fiber) {
                                 "fluid: {viscosity: 1 Pa s, flow: shear, rate: 0.01 1/s, hydrodynamics: "
                                 "interactions}\n"
                                 "start: {direction: [0, 1, 1]}\nstrain: 0.5\nsamples: 10\n");
-  for (const std::string name : {"cantilever", "march", "leapfrog", "leapfrog-damped", "leapfrog-stiff",
-                                 "implicit", "cvode", "flow"}) {
+  scratch.file("rod.yaml",
+               std::string("scene: rod\ndimension: spatial\n") + kFiber +
+                   "shape: {arc: 1}\nsupports: [{sphere: first}]\nloads: [{sphere: last, reduced_force: "
+                   "[0, 1, 2], direction: following}]\npath: {points: 4}\n");
+  for (const std::string name : {"rod", "cantilever", "march", "leapfrog", "leapfrog-damped",
+                                 "leapfrog-stiff", "implicit", "cvode", "flow"}) {
     for (const std::string command : {"check", "run"}) {
       const Words words = {command, name + ".yaml"};
       check_fine(run(words, {.directory = scratch.path}), words);
@@ -99,6 +103,7 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
         {"tables", "press", "--fibers", "20", "--aspect-ratio", "5", "--seeds", "2", "--speed", "2",
          "--samples", "40"},
         {"tables", "spacing", "--aspect-ratio", "13", "--spacing", "1,2.6", "--load", "1"},
+        {"tables", "rods", "--benchmark", "bend,column-hinged", "--aspect-ratio", "10", "--no-figures"},
         {"stability", "--aspect-ratio", "5", "--poisson-ratio", "0.2", "--bond-damping", "0.5"},
         {"fit", "--aspect-ratio", "5..7", "--held-out", "none", "--no-figures"},
         {"materials"},

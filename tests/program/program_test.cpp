@@ -46,6 +46,7 @@ const Command kJsonCommands[] = {
     {"run", kScenes + "cantilever.yaml"},
     {"run", kScenes + "cantilever-march.yaml"},
     {"run", kScenes + "cantilever-spatial.yaml"},
+    {"run", kScenes + "rod-frame.yaml"},
     {"tables", "static", "--aspect-ratio", "10,13", "--poisson-ratio", "0.17", "--load", "0.5,6"},
     {"tables", "static", "--aspect-ratio", "5", "--load", "1", "--method", "march", "--form",
      "total,incremental"},

@@ -21,6 +21,7 @@ def run(scene, *, settings=None, directory=".", threads=1, earlier="refuse", nam
     Returns a namespace with `kind`, `table` (columns by name: arrays of length 1) and
       cantilever: positions (spheres, 3) [m], angles [rad], residual, stability, shape (a table);
       release: time [s], y, z (samples,) [m], energy [J], period [s], time_step [s], history (a table), failure;
+      rod: positions (spheres, 3) [m] at the end of the path or its branch, path and shapes (tables);
       flow: history (a table), shapes (moments, spheres, 3) [m], shape_times [s], failure;
       packing: directory, name, messages, failure.
     """
