@@ -42,7 +42,7 @@ struct RodPathOptions {
   int max_iterations = 15;
   double smallest_step = 1e-7;       ///< part of the first step below which the path is given up
   bool find_singular = true;         ///< looks for limit points and bifurcations between path points
-  double singular_tolerance = 1e-9;  ///< of the load factor, or of the arc length between its bounds
+  double singular_tolerance = 1e-9;  ///< part of a step between its bounds that ends the search, too
 };
 
 struct RodPoint {
