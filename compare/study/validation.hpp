@@ -83,6 +83,9 @@ const Checks& breaking_checks();
 /// Fibers cut into bonds longer than thick: orders, modes, damping, time step, bonds saved.
 const Checks& spacing_checks();
 
+/// Fibers that slide about a drum: ratio of their tensions.
+const Checks& capstan_checks();
+
 /// A subject of the matrix, which has a file of claims and a table of measures.
 struct ValidationSubject {
   std::string_view name;  ///< of the file, and on the command line
