@@ -20,6 +20,7 @@ Command report_command();          ///< one page that shows what holds
 Command export_command();          ///< a trajectory as text for other programs
 Command run_command();             ///< one scene
 Command stability_command();       ///< largest stable step, theory and runs
+Command tables_capstan_command();  ///< fibers that slide about a drum
 Command tables_contact_command();  ///< impacts of spheres, adhesion
 Command tables_contact_modulus_command();  ///< packings by the modulus of their contacts
 Command tables_damping_command();          ///< damping of the fiber by that of the bonds, Figs 6 to 9
@@ -60,6 +61,7 @@ inline std::vector<Command> all_commands() {
           tables_press_command(),
           tables_spacing_command(),
           tables_rods_command(),
+          tables_capstan_command(),
           fit_command(),
           calibrate_command(),
           identify_command(),

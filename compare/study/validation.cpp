@@ -152,19 +152,12 @@ Checks merged(Checks first, const Checks& second) {
 }
 
 const std::vector<ValidationSubject>& validation_subjects() {
-  static const std::vector<ValidationSubject> subjects{{"beams", beam_checks},
-                                                       {"static", static_checks},
-                                                       {"damping", damping_checks},
-                                                       {"friction", friction_checks},
-                                                       {"contact", contact_checks},
-                                                       {"materials", material_checks},
-                                                       {"stability", stability_checks},
-                                                       {"flow", flow_checks},
-                                                       {"packing", packing_checks},
-                                                       {"press", press_checks},
-                                                       {"breaking", breaking_checks},
-                                                       {"spacing", spacing_checks},
-                                                       {"rods", rods_checks}};
+  static const std::vector<ValidationSubject> subjects{
+      {"beams", beam_checks},          {"static", static_checks},     {"damping", damping_checks},
+      {"friction", friction_checks},   {"contact", contact_checks},   {"materials", material_checks},
+      {"stability", stability_checks}, {"flow", flow_checks},         {"packing", packing_checks},
+      {"press", press_checks},         {"breaking", breaking_checks}, {"spacing", spacing_checks},
+      {"capstan", capstan_checks},     {"rods", rods_checks}};
   return subjects;
 }
 

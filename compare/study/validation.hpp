@@ -85,6 +85,8 @@ const Checks& spacing_checks();
 
 /// Rods in space: orders, published figures, numbering and paths.
 const Checks& rods_checks();
+/// Fibers that slide about a drum: ratio of their tensions.
+const Checks& capstan_checks();
 
 /// A subject of the matrix, which has a file of claims and a table of measures.
 struct ValidationSubject {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dem/record/columns/benchmark.hpp"
+#include "dem/record/columns/capstan.hpp"
 #include "dem/record/columns/contact.hpp"
 #include "dem/record/columns/damping.hpp"
 #include "dem/record/columns/equilibrium.hpp"
@@ -32,10 +33,10 @@ constexpr auto joined(const Column (&... parts)[n]) {
   return all;
 }
 
-constexpr auto kColumns =
-    joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
-           columns::validation, columns::packing, columns::material, columns::material_study, columns::press,
-           columns::contact, columns::identify, columns::spacing, columns::rod_path, columns::rods);
+constexpr auto kColumns = joined(columns::equilibrium, columns::damping, columns::flow, columns::fit,
+                                 columns::benchmark, columns::validation, columns::packing, columns::material,
+                                 columns::material_study, columns::press, columns::contact, columns::identify,
+                                 columns::spacing, columns::capstan, columns::rod_path, columns::rods);
 
 }  // namespace
 
