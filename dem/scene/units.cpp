@@ -4,6 +4,7 @@
 #include <udunits2.h>
 
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <string>
 
@@ -16,9 +17,16 @@ namespace {
 /// its abort().
 std::mutex udunits;
 
-void free_system(ut_system* system) {
-  const std::scoped_lock lock(udunits);
-  ::ut_free_system(system);
+/// The database, which nothing changes once it is read; of a caller who holds the mutex.
+const ut_system* database() {
+  static const std::unique_ptr<ut_system, void (*)(ut_system*)> system = [] {
+    ::ut_set_error_message_handler(&::ut_ignore);  // its messages would go to standard error
+    ut_system* const read = ::ut_read_xml(nullptr);
+    if (read == nullptr)
+      throw UnitError("the database of UDUNITS-2 is missing (Debian package libudunits2-data)");
+    return std::unique_ptr<ut_system, void (*)(ut_system*)>(read, &::ut_free_system);
+  }();
+  return system.get();
 }
 
 using Unit = std::unique_ptr<ut_unit, void (*)(ut_unit*)>;
@@ -45,11 +53,9 @@ std::string_view without_blanks(std::string_view text) {
 
 }  // namespace
 
-Units::Units() : system_(nullptr, &free_system) {
+Units::Units() {
   const std::scoped_lock lock(udunits);
-  ::ut_set_error_message_handler(&::ut_ignore);  // its messages would go to standard error
-  system_.reset(::ut_read_xml(nullptr));
-  if (!system_) throw UnitError("the database of UDUNITS-2 is missing (Debian package libudunits2-data)");
+  system_ = database();
 }
 
 double Units::to_si(std::string_view text, std::string_view si) const {
@@ -68,9 +74,9 @@ double Units::to_si(std::string_view text, std::string_view si) const {
 
 double Units::factor(std::string_view unit, std::string_view si) const {
   const std::scoped_lock lock(udunits);
-  const Unit from = parse_unit(system_.get(), unit);
+  const Unit from = parse_unit(system_, unit);
   if (!from) throw UnitError(fmt::format("has an unknown unit; allowed: {} and its like", si));
-  const Unit to = parse_unit(system_.get(), si);
+  const Unit to = parse_unit(system_, si);
   const Converter converter(::ut_get_converter(from.get(), to.get()), &::cv_free);
   // UDUNITS converts reciprocals, logarithms and offset scales too: only a factor will do here.
   const double one = converter ? ::cv_convert_double(converter.get(), 1.0) : std::nan("");

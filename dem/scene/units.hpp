@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,10 +13,10 @@ struct UnitError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// The units of UDUNITS-2: SI with its prefixes, and all that converts to it by a factor.
+/// The units of UDUNITS-2: SI with its prefixes, and all that converts to it by a factor. All share one
+/// database, which the first one loads (some 10 ms).
 class Units {
  public:
-  /// Loads the database (some 10 ms).
   /// @throws UnitError if it is not installed
   Units();
 
@@ -28,7 +27,7 @@ class Units {
  private:
   double factor(std::string_view unit, std::string_view si) const;
 
-  std::unique_ptr<ut_system, void (*)(ut_system*)> system_;
+  const ut_system* system_;
 };
 
 }  // namespace fiberchain::dem
