@@ -72,7 +72,7 @@ const Command kJsonCommands[] = {
     {"bench", "--quick", "--case", "skips,kernels"},
     {"bench", "--quick", "--case", "threads"},
     {"bench", "--quick", "--case", "sizes"},
-    {"validate", "--part", "beams,stability"},
+    {"validate", "--part", "beams,press"},
 };
 
 Command with(Command command, const Command& more) {
