@@ -75,11 +75,11 @@ Figure step_figure(const RollingPoints& points) {
                                    by(dem::Rolling::explicit_sign), rolling_friction, measured_damping,
                                    color++));
   }
-  figure.series.push_back(series("set-valued, 0.01 {/:Italic t_b}",
+  figure.series.push_back(series("set-valued, 0.03 {/:Italic t_b}",
                                  where(points,
                                        [](const RollingCase& c) {
                                          return c.aspect_ratio == 30 && c.load == figure_load &&
-                                                c.law == dem::Rolling::set_valued && c.step_ratio == 0.01;
+                                                c.law == dem::Rolling::set_valued && c.step_ratio == 0.03;
                                        }),
                                  rolling_friction, measured_damping, color, Mark::points));
   return figure;
