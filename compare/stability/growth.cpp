@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "compare/measure/linear_chain_of.hpp"
 #include "compare/stability/stirred.hpp"
@@ -18,16 +20,53 @@ using reference::ChainMotion;
 
 constexpr double died = 1e-4;  // speeds over those of the start; round-off of positions is at 1e-6
 
-double largest_root(const StabilityCase& asked, double step_ratio) {
-  const reference::LinearChain chain = linear_chain_of(stability_fiber(asked));
-  std::vector<ChainMotion> motions{ChainMotion::bending, ChainMotion::axial};
-  if (asked.dimension == 3) motions.push_back(ChainMotion::twist);
-  double largest = 0;
-  for (const ChainMotion motion : motions) {
-    largest = std::max(largest, reference::chain_radius(chain, time_scheme(asked.scheme), motion, asked.ends,
-                                                        step_ratio * reference::bond_time(chain)));
+/// The modes of one kind of a chain at one step; the form of the bond does not matter to them.
+struct RootCase {
+  StabilityCase chain;
+  ChainMotion motion;
+  double step_ratio;
+
+  auto key() const {
+    return std::tuple(chain.aspect_ratio, chain.poisson_ratio, chain.bond_damping, chain.bond, chain.scheme,
+                      chain.ends, motion, step_ratio);
   }
-  return largest;
+  bool operator<(const RootCase& other) const { return key() < other.key(); }
+  double cost() const { return std::pow(chain.aspect_ratio + 1.0, 3); }
+};
+
+/// Largest |z| of each.
+using Roots = std::map<RootCase, double>;
+
+std::vector<RootCase> root_cases(const GrowthCase& asked) {
+  std::vector<ChainMotion> motions{ChainMotion::bending, ChainMotion::axial};
+  if (asked.chain.dimension == 3) motions.push_back(ChainMotion::twist);
+  std::vector<RootCase> all;
+  for (const ChainMotion motion : motions)
+    for (const double ratio : asked.step_ratios) all.push_back({asked.chain, motion, ratio});
+  return all;
+}
+
+double largest_root(const RootCase& asked) {
+  const reference::LinearChain chain = linear_chain_of(stability_fiber(asked.chain));
+  return reference::chain_radius(chain, time_scheme(asked.chain.scheme), asked.motion, asked.chain.ends,
+                                 asked.step_ratio * reference::bond_time(chain));
+}
+
+/// Of all cases, each once.
+Roots largest_roots(const std::vector<GrowthCase>& cases, const StabilityOptions& options) {
+  Roots roots;
+  for (const GrowthCase& asked : cases)
+    for (const RootCase& root : root_cases(asked)) roots.try_emplace(root, 0);
+  std::vector<Roots::iterator> all;
+  std::vector<double> costs;
+  for (auto at = roots.begin(); at != roots.end(); ++at) {
+    all.push_back(at);
+    costs.push_back(at->first.cost());
+  }
+  options.jobs.run_dearest_first(costs, [&](std::size_t i) {
+    if (!options.stopped()) all[i]->second = largest_root(all[i]->first);
+  });
+  return roots;
 }
 
 /// Speeds of a lane after every step, until it died or grew.
@@ -68,10 +107,13 @@ void measure(const StabilityRun& run, std::vector<Growth>::iterator first,
   }
 }
 
-GrowthPoint point_of(const GrowthCase& asked) {
+GrowthPoint point_of(const GrowthCase& asked, const Roots& roots) {
   GrowthPoint point{asked, {}, "measured"};
-  for (const double ratio : asked.step_ratios)
-    point.at.push_back({ratio, largest_root(asked.chain, ratio), 0, 0, 0});
+  for (const double ratio : asked.step_ratios) point.at.push_back({ratio, 0, 0, 0, 0});
+  for (const RootCase& root : root_cases(asked)) {
+    for (Growth& growth : point.at)
+      if (growth.step_ratio == root.step_ratio) growth.modes = std::max(growth.modes, roots.at(root));
+  }
   const StabilityRun run = run_of(asked.chain);
   const auto lanes = static_cast<std::ptrdiff_t>(lanes_of_block(run));
   for (auto first = point.at.begin(); first != point.at.end();) {
@@ -98,9 +140,7 @@ void check(const GrowthCase& asked) {
 }
 
 double cost_of(const GrowthCase& asked) {
-  const double spheres = asked.chain.aspect_ratio + 1.0,
-               steps = static_cast<double>(asked.step_ratios.size());
-  return spheres * growth_steps + 20 * spheres * spheres * spheres * steps;
+  return (asked.chain.aspect_ratio + 1.0) * growth_steps * asked.chain.dimension;
 }
 
 }  // namespace
@@ -120,9 +160,10 @@ std::vector<GrowthPoint> growth_points(const std::vector<GrowthCase>& cases,
     costs.push_back(cost_of(asked));
     points.push_back({asked, {}, std::string(not_begun)});
   }
+  const Roots roots = largest_roots(cases, options);
   options.jobs.run_dearest_first(costs, [&](std::size_t i) {
     if (options.stopped()) return;
-    points[i] = point_of(cases[i]);
+    points[i] = point_of(cases[i], roots);
     options.advance();
   });
   return points;
