@@ -58,7 +58,7 @@ std::vector<RollingCase> cases(const RollingSweep& sweep) {
 RollingFigureCases rolling_figure_cases(PeakRange peaks) {
   using dem::Rolling;
   const std::vector<double> friction{0, 0.5, 1, 1.5, 2, 3, 4, 6, 8, 10}, coarse{0, 1, 2, 4, 10},
-      lanes{0, 0.5, 1, 2, 3, 4, 6, 10};  // as many as march side by side
+      lanes{0, 0.5, 1, 2, 4, 6, 8, 10};  // as many as march side by side
   RollingFigureCases figures;
   figures.friction = cases(
       {.aspect_ratio = {10, 20, 30}, .load = {0.3, 1, 3}, .rolling_friction = friction, .peaks = peaks});
