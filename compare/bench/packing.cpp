@@ -15,6 +15,7 @@
 #include "dem/parallel/partition.hpp"
 #include "dem/run/samples.hpp"
 #include "dem/scene/build_packing.hpp"
+#include "dem/scene/side_by_side.hpp"
 #include "dem/trajectory/h5md.hpp"
 
 namespace fiberchain::compare {
@@ -35,28 +36,6 @@ double resident_at_rest() {
   malloc_trim(0);
 #endif
   return resident();
-}
-
-/// So many copies of the scene side by side along x, in one room.
-PackingScene tiled(const PackingScene& scene, int tiles) {
-  PackingScene wide = scene;
-  const double length = scene.scene_box.high[0] - scene.scene_box.low[0];
-  for (dem::PackingFiberKind& kind : wide.kinds) {
-    const std::vector<dem::FiberStart> once = kind.starts;
-    for (int n = 1; n < tiles; ++n) {
-      for (dem::FiberStart start : once) {
-        start.position[0] += n * length;
-        kind.starts.push_back(start);
-      }
-    }
-  }
-  wide.scene_box.high[0] += (tiles - 1) * length;
-  for (dem::Wall& wall : wide.domain.walls) {
-    if (auto* plane = wall.shape.get_if<dem::Plane>(); plane != nullptr && plane->normal[0] < 0) {
-      plane->point[0] += (tiles - 1) * length;
-    }
-  }
-  return wide;
 }
 
 /// The first of its fibers.
@@ -163,8 +142,8 @@ std::vector<PackingTime> packing_times(const PackingScene& scene, const BenchOpt
   const Windows windows = options.quick ? Windows{200, 2} : Windows{2000, 10};
   const double motion = motion_alone(dem::spheres_in(scene), options);
   for (const int threads : {1, 2}) add(times_of(scene, threads, windows, motion));
-  add(fastest_of({part_of(scene, 10), scene, tiled(scene, options.quick ? 2 : 10)}, options.quick ? 1 : 3,
-                 options.quick ? 100 : 1500, options));
+  add(fastest_of({part_of(scene, 10), scene, dem::side_by_side(scene, options.quick ? 2 : 10)},
+                 options.quick ? 1 : 3, options.quick ? 100 : 1500, options));
   return all;
 }
 

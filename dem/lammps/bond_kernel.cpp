@@ -13,19 +13,26 @@ struct BondEnd {
   VelocitySpin<Real> motion;
 };
 
+/// Rows of three numbers, in lanes read four at a time.
+template <class Real>
+Vec<Real, 3> three_at(const double* numbers, const std::int32_t* slots) {
+  constexpr int size = lane_count<Real> == 1 ? 3 : 4;
+  Real n[size];
+  load_rows<size>(rows_at<3, Real>(numbers, slots), 0, n);
+  return {n[0], n[1], n[2]};
+}
+
 template <bool oriented, class Real>
 BondEnd<Real> end_at(const BondView& view, const std::int32_t* slots) {
-  Real n[velocity_spin_size];
   BondEnd<Real> end;
-  load_rows<position_radius_size>(rows_at<position_radius_size, Real>(view.position_radius, slots), 0, n);
-  end.pose.position = {n[0], n[1], n[2]};
+  end.pose.position = three_at<Real>(view.position, slots);
   end.pose.orientation = {Real(1.0), {Real(0.0), Real(0.0), Real(0.0)}};
   if constexpr (oriented) {
+    Real n[quaternion_size];
     load_rows<quaternion_size>(rows_at<quaternion_size, Real>(view.orientation, slots), 0, n);
     end.pose.orientation = {n[0], {n[1], n[2], n[3]}};
   }
-  load_rows<velocity_spin_size>(rows_at<velocity_spin_size, Real>(view.velocity_spin, slots), 0, n);
-  end.motion = {{n[0], n[1], n[2]}, {n[spin_offset], n[spin_offset + 1], n[spin_offset + 2]}};
+  end.motion = {three_at<Real>(view.velocity, slots), three_at<Real>(view.spin, slots)};
   return end;
 }
 
@@ -59,17 +66,32 @@ BondLoads<Real, 3> loads_of(const BondView& view, const BondParameters<Real>& bo
   }
 }
 
-inline void add_to(double* force, double* torque, std::int32_t slot, const double* load, double sign) {
-  double *f = force + static_cast<std::ptrdiff_t>(slot) * 3,
-         *t = torque + static_cast<std::ptrdiff_t>(slot) * 3;
-  for (int c = 0; c < 3; ++c) f[c] += sign * load[c], t[c] += load[moment_offset + c];
-}
+/// Sums up what one sphere bears: along a fiber the second sphere of a bond is mostly the first of the next.
+struct SlotSum {
+  double *force, *torque;
+  std::int32_t slot;
+  double sum[load_size] = {};
+
+  void add(std::int32_t to, const double* load, double sign) {
+    if (to != slot) flush(), slot = to;
+    for (int c = 0; c < 3; ++c) sum[c] += sign * load[c], sum[moment_offset + c] += load[moment_offset + c];
+  }
+  void flush() {
+    double *f = force + static_cast<std::ptrdiff_t>(slot) * 3,
+           *t = torque + static_cast<std::ptrdiff_t>(slot) * 3;
+    for (int c = 0; c < 3; ++c) {
+      f[c] += sum[c], t[c] += sum[moment_offset + c];
+      sum[c] = sum[moment_offset + c] = 0;
+    }
+  }
+};
 
 template <BondForm form, bool damped, class Real>
 FIBERCHAIN_FLATTEN void act_bonds(const BondView& view) {
   constexpr int lanes = lane_count<Real>;
   const BondParameters<Real> bond = broadcast<BondParameters, Real>(as_numbers<double>(*view.parameters));
   const Real inverse_length(view.inverse_length);
+  SlotSum sums{view.force, view.torque, view.first[0]};
   for (std::int32_t n = 0; n < view.count; n += lanes) {
     const std::int32_t *i = view.first + n, *j = view.second + n;
     const BondEnd<Real> a = end_at<form == BondForm::total, Real>(view, i),
@@ -85,24 +107,24 @@ FIBERCHAIN_FLATTEN void act_bonds(const BondView& view) {
     to_rows(loads.force_on_first, loads.moment_on_second, second);
     const int count = view.count - n < lanes ? view.count - n : lanes;
     for (int k = 0; k < count; ++k) {
-      add_to(view.force, view.torque, i[k], first.at[k], 1);
-      add_to(view.force, view.torque, j[k], second.at[k], -1);
+      sums.add(i[k], first.at[k], 1);
+      sums.add(j[k], second.at[k], -1);
     }
   }
+  sums.flush();
 }
 
 template <class Real>
-FIBERCHAIN_FLATTEN void turn_rows(double* orientation, const double* velocity_spin, std::int32_t begin,
+FIBERCHAIN_FLATTEN void turn_rows(double* orientation, const double* spins, std::int32_t begin,
                                   std::int32_t end, double step) {
   constexpr int lanes = lane_count<Real>;
   for (std::int32_t from = begin; from < end; from += lanes) {
     std::int32_t slots[lanes];
     for (int k = 0; k < lanes; ++k) slots[k] = from + k < end ? from + k : end - 1;
     const RowStarts<Real> rows = rows_at<quaternion_size, Real>(orientation, slots);
-    Real q[quaternion_size], motion[velocity_spin_size];
+    Real q[quaternion_size];
     load_rows<quaternion_size>(rows, 0, q);
-    load_rows<velocity_spin_size>(rows_at<velocity_spin_size, Real>(velocity_spin, slots), 0, motion);
-    const Vec<Real, 3> spin{motion[spin_offset], motion[spin_offset + 1], motion[spin_offset + 2]};
+    const Vec<Real, 3> spin = three_at<Real>(spins, slots);
     const Quaternion<Real> turned =
         cayley_turn(Real(0.5 * step) * spin, Quaternion<Real>{q[0], {q[1], q[2], q[3]}});
     const Real after[] = {turned.w, turned.v[0], turned.v[1], turned.v[2]};

@@ -11,11 +11,12 @@ namespace fiberchain::dem::mpi {
 /// Numbers of a bond's history in memory: the strain of the incremental form.
 inline constexpr int bond_history_size = 6;
 
-/// Bonds of fibers of one kind. Rows as of SphereStorage, forces and torques three numbers a sphere.
+/// Bonds of fibers of one kind. Orientations as of SphereStorage, else three numbers a sphere as LAMMPS has
+/// them; lanes read one number beyond those of the last slot.
 struct BondView {
   const std::int32_t *first, *second;  ///< slots of their spheres, padded to whole vectors by the last bond
   std::int32_t count;                  ///< without pads
-  const double *position_radius, *velocity_spin, *orientation;
+  const double *position, *velocity, *spin, *orientation;
   double* history;  ///< a row of bond_history_size a slot: of the bond behind this sphere
   double *force, *torque;
   const BondParameters<double>* parameters;
@@ -28,8 +29,7 @@ struct BondKernel {
   /// Adds the loads of all bonds to their spheres; histories move on.
   void (*act)(const BondView&);
   /// Orientations of the slots [begin, end) go on by a step [s] of their spins.
-  void (*turn)(double* orientation, const double* velocity_spin, std::int32_t begin, std::int32_t end,
-               double step);
+  void (*turn)(double* orientation, const double* spin, std::int32_t begin, std::int32_t end, double step);
 };
 
 /// Of one instruction set: form by form, without dashpots and with.

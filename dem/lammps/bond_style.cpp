@@ -48,12 +48,13 @@ class BondFiberchain : public Bond {
     for (std::size_t g = 0; g < lists_.size(); ++g) {
       if (lists_[g].count == 0) continue;
       const GroupNumbers& fibers = rank_.plan.groups[g];
-      bond_kernel(rank_.plan.form, fibers.damped, rank_.set)
+      bond_kernel(rank_.plan.form, fibers.damped, set_for_rows(rank_, *atom))
           .act({.first = lists_[g].first.data(),
                 .second = lists_[g].second.data(),
                 .count = lists_[g].count,
-                .position_radius = rank_.rows.position_radius.data(),
-                .velocity_spin = rank_.rows.velocity_spin.data(),
+                .position = &atom->x[0][0],
+                .velocity = &atom->v[0][0],
+                .spin = &atom->omega[0][0],
                 .orientation = rank_.rows.orientation.data(),
                 .history = rank_.rows.history.data(),
                 .force = &atom->f[0][0],

@@ -4,6 +4,7 @@
 
 #include "dem/mesh/mesh_shape.hpp"
 #include "dem/model/invalid_key.hpp"
+#include "dem/scene/build_packing.hpp"
 
 namespace fiberchain::dem::mpi {
 namespace {
@@ -27,6 +28,11 @@ void refuse_what_is_not_carried(const PackingScene& scene) {
     if (fiber.strength) refuse(kind + ".bond.strength", "bonds that break");
     if (fiber.yield) refuse(kind + ".bond.yield", "bonds that yield");
   }
+  if (const std::int64_t spheres = spheres_in(scene); spheres > most_spheres)
+    throw InvalidKey("fibers",
+                     fmt::format("{} spheres are not allowed here: one rank holds all of them while "
+                                 "files are written, at 4 kB each, {} at most",
+                                 spheres, most_spheres));
   if (scene.integrator == Integrator::leapfrog_stiff)
     refuse("motion.integrator", "bonds that are solved for, which want a fiber whole on one rank");
   if (scene.domain.fluid) refuse("fluid", "a fluid");

@@ -6,6 +6,9 @@
 // What of a scene this engine does not carry: refused by name, never left out.
 namespace fiberchain::dem::mpi {
 
+/// That rank 0 gathers for files.
+inline constexpr std::int64_t most_spheres = 10'000'000;
+
 /// @throws InvalidKey for the first key that asks for what is not built here
 void refuse_what_is_not_carried(const PackingScene& scene);
 

@@ -10,6 +10,7 @@
 #include "dem/lammps/carried_keys.hpp"
 #include "dem/lammps/exchange.hpp"
 #include "dem/lammps/rank.hpp"
+#include "dem/lammps/resources.hpp"
 #include "dem/lammps/styles.hpp"
 #include "dem/model/errors.hpp"
 #include "domain.h"
@@ -25,7 +26,7 @@ namespace {
 
 using LAMMPS_NS::LAMMPS;
 
-enum class Command : std::int32_t { send_out, march, gather, dismiss };
+enum class Command : std::int32_t { send_out, march, gather, cost, dismiss };
 
 struct Order {
   std::int64_t command, steps;
@@ -47,6 +48,7 @@ struct Engine::State {
   std::int64_t sent_spheres = 0;  ///< rank 0: of the assembly that was sent out or came back last
   std::int64_t sent_step = -1;
   Spread spread;
+  double memory_before = 0;  ///< [bytes]
 
   void command(const std::string& line) { lammps->input->one(line); }
 
@@ -85,6 +87,7 @@ struct Engine::State {
   void send_out(const Assembly* assembly);
   void run(std::int64_t steps);
   Gathered gather();
+  Cost cost(std::int64_t steps);
 };
 
 /// Those that are this rank's are kept, with all that belongs to them.
@@ -229,6 +232,22 @@ Gathered Engine::State::gather() {
   return all;
 }
 
+Engine::Cost Engine::State::cost(std::int64_t steps) {
+  run(1);
+  MPI_Barrier(world);
+  const double began = MPI_Wtime(), worked = processor_time();
+  run(steps);
+  const double slowest = MPI_Wtime() - began,
+               own[] = {processor_time() - worked, static_cast<double>(lammps->atom->nghost),
+                        resident_memory() - memory_before};
+  double sums[3] = {};
+  Cost all;
+  MPI_Reduce(&slowest, &all.wall, 1, MPI_DOUBLE, MPI_MAX, 0, world);
+  MPI_Reduce(own, sums, 3, MPI_DOUBLE, MPI_SUM, 0, world);
+  all.processor = sums[0], all.ghosts = sums[1], all.memory = sums[2];
+  return all;
+}
+
 Engine::Engine(MPI_Comm world, const PackingScene& scene, Sharing sharing)
     : state_(std::make_unique<State>()) {
   refuse_what_is_not_carried(scene);
@@ -237,6 +256,7 @@ Engine::Engine(MPI_Comm world, const PackingScene& scene, Sharing sharing)
   state_->sharing = sharing;
   MPI_Comm_rank(world, &state_->me);
   MPI_Comm_size(world, &state_->ranks);
+  state_->memory_before = resident_memory();
 }
 
 Engine::~Engine() { state_->forget(); }
@@ -281,6 +301,12 @@ void Engine::march(Assembly& assembly, std::int64_t steps) {
         now, s.rank->plan.time(now), all.record.deepest_overlap, path));
 }
 
+Engine::Cost Engine::cost(const Assembly& assembly, std::int64_t steps) {
+  send_out(assembly);
+  give_order(state_->world, Command::cost, steps);
+  return state_->cost(steps);
+}
+
 void Engine::dismiss() { give_order(state_->world, Command::dismiss); }
 
 void Engine::serve() {
@@ -302,6 +328,9 @@ void Engine::serve() {
       case Command::gather:
         s.gather();
         break;
+      case Command::cost:
+        s.cost(order.steps);
+        break;
       case Command::dismiss:
         return;
     }
@@ -309,10 +338,7 @@ void Engine::serve() {
 }
 
 void Engine::run_script(const std::string& path) {
-  if (state_->lammps) {
-    state_->lammps->input->file(path.c_str());
-    return;
-  }
+  if (state_->lammps) return state_->lammps->input->file(path.c_str());
   const char* arguments[] = {"fiberchain-mpi", "-log", "none"};
   LAMMPS lammps(3, const_cast<char**>(arguments), state_->world);
   lammps.input->file(path.c_str());

@@ -35,6 +35,16 @@ class Engine {
   void march(Assembly& assembly, std::int64_t steps);
   /// Sends the assembly's spheres out, and does commands of LAMMPS with them there.
   void send_out(const Assembly& assembly);
+  /// What a march cost.
+  struct Cost {
+    double wall = 0;       ///< of the slowest rank [s]
+    double processor = 0;  ///< of all ranks together [s]
+    double ghosts = 0;     ///< of all ranks, at its end
+    double memory = 0;     ///< of all ranks, grown since the engine was made [bytes]
+  };
+  /// Rank 0: sends the assembly's spheres out and marches them, after a step that sets up; they do not come
+  /// back.
+  Cost cost(const Assembly& assembly, std::int64_t steps);
   /// Rank 0: the others come back from serve().
   void dismiss();
 

@@ -215,7 +215,10 @@ Outgoing outgoing(const Assembly& assembly, const PackingScene& scene) {
 
 void broadcast(Outgoing& all, const PackingScene& scene, MPI_Comm world, int me) {
   const auto bytes = [&](void* from, std::size_t size) {
-    MPI_Bcast(from, static_cast<int>(size), MPI_BYTE, 0, world);
+    constexpr std::size_t most = 1 << 30;  // MPI counts in int
+    for (std::size_t at = 0; at < size; at += most)
+      MPI_Bcast(static_cast<char*>(from) + at, static_cast<int>(std::min(most, size - at)), MPI_BYTE, 0,
+                world);
   };
   const auto list = [&]<class Value>(std::vector<Value>& values) {
     std::uint64_t size = values.size();

@@ -52,14 +52,18 @@ struct Gathered {
 /// Of all ranks, on rank 0.
 template <class Record>
 std::vector<Record> gathered(const std::vector<Record>& own, MPI_Comm world, int me, int ranks) {
-  const int bytes = static_cast<int>(own.size() * sizeof(Record));
+  MPI_Datatype record;  // counts of bytes would end at 10^7 spheres
+  MPI_Type_contiguous(sizeof(Record), MPI_BYTE, &record);
+  MPI_Type_commit(&record);
+  const int count = static_cast<int>(own.size());
   std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
-  MPI_Gather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
   int sum = 0;
   for (int r = 0; me == 0 && r < ranks; ++r)
     starts[static_cast<std::size_t>(r)] = sum, sum += counts[static_cast<std::size_t>(r)];
-  std::vector<Record> all(static_cast<std::size_t>(sum) / sizeof(Record));
-  MPI_Gatherv(own.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, world);
+  std::vector<Record> all(static_cast<std::size_t>(sum));
+  MPI_Gatherv(own.data(), count, record, all.data(), counts.data(), starts.data(), record, 0, world);
+  MPI_Type_free(&record);
   return all;
 }
 

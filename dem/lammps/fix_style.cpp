@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dem/lammps/bond_kernel.hpp"
 #include "domain.h"
@@ -66,17 +67,19 @@ class FixFiberchain : public Fix {
     const double *f = &atom->f[0][0], *torque = &atom->torque[0][0];
     for (int i = 0; i < atom->nlocal; ++i, x += 3, v += 3, w += 3, f += 3, torque += 3) {
       const SphereKick& own = kicks_[static_cast<std::size_t>(atom->type[i])];
-      double *place = rank_.rows.position_of(static_cast<std::size_t>(i)),
-             *motion = rank_.rows.motion_of(static_cast<std::size_t>(i));
       for (int c = 0; c < 3; ++c) {
-        motion[c] = v[c] += own.impulse * (f[c] + own.weight[c]);
-        motion[spin_offset + c] = w[c] += own.angular_impulse * torque[c];
-        place[c] = x[c] += plan.step * v[c];
+        v[c] += own.impulse * (f[c] + own.weight[c]);
+        w[c] += own.angular_impulse * torque[c];
+        x[c] += plan.step * v[c];
       }
       fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     turn(0, atom->nlocal);
-    path_ = plan.step * std::sqrt(fastest);
+    const double own_path = plan.step * std::sqrt(fastest);
+    MPI_Allreduce(&own_path, &path_, 1, MPI_DOUBLE, MPI_MAX, world);
+    path_since_ += path_;
+    // before the sum of paths is half of the skin none has gone so far: LAMMPS need not look at each
+    neighbor->delay = path_since_ < 0.499 * neighbor->skin ? never : 0;
     rank_.longest_path = std::max(rank_.longest_path, path_ + wall_path());
   }
 
@@ -88,21 +91,16 @@ class FixFiberchain : public Fix {
   }
 
   void post_neighbor() override {
-    for (int i = 0; i < atom->nlocal + atom->nghost; ++i) put_row(i), put_kind(i);
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i) put_row(rank_.rows, *atom, i), put_kind(i);
+    path_since_ = 0;
     rank_.contacts.set_turn_reach(turn_reach());
     list_pairs();
   }
 
   /// Ghosts have come; between two lists their orientations go on here as they do where they belong.
   void pre_force(int) override {
-    double fastest = 0;
-    for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; ++i) {
-      put_row(i);
-      const double* v = atom->v[i];
-      fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
     if (neighbor->ago > 0) turn(atom->nlocal, atom->nlocal + atom->nghost);
-    rank_.contacts.add_path(std::max(path_, rank_.plan.step * std::sqrt(fastest)));
+    rank_.contacts.add_path(path_);
   }
 
   void end_of_step() override {
@@ -176,6 +174,7 @@ class FixFiberchain : public Fix {
  private:
   static constexpr int fixed_numbers = quaternion_size + load_size + bond_history_size;
   static constexpr int contact_numbers = 1 + contact_history_size;
+  static constexpr int never = std::numeric_limits<int>::max();
 
   /// The pairs that LAMMPS has listed, bonded ones left out.
   void list_pairs() {
@@ -203,24 +202,15 @@ class FixFiberchain : public Fix {
 
   void turn(int begin, int end) {
     if (!rank_.plan.oriented) return;
-    bond_kernel(rank_.plan.form, false, rank_.set)
-        .turn(rank_.rows.orientation.data(), rank_.rows.velocity_spin.data(), begin, end, rank_.plan.step);
-  }
-
-  void put_row(int i) {
-    double *place = rank_.rows.position_of(static_cast<std::size_t>(i)),
-           *motion = rank_.rows.motion_of(static_cast<std::size_t>(i));
-    for (int c = 0; c < 3; ++c) {
-      place[c] = atom->x[i][c];
-      motion[c] = atom->v[i][c];
-      motion[spin_offset + c] = atom->omega[i][c];
-    }
-    place[radius_offset] = rank_.plan.groups[group_of_type(atom->type[i])].radius;
+    bond_kernel(rank_.plan.form, false, set_for_rows(rank_, *atom))
+        .turn(rank_.rows.orientation.data(), &atom->omega[0][0], begin, end, rank_.plan.step);
   }
 
   void put_kind(int i) {
-    rank_.rows.kind[static_cast<std::size_t>(i)] =
-        rank_.plan.groups[group_of_type(atom->type[i])].contact_kind;
+    const auto at = static_cast<std::size_t>(i);
+    const GroupNumbers& fibers = rank_.plan.groups[group_of_type(atom->type[i])];
+    rank_.rows.position_of(at)[radius_offset] = fibers.radius;
+    rank_.rows.kind[at] = fibers.contact_kind;
   }
 
   /// Of the fastest wall in this step [m].
@@ -256,7 +246,8 @@ class FixFiberchain : public Fix {
 
   Rank& rank_;
   std::vector<SphereKick> kicks_;  ///< by type
-  double path_ = 0;                ///< of the fastest own sphere in this step [m]
+  double path_ = 0;                ///< of the fastest sphere of all ranks in this step [m]
+  double path_since_ = 0;          ///< sum of those since lists were made [m]
 };
 
 }  // namespace

@@ -2,10 +2,12 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <charconv>
 #include <csignal>
 #include <iostream>
 #include <optional>
 
+#include "dem/lammps/bench.hpp"
 #include "dem/lammps/engine.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/model/interrupted.hpp"
@@ -33,6 +35,8 @@ constexpr const char* kHelp =
     "\n"
     "  mpirun -np N fiberchain-mpi run SCENE.yaml [--out DIR] [--resume | --force] [--set KEY=VALUE]... "
     "[--tiles]\n"
+    "  mpirun -np N fiberchain-mpi bench SCENE.yaml [--steps N] [--after N] [--copies N] [--set "
+    "KEY=VALUE]...\n"
     "  mpirun -np N fiberchain-mpi --in SCRIPT [--scene SCENE.yaml] [--tiles]\n"
     "\n"
     "  --out DIR      directory of NAME.h5, NAME-log.csv, NAME.checkpoint [results]\n"
@@ -40,6 +44,10 @@ constexpr const char* kHelp =
     "  --force        begin anew, in place of a run in it\n"
     "  --set K=V      a key of the scene in place of what the file says\n"
     "  --tiles        boxes of as many spheres for each rank, in place of equal boxes\n"
+    "  --steps N      of each measurement of bench: cost on 1, 2, 4, ... N ranks over fiberchain's own "
+    "[1000]\n"
+    "  --after N      steps before, by which fibers may have met [0]\n"
+    "  --copies N     of the scene side by side, for the cost of more spheres on one rank [10]\n"
     "  --in SCRIPT    an input of LAMMPS; with --scene the fibers are there when it begins\n"
     "\n"
     "What of a scene it does not have is refused by the key's name. As linked it is under LAMMPS's license, "
@@ -47,9 +55,22 @@ constexpr const char* kHelp =
 
 struct Options {
   std::string scene, script, out = "results";
-  bool run = false, resume = false, force = false, tiles = false, help = false, version = false;
+  mpi::BenchOptions costs = {};
+  bool run = false, bench = false, resume = false, force = false, tiles = false, help = false,
+       version = false;
   std::vector<SceneSetting> settings;
 };
+
+/// @throws InputError for what is no number from 0 (of steps before), or 1, to 10^9
+std::int64_t count_of(const std::string& word, const std::string& typed) {
+  std::int64_t number = -1;
+  const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
+  const std::int64_t least = word == "--after" ? 0 : 1;
+  if (error != std::errc() || end != typed.data() + typed.size() || number < least || number > 1000000000)
+    throw InputError(
+        fmt::format("{}: '{}' is not allowed: give a number from {} to 1000000000", word, typed, least));
+  return number;
+}
 
 Options options_of(const std::vector<std::string>& words) {
   Options options;
@@ -59,8 +80,13 @@ Options options_of(const std::vector<std::string>& words) {
       if (n + 1 == words.size()) throw InputError(word + " wants a value (see --help)");
       return words[++n];
     };
-    if (word == "run" && !options.run && options.scene.empty()) {
-      options.run = true;
+    const bool first = !options.run && !options.bench && options.scene.empty();
+    if ((word == "run" || word == "bench") && first) {
+      (word == "run" ? options.run : options.bench) = true;
+    } else if (word == "--steps" || word == "--after" || word == "--copies") {
+      const std::int64_t number = count_of(word, value());
+      if (word == "--copies") options.costs.copies = static_cast<int>(number);
+      if (word != "--copies") (word == "--steps" ? options.costs.steps : options.costs.after) = number;
     } else if (word == "--out") {
       options.out = value();
     } else if (word == "--in") {
@@ -80,16 +106,17 @@ Options options_of(const std::vector<std::string>& words) {
        : word == "--tiles" ? options.tiles
        : word == "--help"  ? options.help
                            : options.version) = true;
-    } else if (options.run && options.scene.empty() && !word.starts_with('-')) {
+    } else if ((options.run || options.bench) && options.scene.empty() && !word.starts_with('-')) {
       options.scene = word;
     } else {
       throw InputError(fmt::format("'{}' is not allowed (see --help)", word));
     }
   }
   if (options.help || options.version) return options;
-  if (options.run == !options.script.empty())
-    throw InputError("give run SCENE.yaml or --in SCRIPT (see --help)");
-  if (options.run && options.scene.empty()) throw InputError("run: give a scene (see --help)");
+  if ((options.run || options.bench) == !options.script.empty())
+    throw InputError("give run SCENE.yaml, bench SCENE.yaml or --in SCRIPT (see --help)");
+  if (options.script.empty() && options.scene.empty())
+    throw InputError("run and bench: give a scene (see --help)");
   if (options.resume && options.force) throw InputError("--resume and --force: give one of them");
   return options;
 }
@@ -199,6 +226,11 @@ int work(const std::vector<std::string>& words, int me) {
     scene = packing_of(*text);
   }
   const auto go = [&] {
+    if (options.bench) {
+      const std::string table = mpi::scaling_table(MPI_COMM_WORLD, scene, options.costs);
+      if (me == 0) std::cout << table;
+      return kSuccess;
+    }
     mpi::Engine engine(MPI_COMM_WORLD, scene, options.tiles ? mpi::Sharing::tiles : mpi::Sharing::bricks);
     int status = kSuccess;
     if (me != 0) {

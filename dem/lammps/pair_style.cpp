@@ -45,15 +45,29 @@ class PairFiberchain : public Pair {
   void compute(int eflag, int vflag) override {
     ev_init(eflag, vflag);
     const int all = atom->nlocal + atom->nghost;
-    // at the start of a run the forces of its first moment are there already
-    if (update->setupflag == 0) rank_.contacts.work_out(rank_.rows, all, rank_.plan.time(update->ntimestep));
-    for (int i = 0; i < atom->nlocal; ++i) {
-      const double* load = rank_.rows.load_of(static_cast<std::size_t>(i));
-      for (int c = 0; c < 3; ++c) atom->f[i][c] += load[c], atom->torque[i][c] += load[moment_offset + c];
+    RankContacts& contacts = rank_.contacts;
+    if (update->setupflag != 0) {  // the forces of its first moment are there already
+      for (int i = 0; i < atom->nlocal; ++i) add_load(i);
+      return;
+    }
+    if (contacts.stale()) {
+      for (int i = 0; i < all; ++i) put_row(rank_.rows, *atom, i);
+      contacts.prune(rank_.rows, all);
+    } else {
+      for (const std::int32_t i : contacts.near()) put_row(rank_.rows, *atom, i);
+    }
+    contacts.work_out(rank_.rows, all, rank_.plan.time(update->ntimestep));
+    for (const std::int32_t i : contacts.loaded()) {
+      if (i < atom->nlocal) add_load(i);
     }
   }
 
  private:
+  void add_load(int i) {
+    const double* load = rank_.rows.load_of(static_cast<std::size_t>(i));
+    for (int c = 0; c < 3; ++c) atom->f[i][c] += load[c], atom->torque[i][c] += load[moment_offset + c];
+  }
+
   Rank& rank_;
 };
 

@@ -140,10 +140,44 @@ ContactView RankContacts::view(Rows& rows) {
   return view;
 }
 
+void RankContacts::find_near_slots(int all) {
+  is_near_.assign(static_cast<std::size_t>(all + Rows::pads), 0);
+  for (std::int32_t n = 0; n < inner_.count; ++n) is_near_[inner_.first[n]] = is_near_[inner_.second[n]] = 1;
+  for (const WallNeighbors& near : near_) {
+    for (std::size_t n = 0; n < near.count; ++n) is_near_[near.slots[n]] = 1;
+  }
+  near_slots_.clear();
+  for (std::int32_t i = 0; i < all; ++i) {
+    if (is_near_[i] != 0) near_slots_.push_back(i);
+  }
+}
+
+void RankContacts::find_loaded(int touching) {
+  for (const std::int32_t slot : loaded_) is_loaded_[slot] = 0;
+  loaded_.clear();
+  const auto add = [&](std::int32_t slot) {
+    if (is_loaded_[slot] == 0) loaded_.push_back(slot);
+    is_loaded_[slot] = 1;
+  };
+  for (int n = 0; n < touching; ++n) add(inner_.first[touching_[n]]), add(inner_.second[touching_[n]]);
+  for (const WallNeighbors& near : near_) {
+    for (std::size_t n = 0; n < near.count; ++n) {
+      if (near.contact[n] != 0) add(near.slots[n]);
+    }
+  }
+}
+
 void RankContacts::prune(Rows& rows, int all) {
+  loaded_.clear(), is_loaded_.assign(static_cast<std::size_t>(all + Rows::pads), 0);
+  // pads: a pair too far apart to touch, and a sphere far from every wall
+  for (int n = 0; n < Rows::pads; ++n) std::fill_n(rows.position_of(all + n), position_radius_size, 0.0);
+  for (int c = 0; c < 3; ++c) rows.position_of(all + 1)[c] = 1e6 * plan_.largest_radius();
+  rows.position_of(all + 2)[radius_offset] = -std::numeric_limits<double>::max();
+  std::fill_n(rows.load.data(), static_cast<std::size_t>(all) * load_size, 0.0);
   inner_.prune(view(rows), static_cast<std::int32_t>(first_.size()), inner_cutoff(), kernel_, all);
   const std::size_t touching = static_cast<std::size_t>(inner_.count) + lanes_beyond;
   if (touching_.size() < touching) touching_.resize(touching);
+  find_near_slots(all);
 }
 
 void RankContacts::touch_walls(const ContactView& contacts, double time, ContactTask& task) {
@@ -160,11 +194,6 @@ void RankContacts::touch_walls(const ContactView& contacts, double time, Contact
 }
 
 void RankContacts::work_out(Rows& rows, int all, double time) {
-  // pads: a pair too far apart to touch, and a sphere far from every wall
-  for (int n = 0; n < Rows::pads; ++n) std::fill_n(rows.position_of(all + n), position_radius_size, 0.0);
-  for (int c = 0; c < 3; ++c) rows.position_of(all + 1)[c] = 1e6 * plan_.largest_radius();
-  rows.position_of(all + 2)[radius_offset] = -std::numeric_limits<double>::max();
-  if (inner_.stale) prune(rows, all);
   std::size_t most = static_cast<std::size_t>(inner_.count);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     most += near_[w].count;
@@ -174,7 +203,7 @@ void RankContacts::work_out(Rows& rows, int all, double time) {
     }
   }
   histories_.reserve(most);
-  std::fill_n(rows.load.data(), static_cast<std::size_t>(all) * load_size, 0.0);
+  for (const std::int32_t slot : loaded_) std::fill_n(rows.load_of(slot), load_size, 0.0);
   const ContactView contacts = view(rows);
   ContactTask task{.inner = inner_.view(),
                    .inner_count = inner_.count,
@@ -193,9 +222,11 @@ void RankContacts::work_out(Rows& rows, int all, double time) {
                    .wall_moment = {},
                    .deepest = deepest_};
   kernel_.pairs(contacts, task);
+  const auto touching = static_cast<int>(task.contacts);
   touch_walls(contacts, time, task);
   histories_.free_count = task.free_count;
   deepest_ = task.deepest;
+  find_loaded(touching);
 }
 
 void RankContacts::end_forces(const std::vector<double>& loads_of_all, double time) {

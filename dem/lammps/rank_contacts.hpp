@@ -37,8 +37,16 @@ class RankContacts {
 
   /// Spheres have moved by no more than `path` [m] since.
   void add_path(double path);
-  /// Loads of all spheres' contacts, which were at rest in `rows.load`; only own spheres' are whole.
+  /// Whether spheres have moved so far that work_out() wants prune() before.
+  bool stale() const { return inner_.stale; }
+  /// The pairs that may touch before the next pruning; all loads are then 0.
+  void prune(Rows& rows, int all);
+  /// Slots of those pairs and of spheres near walls, rising: of all others work_out() needs no rows.
+  const std::vector<std::int32_t>& near() const { return near_slots_; }
+  /// Loads of these; only own spheres' are whole.
   void work_out(Rows& rows, int all, double time);
+  /// Those that have loads then, each once: of all others they are 0.
+  const std::vector<std::int32_t>& loaded() const { return loaded_; }
 
   /// Forces and moments on the walls by this rank's spheres at the last work_out(): force, moment of each.
   const std::vector<double>& wall_loads() const { return wall_loads_; }
@@ -61,7 +69,8 @@ class RankContacts {
 
  private:
   ContactView view(Rows& rows);
-  void prune(Rows& rows, int all);
+  void find_near_slots(int all);
+  void find_loaded(int touching);
   void touch_walls(const ContactView& contacts, double time, ContactTask& task);
   double inner_cutoff() const;
 
@@ -78,7 +87,8 @@ class RankContacts {
   InnerPairList inner_;
   std::vector<WallNeighbors> near_;
   ContactHistories histories_;
-  std::vector<std::int32_t> touching_;
+  std::vector<std::int32_t> touching_, near_slots_, loaded_;
+  std::vector<std::uint8_t> is_near_, is_loaded_;  ///< by slot
   double deepest_ = 0;
   bool listed_ = false;
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dem/model/invalid_key.hpp"
+#include "dem/scene/build_packing.hpp"
 #include "dem/scene/key_reference.hpp"
 #include "dem/scene/scene.hpp"
 
@@ -151,6 +152,18 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_project) {
   for (const auto& [name, key] : expected)
     BOOST_TEST(refusal_of(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/" + name + ".yaml") == key,
                name);
+}
+
+BOOST_AUTO_TEST_CASE(more_spheres_than_one_rank_holds) {
+  auto scene =
+      std::get<PackingScene>(read_scene(std::string(FIBERCHAIN_SOURCE_DIR) + "/data/scenes/drum.yaml"));
+  const std::int64_t of_one = scene.kinds[0].fiber.aspect_ratio + 1,
+                     others = spheres_in(scene) - of_one * scene.kinds[0].count;
+  scene.kinds[0].count = (mpi::most_spheres - others) / of_one;
+  BOOST_CHECK_NO_THROW(refuse_what_is_not_carried(scene));
+  ++scene.kinds[0].count;
+  BOOST_CHECK_EXCEPTION(refuse_what_is_not_carried(scene), InvalidKey,
+                        [](const InvalidKey& error) { return error.key == "fibers"; });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,16 +1,10 @@
 #define BOOST_TEST_MODULE mpi_packing_test
 #include <boost/test/unit_test.hpp>
 
-#include <fmt/format.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "dem/assembly/carried_state.hpp"
@@ -19,56 +13,15 @@
 #include "dem/scene/scene.hpp"
 #include "dem/trajectory/checkpoint.hpp"
 #include "dem/trajectory/h5md.hpp"
+#include "tests/lammps/mpi_process.hpp"
 
 // fiberchain-mpi on one rank and several against the engine itself: the same laws, summed in other orders.
 BOOST_AUTO_TEST_SUITE(mpi_packing_test)
 
 using namespace fiberchain::dem;
-namespace fs = std::filesystem;
+using namespace fiberchain::test::mpi;
 
 namespace {
-
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / fmt::format("fiberchain-mpi-{}-{}", ::getpid(), number++)) {
-    fs::create_directories(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  void file(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-
-  static inline int number = 0;
-  fs::path path;
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// As root of a container, on fewer cores than ranks.
-std::string mpirun(int ranks, const std::string& arguments) {
-  return fmt::format(
-      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-      "OMPI_MCA_btl_vader_single_copy_mechanism=none "
-      "exec {} --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 --mca btl self,vader -np {} {} {}",
-      FIBERCHAIN_MPIEXEC, ranks, FIBERCHAIN_MPI_PROGRAM, arguments);
-}
-
-struct Outcome {
-  int status;
-  std::string error;
-};
-
-Outcome go(const Scratch& scratch, int ranks, const std::string& arguments) {
-  const std::string line =
-      fmt::format("cd '{}' && ({}) > out.txt 2> error.txt", scratch.path.string(), mpirun(ranks, arguments));
-  const int ended = std::system(line.c_str());
-  return {WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended), content(scratch.path / "error.txt")};
-}
 
 /// Short thick fibers of odd numbers that fall into a box, a plate on them from the middle of the run on.
 std::string falling(int steps, const std::string& motion, const std::string& more, const std::string& walls) {
@@ -251,6 +204,42 @@ BOOST_AUTO_TEST_CASE(a_script_of_lammps_has_the_fibers) {
   const std::string dump = content(scratch.path / "places.txt");
   BOOST_TEST(dump.find("ITEM: TIMESTEP\n100\nITEM: NUMBER OF ATOMS\n251\n") !=
              std::string::npos);  // 23 7 + 9 10
+}
+
+// Rows of one machine, of one rank and two; ghosts where two share the scene, none where each has a copy of
+// it.
+BOOST_AUTO_TEST_CASE(bench_has_all_costs) {
+  const Scratch scratch;
+  scratch.file(
+      "starts.csv",
+      "x,y,z,ux,uy,uz\n0.003,0.011,0.002,1,0,0\n0.004,0.015,0.002,1,0,0\n0.011,0.004,0.0041,0,1,0\n");
+  std::string scene = falling(100, "step: 2 us", "", kBox);
+  const std::size_t fibers = scene.find("fibers:"), walls = scene.find("walls:");
+  scene.replace(
+      fibers, walls - fibers,
+      "fibers:\n  - {diameter: 2 mm, aspect_ratio: 6, youngs_modulus: 2.6 MPa, poisson_ratio: 0.17, "
+      "density: 1300 kg/m^3, starts: starts.csv}\n");
+  scratch.file("s.yaml", scene);
+  const Outcome outcome = go(scratch, 2, "bench s.yaml --steps 20 --after 30 --copies 3");
+  BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.error);
+  std::istringstream table(content(scratch.path / "out.txt"));
+  std::string line;
+  std::getline(table, line), std::getline(table, line);
+  std::vector<std::pair<std::string, bool>> rows;  // spheres and ranks; whether there are ghosts
+  while (std::getline(table, line)) {
+    std::vector<std::string> cells;
+    std::istringstream words(line);
+    for (std::string cell; std::getline(words, cell, '|');) cells.push_back(cell);
+    BOOST_REQUIRE_GE(cells.size(), 8u);
+    rows.emplace_back(cells[1] + cells[2], std::atof(cells[6].c_str()) > 0);
+    BOOST_TEST((std::stod(cells[3]) > 0 && std::stod(cells[4]) > 0 && std::stod(cells[5]) > 0), line);
+  }
+  const std::vector<std::pair<std::string, bool>> expected{
+      {" 21  fiberchain ", false}, {" 21  1 ", false},          {" 21  2 ", true}, {" 42  1 ", false},
+      {" 42  2 ", false},          {" 63  fiberchain ", false}, {" 63  1 ", false}};
+  BOOST_TEST((rows == expected), content(scratch.path / "out.txt"));
+  for (const char* wrong : {"bench s.yaml --steps 0", "bench"})
+    BOOST_TEST(go(scratch, 1, wrong).status == 2, wrong);
 }
 
 // What is not carried is refused by its key, with status 2 and no files.
