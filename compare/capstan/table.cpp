@@ -33,9 +33,9 @@ dem::NamedRow capstan_row(const CapstanPoint& p) {
 dem::Table capstan_table(const std::vector<CapstanPoint>& points) { return tabulate(points, capstan_row); }
 
 Figure capstan_figure(const std::vector<CapstanPoint>& points) {
-  Figure figure{"Tensions of a fiber that slides about a drum, over e^{/Symbol mf}",
-                {"turning {/Symbol f}/{/Symbol p}"},
-                {"F/F_0 over e^{/Symbol mf}"},
+  Figure figure{"Tensions of a fiber that slides about a drum, over e^{μφ}",
+                {"turning φ/π"},
+                {"F/F_0 over e^{μφ}"},
                 {}};
   const auto series_of = [&](const std::string& label, Mark mark) -> Series& {
     const auto found = std::ranges::find(figure.series, label, &Series::label);
@@ -45,9 +45,9 @@ Figure capstan_figure(const std::vector<CapstanPoint>& points) {
   };
   for (const CapstanPoint& p : points) {
     const CapstanCase& c = p.asked;
-    series_of(fmt::format("{}, {{/Symbol m}} = {:g}", name(c.surface), c.friction), Mark::points)
+    series_of(fmt::format("{}, μ = {:g}", name(c.surface), c.friction), Mark::points)
         .add(c.turning / std::numbers::pi, p.ratio / p.euler);
-    const std::string size = fmt::format("rod of 1/{:g}, {{/Symbol m}} = {:g}", c.drum, c.friction);
+    const std::string size = fmt::format("rod of 1/{:g}, μ = {:g}", c.drum, c.friction);
     Series& rod = series_of(size, Mark::line);
     if (rod.x.empty() || rod.x.back() < c.turning / std::numbers::pi)
       rod.add(c.turning / std::numbers::pi, p.expected / p.euler);

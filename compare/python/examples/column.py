@@ -17,7 +17,7 @@ print(f"buckles at {15 * critical.load_factor:.4f} EI/L^2; Euler: 9.8696")
 for side in ("plus", "minus"):
     branch = straight.branch(side=side)
     left.plot(branch.probe_displacements / column.length, 15 * branch.load_factors, label=f"branch, {side}")
-    middle.plot(*(1e3 * branch.positions[-1, :, :2]).T, label=f"at {15 * branch.load_factors[-1]:.3g} EI/L²")
+    middle.plot(*(1e3 * branch.positions[-1, :, :2]).T)
 left.plot(straight.probe_displacements / column.length, 15 * straight.load_factors, "k:", label="straight")
 
 arc = {"arc": -1.6, "turn": {"axis": (0, 0, 1), "angle": 0.8}}
@@ -29,6 +29,7 @@ right.plot(path.probe_displacements / arch.length, 60 * path.load_factors)
 for point in path.limit_points:
     right.plot(point.equilibrium.probe_displacement / arch.length, 60 * point.load_factor, "o")
 left.set_xlabel("displacement of the middle / L"), left.set_ylabel("$FL^2/(EI)$"), left.legend()
-middle.set_xlabel("x (mm)"), middle.set_ylabel("y (mm)"), middle.set_aspect("equal"), middle.legend()
+middle.set_xlabel("x (mm)"), middle.set_ylabel("y (mm)"), middle.set_aspect("equal")
+middle.set_title("under 15 EI/L²")
 right.set_xlabel("drop of the arch's top / L"), right.set_ylabel("$FL^2/(EI)$")
 save(figure, options, "column")
