@@ -20,6 +20,7 @@ function(fiberchain_install component)
       endif()
     endforeach()
   endwhile()
+  set_property(GLOBAL APPEND PROPERTY FIBERCHAIN_PUBLIC_HEADERS ${headers})
   foreach(header IN LISTS headers)
     get_filename_component(room ${header} DIRECTORY)
     install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fiberchain/${room}

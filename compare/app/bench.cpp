@@ -222,7 +222,7 @@ int run_bench(const Arguments& arguments, Context& context) {
 }  // namespace
 
 Command bench_command() {
-  return {
+  Command command{
       .name = "bench",
       .description =
           "run time against error of every method, what each skip saves, what bounds the inner loops",
@@ -244,6 +244,8 @@ Command bench_command() {
                    "directory for the results; with --json none are written unless given [results]"},
                   no_figures_option()},
       .run = &run_bench};
+  for (Option& option : figure_options()) command.options.push_back(std::move(option));
+  return command;
 }
 
 }  // namespace fiberchain::app

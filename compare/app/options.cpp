@@ -28,11 +28,28 @@ Option no_figures_option() {
   return {"--no-figures", "", "draw no pictures; with --json there are none anyway", OptionKind::flag};
 }
 
+std::vector<Option> figure_options() {
+  return {{"--figure-format", "LIST", "formats of the figures: svg, png, pdf [svg,png]"},
+          {"--no-title", "", "figures without a title", OptionKind::flag}};
+}
+
+compare::FigureStyle figure_style(const Arguments& arguments) {
+  compare::FigureStyle style;
+  style.title = !arguments.has("--no-title");
+  std::vector<std::pair<std::string, compare::FigureFormat>> words;
+  for (const auto format :
+       {compare::FigureFormat::svg, compare::FigureFormat::png, compare::FigureFormat::pdf})
+    words.emplace_back(compare::name(format), format);
+  read_choices(arguments, "--figure-format", style.formats, words);
+  return style;
+}
+
 std::vector<Option> with_output(std::vector<Option> options) {
   options.push_back(json_option());
   options.push_back(
       {"--out", "DIR", "directory for the results; with --json none are written unless given [results]"});
   options.push_back(no_figures_option());
+  for (Option& option : figure_options()) options.push_back(std::move(option));
   options.push_back({"--jobs", "N", "threads [all cores]", OptionKind::text, "--threads"});
   return options;
 }
@@ -53,6 +70,7 @@ OutputOptions output_options(const Arguments& arguments) {
   OutputOptions options;
   options.json = arguments.has("--json");
   options.figures = !options.json && !arguments.has("--no-figures");
+  options.style = figure_style(arguments);
   if (arguments.has("--out")) options.out = arguments.text("--out");
   options.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   read_number(arguments, "--jobs", {.low = 1, .high = 1024}, options.jobs);

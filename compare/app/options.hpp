@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/app/command.hpp"
+#include "compare/figures/figure.hpp"
 #include "compare/measure/peaks.hpp"
 #include "compare/study/errors.hpp"
 #include "compare/study/ranges.hpp"
@@ -21,6 +22,7 @@ struct OutputOptions {
   std::optional<std::filesystem::path> out;  ///< results directory; without it "results", or none with --json
   int jobs = 1;                              ///< threads
   bool figures = true;                       ///< pictures are drawn: none with --json
+  compare::FigureStyle style = {};
   std::optional<compare::Shard> shard = {};  ///< the part of the cases that this run has; without it all
 
   /// Whether this run makes the tables that do not depend on the cases.
@@ -35,7 +37,14 @@ Option json_option();
 /// --no-figures
 Option no_figures_option();
 
-/// These options with --json, --out, --no-figures and --jobs behind them.
+/// --figure-format and --no-title.
+std::vector<Option> figure_options();
+
+/// What those say.
+/// @throws compare::InputError for other formats
+compare::FigureStyle figure_style(const Arguments& arguments);
+
+/// These options with --json, --out, --no-figures, those of figures and --jobs behind them.
 std::vector<Option> with_output(std::vector<Option> options);
 
 /// The same and --shard, for commands of many cases.

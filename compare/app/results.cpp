@@ -48,12 +48,15 @@ void write_files(const dem::OutputDirectory& directory, const std::vector<dem::O
 using Drawing = std::function<std::vector<dem::OutputFile>()>;
 
 /// The figures, drawn side by side; of one that could not be drawn, the throwing of its error.
-std::vector<Drawing> drawn_figures(const Results& results, int jobs, const Context& context) {
+std::vector<Drawing> drawn_figures(const Results& results, const OutputOptions& options,
+                                   const Context& context) {
   std::vector<Drawing> drawn(results.figures.size());
-  compare::Jobs(jobs).run(drawn.size(), [&](std::size_t i) {
+  compare::Jobs(options.jobs).run(drawn.size(), [&](std::size_t i) {
     const auto& [name, figure] = results.figures[i];
     try {
-      drawn[i] = [files = compare::figure_files(name, figure, context.provenance)] { return files; };
+      drawn[i] = [files = compare::figure_files(name, figure, context.provenance, options.style)] {
+        return files;
+      };
     } catch (...) {
       drawn[i] = [error = std::current_exception()]() -> std::vector<dem::OutputFile> {
         std::rethrow_exception(error);
@@ -64,9 +67,9 @@ std::vector<Drawing> drawn_figures(const Results& results, int jobs, const Conte
 }
 
 /// Pictures each by itself: what one fails of, gnuplot or a full disk, is a warning.
-void draw_pictures(const Results& results, const dem::OutputDirectory& directory, int jobs,
-                   const Context& context) {
-  std::vector<Drawing> drawings = drawn_figures(results, jobs, context);
+void draw_pictures(const Results& results, const dem::OutputDirectory& directory,
+                   const OutputOptions& options, const Context& context) {
+  std::vector<Drawing> drawings = drawn_figures(results, options, context);
   drawings.insert(drawings.end(), results.pictures.begin(), results.pictures.end());
   std::string reason;
   std::size_t failed = 0;
@@ -140,7 +143,7 @@ void deliver(const Results& results, const dem::Table& shown, const OutputOption
                       directory && options.figures ? ", no pictures are drawn" : "");
     return;
   }
-  if (directory && options.figures) draw_pictures(results, *directory, options.jobs, context);
+  if (directory && options.figures) draw_pictures(results, *directory, options, context);
 }
 
 }  // namespace fiberchain::app

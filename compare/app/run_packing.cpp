@@ -35,11 +35,11 @@ std::string typed_settings(const dem::SceneText& text) {
 }
 
 /// Figures of what the log holds.
-std::vector<dem::OutputFile> figures_of(const dem::PackingJob& job) {
+std::vector<dem::OutputFile> figures_of(const dem::PackingJob& job, const compare::FigureStyle& style) {
   const dem::CsvDocument log = dem::read_csv(job.files.log());
   std::vector<dem::OutputFile> files;
   for (const auto& [ending, figure] : compare::packing_run_figures(job, log.table)) {
-    for (auto& file : compare::figure_files(job.files.name + ending, figure, job.provenance))
+    for (auto& file : compare::figure_files(job.files.name + ending, figure, job.provenance, style))
       files.push_back(std::move(file));
   }
   return files;
@@ -56,10 +56,11 @@ std::optional<dem::InstructionSet> instruction_set_of(const Arguments& arguments
   return sets.front();
 }
 
-Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end) {
+Results results_of(const dem::PackingJob& job, const dem::PackingEndState& end,
+                   const compare::FigureStyle& style) {
   Results results{
       .name = job.files.name, .heading = "Packing of fibers", .table = compare::packing_run_table(job, end)};
-  if (job.scene.output.samples > 0) results.pictures = {[&job] { return figures_of(job); }};
+  if (job.scene.output.samples > 0) results.pictures = {[&job, style] { return figures_of(job, style); }};
   return results;
 }
 
@@ -120,7 +121,7 @@ int run_packing(const dem::SceneText& text, const dem::PackingScene& scene, cons
   }
   if (end.begun_at >= end.steps) end.run_time = earlier_run_time(job);
   if (end.times.march > 0) context.log->info("{}", cost_in_words(end.times));
-  const Results results = results_of(job, end);
+  const Results results = results_of(job, end, output.style);
   const dem::Table shown = results.table.select({"fibers", "time_step", "step_set_by", "simulated_time",
                                                  "contacts", "height", "bending_mean", "run_time", "status"});
   deliver(results, shown, output, opened->directory(), context);

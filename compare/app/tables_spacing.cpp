@@ -45,6 +45,7 @@ int run_tables_spacing(const Arguments& arguments, Context& context) {
                   .table = table_by_case(points, numbers, output, compare::spacing_table)};
   if (directory && context.stopped == 0 && output.makes_fixed_tables())
     results.more_tables = {{"spacing-bonds", compare::fewest_bonds_table(sweep, output.jobs)}};
+  if (!output.shard) results.figures = compare::spacing_figures(points);
   deliver(results, results.table.select(tables_spacing_shown), output, directory, context);
   return kSuccess;
 }

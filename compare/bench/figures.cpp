@@ -75,7 +75,7 @@ std::vector<std::pair<std::string, Figure>> precision_figures(const std::vector<
   std::vector<std::pair<std::string, Figure>> figures;
   for (const PrecisionProblem& problem : problems) {
     const Figure time = figure_of(
-        problem, [](const PrecisionRow& row) { return row.time.least; }, "run time of one chain, s", true);
+        problem, [](const PrecisionRow& row) { return row.time.least; }, "run time of one chain (s)", true);
     const Figure work = figure_of(
         problem, [](const PrecisionRow& row) { return row.work.bond_evaluations; }, "evaluations of a bond",
         false);
@@ -87,8 +87,8 @@ std::vector<std::pair<std::string, Figure>> precision_figures(const std::vector<
 
 Figure kernel_figure(const std::vector<KernelTime>& times, const std::vector<MeasuredPeak>& peaks) {
   Figure figure{"Inner loops: a bond-step against what its operations take at least",
-                {"least time at the core's peak, ns", true},
-                {"measured, ns, chains of 11 spheres", true},
+                {"least time at the core's peak (ns)", true},
+                {"measured, chains of 11 spheres (ns)", true},
                 {}};
   double low = 1e300, high = 0;
   int color = 1;

@@ -87,10 +87,10 @@ struct Observable {
 };
 constexpr Observable kObservables[] = {{"solid fraction", &RestingPacking::solid_fraction},
                                        {"coordination", &RestingPacking::coordination},
-                                       {"mean bending angle [rad]", &RestingPacking::bending},
+                                       {"mean bending angle (rad)", &RestingPacking::bending},
                                        {"mean overlap over R", &RestingPacking::overlap_mean},
                                        {"deepest overlap over R", &RestingPacking::overlap_peak},
-                                       {"run time [s]", &RestingPacking::run_time}};
+                                       {"run time (s)", &RestingPacking::run_time}};
 
 /// Finished runs with the scheme and step of one.
 std::vector<const RestingPacking*> seeds_of(const std::vector<RestingPacking>& runs,

@@ -64,7 +64,7 @@ Figure load_figure(const DampingPoints& points) {
     return dem::load_force(damped_fiber(p.asked), p.asked.load);
   };
   return {"Fig 8: damping of the fiber against load, r_f = 10, ξ_b = 1",
-          {"{/:Italic P}, N"},
+          {"{/:Italic P} (N)"},
           {"ξ_f"},
           {series("chain, mode 2 gone", points, x, measured_damping),
            series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),
@@ -82,7 +82,7 @@ Figure modulus_figure(const DampingPoints& points) {
     return damped_fiber(p.asked).material.shear_modulus / 1e6;
   };
   return {"Fig 8: damping of the fiber against shear modulus, P = 0.002 N, r_f = 10, ξ_b = 1",
-          {"{/:Italic G}, MPa"},
+          {"{/:Italic G} (MPa)"},
           {"ξ_f"},
           {series("chain, mode 2 gone", points, x, measured_damping),
            series(fmt::format("chain, peaks {}..{}", points[0].asked.peaks.first, points[0].asked.peaks.last),

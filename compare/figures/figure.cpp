@@ -24,7 +24,10 @@ constexpr std::array kOrdered = {"#440154", "#46327e", "#365c8d", "#277f8e",
                                  "#1fa187", "#4ac16d", "#8bc83f", "#d0bb1e"};
 constexpr std::array kPointTypes = {7, 5, 9, 13, 11, 6, 4, 8};  // filled first, then open
 
+/// @throws FigureError for letters of the Symbol font, which browsers show as Latin ones: Greek is Unicode
 std::string quoted(const std::string& text) {
+  if (text.find("/Symbol") != std::string::npos)
+    throw FigureError("Greek as Unicode, not of a font: " + text);
   std::string safe = "'";
   for (const char c : text) safe += c == '\'' ? "''" : std::string(1, c == '\n' ? ' ' : c);
   return safe + "'";
@@ -51,6 +54,8 @@ std::string_view with(Mark mark) {
       return "points";
     case Mark::line_and_points:
       return "linespoints";
+    case Mark::band:
+      return "filledcurves";
   }
   throw FigureError("no such mark");
 }
@@ -72,9 +77,23 @@ Dash dash_of(const Figure& figure, std::size_t i) {
   return given == Dash::solid && !figure.ordered && place_of(figure, i) >= kOkabeIto ? Dash::dashed : given;
 }
 
+/// Points that are not finite are left out of a band: it has no line to interrupt.
+std::string band_data(const Series& series) {
+  if (series.y_low.size() != series.x.size())
+    throw FigureError("band '" + series.label + "': x and y_low differ in length");
+  std::string text;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const double x = series.x[i], low = series.y_low[i], high = series.y[i];
+    if (std::isfinite(x) && std::isfinite(low) && std::isfinite(high))
+      text += fmt::format("{} {} {}\n", x, low, high);
+  }
+  return text;
+}
+
 std::string data_of(const Series& series) {
   if (series.x.size() != series.y.size())
     throw FigureError("series '" + series.label + "': x and y differ in length");
+  if (series.mark == Mark::band) return band_data(series);
   std::string text;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const bool finite = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
@@ -87,12 +106,14 @@ std::string data_of(const Series& series) {
 std::optional<std::pair<double, double>> extent(const Figure& figure, std::vector<double> Series::*coordinate,
                                                 bool logarithmic) {
   std::optional<std::pair<double, double>> found;
+  const auto take = [&](double value) {
+    if (!std::isfinite(value) || (logarithmic && !(value > 0))) return;
+    if (!found) found = {value, value};
+    found = {std::min(found->first, value), std::max(found->second, value)};
+  };
   for (const Series& series : figure.series) {
-    for (const double value : series.*coordinate) {
-      if (!std::isfinite(value) || (logarithmic && !(value > 0))) continue;
-      if (!found) found = {value, value};
-      found = {std::min(found->first, value), std::max(found->second, value)};
-    }
+    std::ranges::for_each(series.*coordinate, take);
+    if (coordinate == &Series::y) std::ranges::for_each(series.y_low, take);
   }
   return found;
 }
@@ -156,11 +177,20 @@ std::string legend_commands(const Figure& figure) {
   return text;
 }
 
+std::string band_command(const Figure& figure, std::size_t i, const std::string& title) {
+  return fmt::format("$d{} using 1:2:3 with filledcurves fc rgb '{}' fs transparent solid 0.22 noborder {}",
+                     i, color_of(figure, i), title);
+}
+
 std::string plot_command(const Figure& figure) {
   std::vector<std::string> curves;
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const Series& series = figure.series[i];
     const std::string title = series.label.empty() ? "notitle" : "title " + quoted(series.label);
+    if (series.mark == Mark::band) {
+      curves.push_back(band_command(figure, i, title));
+      continue;
+    }
     curves.push_back(fmt::format("$d{} with {} lc rgb '{}' lw 1.8 dt {} pt {} ps 0.75 {}", i,
                                  with(series.mark), color_of(figure, i), dash_type(dash_of(figure, i)),
                                  kPointTypes[place_of(figure, i) % kPointTypes.size()], title));
@@ -176,9 +206,12 @@ std::string commands(const Figure& figure) {
   }
   text +=
       "set border 3 lc rgb '#444444' lw 1\nset tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
-      "set grid lc rgb '#d8d8d8' lw 1 dt solid\nset tmargin 3.2\n";
+      "set grid lc rgb '#d8d8d8' lw 1 dt solid\n";
   text +=
-      fmt::format("set label {} at screen 0.02, screen 0.955 left font ',14' front\n", quoted(figure.title));
+      figure.title.empty()
+          ? "set tmargin 1.2\n"
+          : fmt::format("set tmargin 3.2\nset label {} at screen 0.02, screen 0.955 left font ',14' front\n",
+                        quoted(figure.title));
   if (figure.map) return text + heat_map_commands(*figure.map, figure.x.label, figure.y.label);
   text += legend_commands(figure);
   text += axis_commands('x', figure.x, extent(figure, &Series::x, figure.x.logarithmic));
@@ -208,9 +241,24 @@ std::string to_png(const Figure& figure, const dem::Provenance& provenance) {
   return with_png_metadata(run_gnuplot(terminal + commands(figure)), provenance);
 }
 
+std::string to_pdf(const Figure& figure, const dem::Provenance& provenance) {
+  const std::string terminal =
+      "set terminal pdfcairo size 8in,5in enhanced font 'DejaVu Sans,12' background rgb 'white'\n";
+  return with_pdf_metadata(run_gnuplot(terminal + commands(figure)), provenance);
+}
+
 std::vector<dem::OutputFile> figure_files(const std::string& name, const Figure& figure,
-                                          const dem::Provenance& provenance) {
-  return {{name + ".svg", to_svg(figure, provenance)}, {name + ".png", to_png(figure, provenance)}};
+                                          const dem::Provenance& provenance, const FigureStyle& style) {
+  Figure drawn = figure;
+  if (!style.title) drawn.title.clear();
+  std::vector<dem::OutputFile> files;
+  for (const FigureFormat format : style.formats) {
+    const auto write = format == FigureFormat::svg   ? &to_svg
+                       : format == FigureFormat::png ? &to_png
+                                                     : &to_pdf;
+    files.push_back({fmt::format("{}.{}", name, compare::name(format)), write(drawn, provenance)});
+  }
+  return files;
 }
 
 }  // namespace fiberchain::compare

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,12 @@ struct Axis {
   std::optional<std::pair<double, double>> range = std::nullopt;  ///< from the data unless given
 };
 
-enum class Mark { line, points, line_and_points };
+enum class Mark {
+  line,
+  points,
+  line_and_points,
+  band  ///< what lies between y_low and y, tinted
+};
 enum class Dash { solid, dashed, dotted };
 
 /// A curve. Points whose x or y is not finite are left out and interrupt the line.
@@ -29,6 +35,7 @@ struct Series {
   Mark mark = Mark::line_and_points;
   Dash dash = Dash::solid;
   std::optional<int> color = std::nullopt;  ///< place in the palette; the series' own place unless given
+  std::vector<double> y_low = {};           ///< of a band: its lower edge
 
   void add(double at_x, double at_y) { x.push_back(at_x), y.push_back(at_y); }
 };
@@ -61,6 +68,19 @@ struct Figure {
   std::optional<HeatMap> map = std::nullopt;  ///< drawn instead of the series
 };
 
+enum class FigureFormat { svg, png, pdf };
+
+constexpr std::string_view name(FigureFormat format) {
+  constexpr std::string_view names[] = {"svg", "png", "pdf"};
+  return names[static_cast<int>(format)];
+}
+
+/// How figures are written.
+struct FigureStyle {
+  std::vector<FigureFormat> formats = {FigureFormat::svg, FigureFormat::png};
+  bool title = true;  ///< above the axes: papers have captions
+};
+
 /// The figure as SVG with its provenance as <metadata>.
 /// @throws FigureError if gnuplot is missing or refuses, if x and y differ in length or a heat map is no grid
 std::string to_svg(const Figure& figure, const dem::Provenance& provenance);
@@ -69,8 +89,12 @@ std::string to_svg(const Figure& figure, const dem::Provenance& provenance);
 /// @throws FigureError as above
 std::string to_png(const Figure& figure, const dem::Provenance& provenance);
 
-/// NAME.svg and NAME.png.
+/// The figure as PDF, 8 x 5 inches, with its provenance as entries of its information dictionary.
+/// @throws FigureError as above
+std::string to_pdf(const Figure& figure, const dem::Provenance& provenance);
+
+/// NAME.svg, NAME.png, NAME.pdf: those that are asked for.
 std::vector<dem::OutputFile> figure_files(const std::string& name, const Figure& figure,
-                                          const dem::Provenance& provenance);
+                                          const dem::Provenance& provenance, const FigureStyle& style = {});
 
 }  // namespace fiberchain::compare

@@ -81,7 +81,7 @@ Figure laws_figure(const FitStudy& study) {
 Figure departure_figure(const FitStudy& study) {
   Figure figure{"Departure of the fitted laws from the linear chain",
                 {"{/:Italic r_f}", true, std::pair{3.0, 500.0}},
-                {"|law/chain - 1|, %", true, std::pair{1e-4, 200.0}},
+                {"|law/chain - 1| (%)", true, std::pair{1e-4, 200.0}},
                 {}};
   for (const DampingFit& fit : study.fits) {
     if (!shown(fit.model)) continue;

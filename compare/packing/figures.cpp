@@ -13,18 +13,22 @@ Series curve(const PackingRun& run, double PackingSample::*of, std::string label
   return s;
 }
 
-/// Least and most over the runs at each sample, where all have it.
-std::pair<Series, Series> band(const Runs& runs, double PackingSample::*of, int color) {
-  Series low{"", {}, {}, Mark::line, Dash::dotted, color}, high = low;
+/// Least and most over the runs at each sample, where all have it, and their mean.
+std::pair<Series, Series> spread(const Runs& runs, double PackingSample::*of, int color) {
+  Series band{"", {}, {}, Mark::band, Dash::solid, color}, mean{"", {}, {}, Mark::line, Dash::solid, color};
   std::size_t samples = runs.front()->history.size();
   for (const PackingRun* run : runs) samples = std::min(samples, run->history.size());
   for (std::size_t i = 0; i < samples; ++i) {
     const auto value = [&](const PackingRun* run) { return run->history[i].*of; };
     const auto [least, most] = std::ranges::minmax_element(runs, {}, value);
-    low.add(runs.front()->history[i].time, value(*least));
-    high.add(runs.front()->history[i].time, value(*most));
+    const double time = runs.front()->history[i].time;
+    double sum = 0;
+    for (const PackingRun* run : runs) sum += value(run);
+    band.add(time, value(*most));
+    band.y_low.push_back(value(*least));
+    mean.add(time, sum / static_cast<double>(runs.size()));
   }
-  return {low, high};
+  return {band, mean};
 }
 
 /// Without friction.
@@ -37,7 +41,8 @@ bool of_friction(const PackingCase& c, const PackingCase& first) {
   return c.stiffness == 1 && c.step_ratio == 1 && c.bond_damping == first.bond_damping;
 }
 
-/// Fig 12 for the cases that are chosen: a curve each, and the seeds' least and most where there are several.
+/// Fig 12 for the cases that are chosen: a curve each; where there are several seeds their mean, least and
+/// most.
 Figure bending_figure(const std::vector<PackingRun>& runs,
                       bool (*chosen)(const PackingCase&, const PackingCase&), std::string title) {
   Figure figure{std::move(title), {"time (s)"}, {"mean bending angle of a bond (rad)"}, {}};
@@ -49,9 +54,9 @@ Figure bending_figure(const std::vector<PackingRun>& runs,
           curve(*group.runs[0], &PackingSample::bending_angle, label_of(group.asked), color++));
       continue;
     }
-    auto [low, high] = band(group.runs, &PackingSample::bending_angle, color++);
-    low.label = label_of(group.asked);
-    figure.series.push_back(std::move(low)), figure.series.push_back(std::move(high));
+    auto [band, mean] = spread(group.runs, &PackingSample::bending_angle, color++);
+    mean.label = label_of(group.asked);
+    figure.series.push_back(std::move(band)), figure.series.push_back(std::move(mean));
   }
   return figure;
 }
@@ -129,10 +134,10 @@ std::vector<std::pair<std::string, Figure>> packing_figures(const std::vector<Pa
   add("fig-12-damping", bending_figure(figure_runs, of_damping, "Fig 12: bond damping"));
   add("fig-12-friction", bending_figure(figure_runs, of_friction, "Fig 12: rolling friction of the bonds"));
   add("fig-12-damping-seeds",
-      bending_figure(spread_runs, of_damping, "Fig 12: bond damping, least and most of the seeds"));
+      bending_figure(spread_runs, of_damping, "Fig 12: bond damping, mean, least and most of the seeds"));
   add("fig-12-friction-seeds",
       bending_figure(spread_runs, of_friction,
-                     "Fig 12: rolling friction of the bonds, least and most of the seeds"));
+                     "Fig 12: rolling friction of the bonds, mean, least and most of the seeds"));
   if (figure_runs.empty()) return figures;
   add("packing-height", height_figure(figure_runs));
   add("packing-density", density_figure(figure_runs));

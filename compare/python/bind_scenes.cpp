@@ -48,8 +48,11 @@ py::dict rest_of(dem::CantileverScene scene) {
   return all;
 }
 
-py::dict rod_of(const dem::RodScene& scene) {
-  const compare::RodRun run = released([&](const dem::StopRequest&) { return compare::run_rod(scene); });
+py::dict rod_of(dem::RodScene scene) {
+  const compare::RodRun run = released([&](const dem::StopRequest& asked) {
+    scene.path.asked_to_stop = asked;
+    return compare::run_rod(scene);
+  });
   const dem::RodPath& last = run.result.branch ? *run.result.branch : run.result.path;
   std::vector<V> positions;
   for (const auto& pose : last.points.back().poses) positions.push_back(pose.position);

@@ -42,6 +42,7 @@ PYBIND11_MODULE(_core, module) {
   dem::leave_hdf5_as_it_is_at_exit();
   fiberchain::python::bind_fiber(module);
   fiberchain::python::bind_scenes(module);
+  fiberchain::python::bind_rod(module);
   fiberchain::python::bind_trajectory(module);
   fiberchain::python::bind_packing(module);
   fiberchain::python::bind_identify(module);

@@ -10,7 +10,7 @@ namespace {
 using V = dem::Vec<double, 3>;
 
 constexpr int bonds = 26;  // odd members of 13
-constexpr dem::RodPathOptions exact{.tolerance = 1e-12};
+const dem::RodPathOptions exact{.tolerance = 1e-12};
 
 dem::Fiber frame_fiber(dem::BondModel bond) {
   return rod_fiber({.bond = bond, .bonds = bonds, .poisson_ratio = 0.17});

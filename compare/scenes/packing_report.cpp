@@ -56,9 +56,9 @@ dem::Table packing_run_table(const dem::PackingJob& job, const dem::PackingEndSt
 std::vector<std::pair<std::string, Figure>> packing_run_figures(const dem::PackingJob& job,
                                                                 const dem::Table& log) {
   const std::vector<double> time = column(log, "simulated_time");
-  Figure bending{"Mean bending angle per bond", {"time [s]"}, {"angle [rad]"}, {}};
+  Figure bending{"Mean bending angle per bond", {"time (s)"}, {"angle (rad)"}, {}};
   add_line(bending, "", time, column(log, "bending_mean"));
-  Figure energy{"Energy", {"time [s]"}, {"energy [J]"}, {}};
+  Figure energy{"Energy", {"time (s)"}, {"energy (J)"}, {}};
   const auto add_energy = [&](const dem::EnergyMechanism& term) {
     const std::vector<double> values = column(log, term.column);
     const bool nothing = std::ranges::all_of(values, [](double v) { return v == 0; });

@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "compare/figures/figure.hpp"
 #include "compare/study/jobs.hpp"
 #include "dem/model/fiber.hpp"
 #include "dem/record/table.hpp"
@@ -83,6 +85,10 @@ struct FewestBonds {
 /// touching spheres
 FewestBonds fewest_bonds(int aspect_ratio, double poisson_ratio, SpacingGoal goal, double load,
                          double wanted);
+
+/// Distance of the free end and error of the first frequency against the number of bonds, a series for each
+/// aspect ratio and bond, statics at the first load.
+std::vector<std::pair<std::string, Figure>> spacing_figures(const std::vector<SpacingPoint>& points);
 
 dem::Table spacing_table(const std::vector<SpacingPoint>& points);
 

@@ -78,7 +78,7 @@ Figure departure_figure(const std::map<int, StaticPoints>& groups) {
   const StaticCase& c = groups.begin()->second[0].asked;
   Figure figure{"Fig 4: departure of the deflection from the Elastica, " + kind_of(c),
                 {"{/:Italic P L}^2/{/:Italic EI}"},
-                {"departure of {/:Italic y}_{max}, %", true},
+                {"departure of {/:Italic y}_{max} (%)", true},
                 {}};
   for (const auto& [aspect_ratio, points] : groups) {
     figure.series.push_back(series(fmt::format("{}", aspect_ratio), points,
@@ -94,7 +94,7 @@ Figure budget_figure(const StaticPoints& points) {
   const auto percent = [](auto part) { return [part](const StaticPoint& p) { return 100 * part(p); }; };
   Figure figure{fmt::format("What the departure consists of, r_f = {}, {}", c.aspect_ratio, kind_of(c)),
                 {"{/:Italic P L}^2/{/:Italic EI}"},
-                {"part of the departure of {/:Italic y}_{max}, %"},
+                {"part of the departure of {/:Italic y}_{max} (%)"},
                 {series("whole", points, percent([](const StaticPoint& p) { return p.departure.y; })),
                  series("shear", points, percent([](const StaticPoint& p) { return p.budget.shear.y; })),
                  series("stretch", points, percent([](const StaticPoint& p) { return p.budget.stretch.y; })),

@@ -88,7 +88,7 @@ Part read_part(const fs::path& directory) {
 /// The command without what may differ from shard to shard: the program's path, where it runs and writes.
 std::string asked(std::string command) {
   static const std::regex placing(
-      R"( (--shard|--out|--jobs|--threads)[ =]('[^']*'|[^ ]+)| (--json|--no-figures|--resume|--force)(?= |$))");
+      R"( (--shard|--out|--jobs|--threads|--figure-format)[ =]('[^']*'|[^ ]+)| (--json|--no-figures|--no-title|--resume|--force)(?= |$))");
   command = std::regex_replace(command, placing, "");
   const std::size_t space = command.find(' ');
   return space == std::string::npos ? "" : command.substr(space + 1);

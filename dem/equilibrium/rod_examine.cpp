@@ -138,6 +138,7 @@ NearestMode nearest_mode(const RodContext& context, const RodState& state) {
   ChainVector<3> v = any_vector(context, state.poses.size());
   double eigenvalue = 0;
   for (int n = 0; n < 12; ++n) {
+    stop_if_asked(context.options.asked_to_stop, "stopped on the rod's path");
     ChainVector<3> weighted = v;
     weigh(context, system.held, weighted);
     const double size = chain_product(v, weighted);

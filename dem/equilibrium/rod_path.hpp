@@ -6,6 +6,7 @@
 
 #include "dem/equilibrium/rod_problem.hpp"
 #include "dem/equilibrium/stability.hpp"
+#include "dem/model/interrupted.hpp"
 
 // Equilibria of a rod along a path: Newton's method with the exact tangent, led by the load factor, a
 // displacement or the arc length, through limit points; singular points found, named and left by a branch.
@@ -43,6 +44,7 @@ struct RodPathOptions {
   double smallest_step = 1e-7;       ///< part of the first step below which the path is given up
   bool find_singular = true;         ///< looks for limit points and bifurcations between path points
   double singular_tolerance = 1e-9;  ///< part of a step between its bounds that ends the search, too
+  StopRequest asked_to_stop = {};    ///< asked before every solution with a tangent
 };
 
 struct RodPoint {
@@ -82,7 +84,8 @@ struct RodPath {
 };
 
 /// The path from load factor 0. Throws InvalidInput as check() and for options that make no sense,
-/// NoConvergence when a step falls below the smallest; the message tells the load factor.
+/// NoConvergence when a step falls below the smallest, the message tells the load factor; Interrupted when
+/// asked to stop, as the other two.
 RodPath trace_rod(const RodProblem& problem, const RodPathOptions& options = {});
 
 /// From a bifurcation onto the branch that crosses there, the way of `sign` times the mode, `amplitude` the

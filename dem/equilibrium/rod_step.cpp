@@ -110,6 +110,7 @@ std::optional<RodState> rod_newton(const RodContext& context, const RodState& fr
   advance(context, state, predictor);
   double previous = largest_rod_step;
   for (int iteration = 0; iteration < context.options.max_iterations; ++iteration) {
+    stop_if_asked(context.options.asked_to_stop, "stopped on the rod's path");
     const RodSystem system = rod_system(context.problem, context.start, state.poses, state.factor);
     const RodDirection step =
         bordered_solve(system, equation, equation.target - measured(equation, sum, from, state), true);

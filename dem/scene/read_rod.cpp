@@ -45,6 +45,7 @@ struct RodLoadKeys {
 
 /// Mapping "path" as typed.
 struct RodPathKeys : RodPathOptions {
+  RodPathKeys() {}  // no aggregate: GCC 12 sees the function of one used before it is made, which is not so
   std::string word = "last";
 };
 

@@ -1,5 +1,6 @@
 #include "compare/figures/figure.hpp"
 
+#include <fmt/format.h>
 #include <stdlib.h>
 
 #include <boost/crc.hpp>
@@ -148,6 +149,74 @@ BOOST_AUTO_TEST_CASE(a_figure_that_makes_no_sense_is_refused) {
   BOOST_CHECK_THROW(run_gnuplot(""), FigureError);
   BOOST_CHECK_THROW(with_svg_metadata("<html></html>", {}), FigureError);
   BOOST_CHECK_THROW(with_png_metadata("GIF89a", {}), FigureError);
+}
+
+// The new trailer leads to the new dictionary, to the table before it and to the same root.
+BOOST_AUTO_TEST_CASE(pdf_is_whole_and_carries_its_provenance) {
+  const std::string pdf = to_pdf(example(), provenance());
+  BOOST_TEST(pdf.starts_with("%PDF-1."));
+  BOOST_TEST(count(pdf, "startxref") == 2);
+  const auto number_behind = [&](std::size_t at, std::string_view key) {
+    return std::stoul(pdf.substr(pdf.find(key, at) + key.size()));
+  };
+  const std::size_t table = number_behind(pdf.rfind("startxref"), "startxref"),
+                    before = number_behind(pdf.find("startxref"), "startxref");
+  BOOST_TEST(pdf.substr(table, 5) == "xref\n");
+  BOOST_TEST(pdf.substr(before, 5) == "xref\n");
+  BOOST_TEST(number_behind(table, "/Prev") == before);
+  BOOST_TEST(number_behind(table, "/Root") == number_behind(before, "/Root"));
+  const std::size_t info = number_behind(table, "/Info"),
+                    place = number_behind(table, fmt::format("{} 1\n", info));
+  BOOST_TEST(info == number_behind(before, "/Size"));
+  BOOST_TEST(number_behind(table, "/Size") == info + 1);
+  const std::string entries = pdf.substr(place, table - place);
+  BOOST_TEST(entries.starts_with(fmt::format("{} 0 obj\n<< ", info)), entries);
+  BOOST_TEST(entries.find("/fiberchain:commit (abc)\n") != std::string::npos, entries);
+  BOOST_TEST(entries.find("/fiberchain:command (x <?"
+                          "?> & y)\n") != std::string::npos,
+             entries);
+  dem::Provenance odd;
+  odd.command = "a (b\\";
+  BOOST_TEST(with_pdf_metadata(pdf, odd).find("/fiberchain:command (a \\(b\\\\)\n") != std::string::npos);
+  BOOST_CHECK_THROW(with_pdf_metadata("%PDF-1.5\nstartxref\n9\n%%EOF\n", {}), FigureError);
+}
+
+BOOST_AUTO_TEST_CASE(formats_and_titles_are_those_asked_for) {
+  const auto files =
+      figure_files("f", example(), {}, {.formats = {FigureFormat::pdf, FigureFormat::svg}, .title = false});
+  BOOST_REQUIRE(files.size() == 2);
+  BOOST_TEST(files[0].name == "f.pdf");
+  BOOST_TEST(files[0].content.starts_with("%PDF"));
+  BOOST_TEST(files[1].name == "f.svg");
+  BOOST_TEST(count(files[1].content, "'test'") == 0);
+  BOOST_TEST(count(files[1].content, "departure") == 1);
+  const auto usual = figure_files("f", example(), {});
+  BOOST_TEST(usual.size() == 2);
+  BOOST_TEST(count(usual[0].content, "'test'") == 1);
+}
+
+// From low to high at the first and the last x; what is not finite has no place in it.
+BOOST_AUTO_TEST_CASE(a_band_is_one_tinted_area) {
+  Figure figure{"Spread", {"time"}, {"angle", false, std::pair{0.0, 10.0}}, {}};
+  figure.series.push_back({"mean", {0, 1, 2}, {2, 4, 6}, Mark::line});
+  const std::string without = to_svg(figure, {});
+  Series band{"", {0, 1, 2}, {3, std::nan(""), 8}, Mark::band, Dash::solid, 0};
+  band.y_low = {1, 2, 4};
+  figure.series.push_back(band);
+  const std::string svg = to_svg(figure, {});
+  BOOST_TEST(count(svg, "<polygon") == count(without, "<polygon") + 1);
+  const std::size_t at = svg.find("points = '", svg.rfind("<polygon"));
+  const std::string points = svg.substr(at + 10, svg.find('\'', at + 10) - at - 10);
+  BOOST_TEST(count(points, ",") == 4u, points);
+  BOOST_TEST(svg.find("fill-opacity = '0.220000'") != std::string::npos);
+  figure.series.back().y_low.pop_back();
+  BOOST_CHECK_THROW(to_svg(figure, {}), FigureError);
+}
+
+BOOST_AUTO_TEST_CASE(letters_of_the_symbol_font_are_refused) {
+  Figure figure = example();
+  figure.x.label = "{/Symbol x}_f";
+  BOOST_CHECK_THROW(to_svg(figure, {}), FigureError);
 }
 
 BOOST_AUTO_TEST_CASE(thirteen_curves_have_thirteen_colors) {

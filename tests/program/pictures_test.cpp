@@ -43,6 +43,21 @@ BOOST_AUTO_TEST_CASE(without_gnuplot_tables_are_written_and_a_warning_says_what_
   BOOST_TEST(files_under(scratch.path / "results") == 3);
 }
 
+BOOST_AUTO_TEST_CASE(figures_are_of_the_formats_asked_for) {
+  const Scratch scratch;
+  scratch.file("s.yaml", kCantilever);
+  const Outcome outcome =
+      run({"run", "s.yaml", "--figure-format", "svg,pdf", "--no-title"}, {.directory = scratch.path});
+  BOOST_TEST(outcome.status == 0);
+  BOOST_TEST(content(scratch.path / "results" / "s-shape.pdf").starts_with("%PDF"));
+  BOOST_TEST(!has(content(scratch.path / "results" / "s-shape.svg"), "Cantilever, "));
+  BOOST_TEST(!fs::exists(scratch.path / "results" / "s-shape.png"));
+  const Outcome wrong = run({"run", "s.yaml", "--figure-format", "jpeg"}, {.directory = scratch.path});
+  BOOST_TEST(wrong.status == 2);
+  BOOST_TEST(is_one_error(wrong.error), wrong.error);
+  BOOST_TEST(has(wrong.error, "svg"), wrong.error);
+}
+
 BOOST_AUTO_TEST_CASE(a_gnuplot_that_fails_costs_the_pictures) {
   const Scratch scratch;
   scratch.file("s.yaml", kCantilever);

@@ -6,7 +6,7 @@ import threading
 import time
 import unittest
 
-from common import InDirectory, odd_fiber, packing_scene
+from common import SOURCE, InDirectory, odd_fiber, packing_scene
 
 import fiberchain as fc
 
@@ -54,6 +54,13 @@ class Interrupt(InDirectory):
         self.check_stops(lambda: fc.cantilever(odd_fiber(300), 1.0, method="march"))
         self.check_stops(lambda: fc.flow(fiber, {"viscosity": 50, "flow": "shear", "rate": 1}, strain=1e5,
                                          samples=100000, start={"direction": [-1, 0.1, 0], "bend": 0.01}))
+
+    def test_paths_of_rods_stop(self):
+        rod = fc.Rod(odd_fiber(800, bond_model="corrected"), [fc.Support("first")], dimension="spatial",
+                     loads=[fc.Load("last", reduced_force=(0, 3, 1))])
+        self.check_stops(lambda: rod.trace(points=100000))
+        self.check_stops(lambda: fc.run(os.path.join(SOURCE, "data", "scenes", "rod-frame.yaml"),
+                                        settings={"path.points": 100000, "path.most_points": 1000000}))
 
     def test_what_two_threads_cannot_do_at_once_is_refused(self):
         packing = fc.Packing(packing_scene(count=12, duration=0.4))

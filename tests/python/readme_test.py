@@ -32,7 +32,8 @@ class Readme(InDirectory):
         return names
 
     def test_of_the_module(self):
-        names = self.check_runs("compare/python/README.md", 4)
+        names = self.check_runs("compare/python/README.md", 5)
+        self.assertAlmostEqual(20 * names["critical"].load_factor, np.pi**2, delta=0.02)
         self.assertEqual(names["found"].doubts, [])
         self.assertAlmostEqual(names["found"].damping_ratio.value, 8 / np.hypot(8, 700), delta=1e-8)
 

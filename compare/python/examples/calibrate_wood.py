@@ -17,7 +17,7 @@ modes = damped.modes
 left.loglog(modes["mode_frequency"], modes["mode_damping"], "o-", label="Maxwell branches")
 left.loglog(modes["mode_frequency"], modes["mode_damping_dashpots"], "s--", label="dashpots alone")
 left.axhline(0.5 * fc.material("spruce")["loss_factor"]["value"], color="gray", lw=0.8, label="half the loss factor")
-left.set_xlabel("frequency of the mode [Hz]"), left.set_ylabel("damping ratio"), left.legend()
+left.set_xlabel("frequency of the mode (Hz)"), left.set_ylabel("damping ratio"), left.legend()
 
 settings = [fc.calibrate(stick.replace(aspect_ratio=r), loss_factor=0.008).fiber.bond_damping for r in ratios]
 right.loglog(ratios, settings, "o-")

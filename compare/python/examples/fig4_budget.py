@@ -20,7 +20,7 @@ for part in parts:
     right.semilogx(own["load"], 100 * own[part], "--", label=part[:-2])
 right.semilogx(own["load"], 100 * own["departure_y"], "k", label="departure")
 for axes in (left, right):
-    axes.set_xlabel("$PL^2/(EI)$"), axes.set_ylabel("departure of y [%]"), axes.legend()
+    axes.set_xlabel("$PL^2/(EI)$"), axes.set_ylabel("departure of y (%)"), axes.legend()
 print(f"r_f = 10: {100 * own['departure_y'][0]:.4f} % at a small load; the sum of its parts is off by "
       f"{max(abs(sum(own[part] for part in parts) - own['departure_y'])):.1e}")
 save(figure, options, "fig4-budget")

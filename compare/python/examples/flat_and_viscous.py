@@ -17,7 +17,7 @@ for name, one in (("flat loss factor", flat.fiber), ("dashpots", flat.dashpots))
     run = fc.release(one, 1.0, periods=periods)
     left.plot(run.time, 1e3 * run.y, label=name)
     print(f"{name}: xi_f = {run.table['fiber_damping_modes'][0]:.5f} by its first mode")
-left.set_xlabel("time [s]"), left.set_ylabel("free end [mm]"), left.legend()
+left.set_xlabel("time (s)"), left.set_ylabel("free end (mm)"), left.legend()
 modes = flat.modes
 right.semilogy(modes["mode"], modes["mode_damping"], "o-", label="flat loss factor")
 right.semilogy(modes["mode"], modes["mode_damping_dashpots"], "s--", label="dashpots")

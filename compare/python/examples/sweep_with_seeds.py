@@ -28,5 +28,5 @@ for i, friction in enumerate(frictions):
 figure, axes = plt.subplots(figsize=(5, 3.6))
 axes.errorbar(frictions, 1e3 * heights.mean(axis=1), 1e3 * heights.std(axis=1, ddof=1), fmt="o-", capsize=3)
 axes.plot(frictions, 1e3 * heights, ".", color="gray")
-axes.set_xlabel("friction"), axes.set_ylabel("height of 95 % of the spheres [mm]")
+axes.set_xlabel("friction"), axes.set_ylabel("height of 95 % of the spheres (mm)")
 save(figure, options, "sweep-with-seeds")

@@ -9,11 +9,13 @@ from ._core import Frame, commit, version as __version__
 from ._fiber import Calibration, Fiber, calibrate, calibration_of, damp_by_material, material, materials
 from ._identify import Estimate, Identification, identify, read_record
 from ._packing import Packing, Wall
+from ._rod import LineLoad, Load, Rod, RodEquilibrium, RodPath, SingularPoint, Support
 from ._scenes import cantilever, flow, read_table, records, release, run, static_table
 from ._trajectory import Trajectory
 
 __all__ = [
-    "Calibration", "Estimate", "Fiber", "Frame", "Identification", "Packing", "Trajectory", "Wall",
+    "Calibration", "Estimate", "Fiber", "Frame", "Identification", "LineLoad", "Load", "Packing", "Rod",
+    "RodEquilibrium", "RodPath", "SingularPoint", "Support", "Trajectory", "Wall",
     "calibrate", "calibration_of", "cantilever", "commit", "damp_by_material", "flow", "identify", "material",
     "materials", "read_record", "read_table", "records", "release", "run", "static_table",
 ]
