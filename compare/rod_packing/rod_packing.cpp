@@ -160,7 +160,7 @@ void measure_rods(const dem::Assembly& assembly, double edge, RodPacking& packin
 }  // namespace
 
 int long_bonds(int aspect_ratio) {
-  int spacing = std::clamp(aspect_ratio / 2, 1, 8);
+  int spacing = std::clamp(aspect_ratio / 4, 1, 8);
   while (aspect_ratio % spacing != 0) --spacing;
   return spacing;
 }
@@ -231,6 +231,7 @@ std::vector<RodPackingCase> rod_packing_cases(const std::vector<int>& aspect_rat
   std::vector<RodPackingCase> cases;
   for (RodPackingCase kind : kinds) {
     kind.friction = friction;
+    kind.pressure = std::min(1e-5, 1e-5 * std::pow(16.0 / kind.aspect_ratio, 4));  // bends them alike
     kind.fibers = std::max(fibers, 12 * kind.aspect_ratio);  // the cube is wider than a rod is long
     for (int seed = 1; seed <= seeds; ++seed) {
       kind.seed = static_cast<std::uint64_t>(seed);

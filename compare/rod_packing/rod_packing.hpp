@@ -18,7 +18,7 @@ namespace fiberchain::compare {
 struct RodPackingCase {
   int aspect_ratio = 16;  ///< r = L/d, L between the centers of the ends
   bool smooth = true;
-  int spacing = 8;  ///< diameters a bond; divides the aspect ratio; 1 of spheres
+  int spacing = 4;  ///< diameters a bond; divides the aspect ratio; 1 of spheres
   double friction = 0;
   int fibers = 192;
   double pressure = 1e-5;  ///< over Young's modulus
@@ -51,7 +51,8 @@ dem::Assembly loose_rods(const RodPackingCase& asked);
 
 RodPacking pack_rods(const RodPackingCase& asked);
 
-/// Diameters a bond of stiff rods that are cut into at least two: the most up to 8.
+/// Diameters a bond of stiff rods that are cut into at least four, if they are as long: the most up to 8.
+/// Longer ones see each other across a cube of 12 r rods.
 int long_bonds(int aspect_ratio);
 
 struct RodPackingOptions {

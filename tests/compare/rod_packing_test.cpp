@@ -46,6 +46,8 @@ BOOST_AUTO_TEST_CASE(rods_of_few_nodes_pack_as_those_of_many) {
 BOOST_AUTO_TEST_CASE(bonds_are_whole_and_spheres_touch) {
   BOOST_CHECK_THROW(loose_rods({.aspect_ratio = 7, .spacing = 2}), InputError);
   BOOST_CHECK_THROW(loose_rods({.smooth = false, .spacing = 4}), InputError);
+  BOOST_TEST(long_bonds(7) == 1);
+  BOOST_TEST(long_bonds(24) == 6);
   BOOST_TEST(rod_packing_cases({4, 8}, true, 0, 60, 3).size() == 3u * (2 + 4));
 }
 
