@@ -20,9 +20,10 @@ const std::vector<std::string> kDem{"math",      "files",       "model",     "me
                                     "insertion", "equilibrium", "vibration", "flow",  "assembly", "analysis",
                                     "scene",     "trajectory",  "run",       "lammps"};
 const std::vector<std::string> kCompare{
-    "study",   "figures",  "measure", "static",   "calibration", "identify", "fit",  "render",  "flow",
-    "packing", "press",    "capstan", "breaking", "stability",   "spacing",  "rods", "damping", "friction",
-    "contact", "material", "bench",   "scenes",   "report",      "python",   "app"};
+    "study",   "figures", "measure",     "static",  "calibration", "identify", "fit",
+    "render",  "flow",    "packing",     "press",   "capstan",     "breaking", "stability",
+    "spacing", "rods",    "rod_packing", "damping", "friction",    "contact",  "material",
+    "bench",   "scenes",  "report",      "python",  "app"};
 
 /// The room of `root` that a line includes; nothing if it includes none.
 std::optional<std::string> included_room(const std::string& line, const std::string& root) {

@@ -28,6 +28,7 @@ Command tables_friction_command();         ///< rolling friction of the bonds, F
 Command tables_materials_command();        ///< the damping that materials have
 Command tables_packing_command();          ///< many fibers fall and pack, Figs 11 and 12
 Command tables_press_command();            ///< beds of fibers under a plate, van Wyk's law
+Command tables_rod_packing_command();      ///< packings of stiff rods
 Command tables_rods_command();             ///< rods in space, chains against shooting
 Command tables_shear_command();            ///< fibers in flows: orbits, flexible fibers, buckling, Fig 5
 Command tables_spacing_command();          ///< fibers cut into bonds longer than thick
@@ -60,6 +61,7 @@ inline std::vector<Command> all_commands() {
           tables_contact_modulus_command(),
           tables_press_command(),
           tables_spacing_command(),
+          tables_rod_packing_command(),
           tables_rods_command(),
           tables_capstan_command(),
           fit_command(),

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "compare/measure/touching_fibers.hpp"
 #include "compare/study/errors.hpp"
 #include "dem/model/errors.hpp"
 #include "dem/scene/build_packing.hpp"
@@ -84,9 +85,9 @@ PressRun run_press(const PressCase& asked, int samples) {
   const dem::PackingScene scene = press_scene(asked);
   const double area = asked.side * asked.side, high = height_at(asked, asked.loose);
   try {
-    dem::PackingStart start = dem::packing_start(scene, 1);
-    const std::int64_t steps = start.steps;
-    dem::Assembly assembly = dem::make_assembly(std::move(start));
+    dem::Assembly assembly =
+        asked.surface ? bed_of_surface(asked, scene) : dem::make_assembly(dem::packing_start(scene, 1));
+    const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration / assembly.step() * (1 - 1e-12)));
     for (int n = 1; n <= samples; ++n) {
       const double before = assembly.time();
       assembly.march(steps * n / samples - assembly.steps());
@@ -96,6 +97,7 @@ PressRun run_press(const PressCase& asked, int samples) {
                              -walls[0].mean.force[2] / area});
       assembly.begin_wall_interval();
     }
+    run.touched = fibers_touched(touching_fibers(assembly));
   } catch (const dem::Diverged& error) {
     run.status = error.what();
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,22 @@
 #include "compare/packing/history.hpp"
 #include "compare/study/jobs.hpp"
 #include "compare/study/validation.hpp"
+#include "dem/assembly/assembly.hpp"
 #include "dem/record/table.hpp"
 #include "dem/scene/packing_scene.hpp"
 
 // A plate presses a bed of loose fibers between periodic sides: its pressure against the solid fraction,
 // compared with van Wyk's law p = K E (phi^3 - phi_0^3).
 namespace fiberchain::compare {
+
+/// What the fibers of a comparison touch each other by. All have the corrected bond and the mass of
+/// cylinders, and begin at the same places.
+struct PressSurface {
+  bool smooth = false;  ///< Chain::smooth
+  int spacing = 1;      ///< diameters a bond; divides the aspect ratio; 1 of spheres
+
+  bool operator==(const PressSurface&) const = default;
+};
 
 /// A bed that is pressed at constant speed from loose.
 struct PressCase {
@@ -26,6 +37,7 @@ struct PressCase {
   double dense = 0.45;    ///< at the end
   double speed = 0.5;     ///< of the plate [m/s]
   std::uint64_t seed = 1;
+  std::optional<PressSurface> surface = std::nullopt;  ///< none: the paper's fibers
 
   /// Solid fraction from which on the bed carries the plate: below, single fibers are in its way, and what it
   /// feels is their inertia.
@@ -52,11 +64,16 @@ struct PressRun {
   PressCase asked;
   std::vector<PressSample> samples;
   double youngs_modulus = 0;  ///< [Pa]
+  double touched = 0;         ///< other fibers that a fiber touches at the end, mean
   double run_time = 0;        ///< [s]
   std::string status;         ///< "finished", or why not
 };
 
 dem::PackingScene press_scene(const PressCase& asked);
+
+/// The bed of a comparison before it is pressed.
+/// @throws InputError for a spacing that does not divide the aspect ratio, or of spheres
+dem::Assembly bed_of_surface(const PressCase& asked, const dem::PackingScene& scene);
 
 PressRun run_press(const PressCase& asked, int samples);
 std::vector<PressRun> run_presses(const std::vector<PressCase>& cases, int samples, const Jobs& jobs,
@@ -69,6 +86,21 @@ PressFit fit_press(const std::vector<PressSample>& samples, double youngs_modulu
 /// The part of a run in which the bed carries the plate.
 PressFit fit_press(const PressRun& run);
 
+/// Of a quantity over the seeds of a surface.
+struct PressedSurface {
+  PressCase asked;  ///< of the first seed
+  Spread touched;   ///< PressRun::touched
+  Spread pressure;  ///< of the plate over E, where the bed is densest: mean of the last tenth of the samples
+  Spread fraction;  ///< solid fraction at which the plate's pressure is `light` E
+  Spread exponent;  ///< PressFit::exponent
+  double run_time;  ///< mean [s]
+
+  static constexpr double light = 1e-4;
+};
+/// Of comparisons that finished.
+std::vector<PressedSurface> pressed_surfaces(const std::vector<PressRun>& runs);
+dem::Table pressed_surface_table(const std::vector<PressRun>& runs);  ///< a row a surface
+
 dem::Table press_table(const std::vector<PressRun>& runs);         ///< a row a run
 dem::Table press_sample_table(const std::vector<PressRun>& runs);  ///< a row a sample
 std::string press_notes(const std::vector<PressRun>& runs);
@@ -76,5 +108,9 @@ Figure press_figure(const std::vector<PressRun>& runs);
 
 /// Beds of more fibers on a wider floor and of several seeds are in `tables press`.
 std::vector<PressCase> press_cases(int fibers, int aspect_ratio, double friction, double speed, int seeds);
+
+/// The same beds of spheres in a row and of smooth fibers of these diameters a bond.
+/// @throws InputError for a spacing that does not divide the aspect ratio
+std::vector<PressCase> surface_cases(const std::vector<PressCase>& beds, const std::vector<int>& spacings);
 
 }  // namespace fiberchain::compare

@@ -11,12 +11,24 @@ namespace fiberchain::compare {
 namespace {
 
 dem::NamedRow asked_press(const PressCase& c) {
-  return {{"fibers", std::int64_t{c.fibers}}, {"aspect_ratio", std::int64_t{c.aspect_ratio}},
-          {"press_friction", c.friction},     {"side", c.side},
-          {"press_speed", c.speed},           {"seed", static_cast<std::int64_t>(c.seed)}};
+  return {{"fibers", std::int64_t{c.fibers}},
+          {"aspect_ratio", std::int64_t{c.aspect_ratio}},
+          {"press_friction", c.friction},
+          {"side", c.side},
+          {"press_speed", c.speed},
+          {"seed", static_cast<std::int64_t>(c.seed)},
+          {"surface", std::string(c.surface && c.surface->smooth ? "smooth" : "spheres")},
+          {"spacing", static_cast<double>(c.surface ? c.surface->spacing : 1)}};
 }
 
 bool is_finished(const PressRun& run) { return run.status == "finished"; }
+
+/// By which runs differ: seeds, or surfaces where those are compared.
+std::string label_of(const PressCase& c) {
+  if (!c.surface) return fmt::format("seed {}", c.seed);
+  return c.surface->smooth ? fmt::format("smooth, bonds of {} {{/:Italic d}}", c.surface->spacing)
+                           : "spheres";
+}
 
 std::vector<double> exponents_of(const std::vector<PressRun>& runs) {
   std::vector<double> all;
@@ -34,7 +46,7 @@ dem::Table press_table(const std::vector<PressRun>& runs) {
                                {"initial_fraction", 0.0},
                                {"press_residual", 0.0},
                                {"press_points", std::int64_t{}}};
-  const dem::NamedRow rest = {{"run_time", 0.0}, {"status", std::string()}};
+  const dem::NamedRow rest = {{"press_touched", 0.0}, {"run_time", 0.0}, {"status", std::string()}};
   dem::Table table(names_of(joined(joined(asked_press({}), found), rest)));
   for (const PressRun& run : runs) {
     dem::NamedRow row = asked_press(run.asked);
@@ -46,7 +58,8 @@ dem::Table press_table(const std::vector<PressRun>& runs) {
                          {"press_residual", fit.residual},
                          {"press_points", std::int64_t{fit.points}}});
     }
-    table.append(joined(row, {{"run_time", run.run_time}, {"status", run.status}}));
+    table.append(
+        joined(row, {{"press_touched", run.touched}, {"run_time", run.run_time}, {"status", run.status}}));
   }
   return table;
 }
@@ -81,9 +94,13 @@ std::string press_notes(const std::vector<PressRun>& runs) {
 Figure press_figure(const std::vector<PressRun>& runs) {
   Figure figure{"Pressure of the plate on a bed of fibers", {"solid fraction", true}, {"p / E", true}, {}};
   double top = 0, at = 0;
+  std::vector<std::string> labels;  // a color each
   for (const PressRun& run : runs) {
-    Series series{fmt::format("seed {}", run.asked.seed), {}, {}, Mark::line, Dash::solid,
-                  static_cast<int>(figure.series.size())};
+    const std::string label = label_of(run.asked);
+    const auto alike = std::ranges::find(labels, label);
+    Series series{alike == labels.end() ? label : "",      {}, {}, Mark::line, Dash::solid,
+                  static_cast<int>(alike - labels.begin())};
+    if (alike == labels.end()) labels.push_back(label);
     for (const PressSample& s : run.samples) {
       if (s.pressure > 0) series.add(s.solid_fraction, s.pressure / run.youngs_modulus);
     }
@@ -91,7 +108,7 @@ Figure press_figure(const std::vector<PressRun>& runs) {
       top = run.samples.back().pressure / run.youngs_modulus, at = run.samples.back().solid_fraction;
     figure.series.push_back(std::move(series));
   }
-  Series cube{"slope 3", {}, {}, Mark::line, Dash::dashed, static_cast<int>(figure.series.size())};
+  Series cube{"slope 3", {}, {}, Mark::line, Dash::dashed, static_cast<int>(labels.size())};
   for (const double part : {0.3, 1.0}) cube.add(part * at, std::pow(part, 3) * top);
   if (top > 0) figure.series.push_back(std::move(cube));
   return figure;

@@ -157,7 +157,7 @@ const std::vector<ValidationSubject>& validation_subjects() {
       {"friction", friction_checks},   {"contact", contact_checks},   {"materials", material_checks},
       {"stability", stability_checks}, {"flow", flow_checks},         {"packing", packing_checks},
       {"press", press_checks},         {"breaking", breaking_checks}, {"spacing", spacing_checks},
-      {"capstan", capstan_checks},     {"rods", rods_checks}};
+      {"capstan", capstan_checks},     {"rods", rods_checks},         {"rod_packing", rod_packing_checks}};
   return subjects;
 }
 

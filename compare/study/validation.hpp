@@ -83,6 +83,9 @@ const Checks& breaking_checks();
 /// Fibers cut into bonds longer than thick: orders, modes, damping, time step, bonds saved.
 const Checks& spacing_checks();
 
+/// Packings of stiff rods: solid fraction, contacts, both surfaces.
+const Checks& rod_packing_checks();
+
 /// Rods in space: orders, published figures, numbering and paths.
 const Checks& rods_checks();
 /// Fibers that slide about a drum: ratio of their tensions.

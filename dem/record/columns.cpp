@@ -16,6 +16,7 @@
 #include "dem/record/columns/material_study.hpp"
 #include "dem/record/columns/packing.hpp"
 #include "dem/record/columns/press.hpp"
+#include "dem/record/columns/rod_packing.hpp"
 #include "dem/record/columns/rod_path.hpp"
 #include "dem/record/columns/rods.hpp"
 #include "dem/record/columns/spacing.hpp"
@@ -33,10 +34,11 @@ constexpr auto joined(const Column (&... parts)[n]) {
   return all;
 }
 
-constexpr auto kColumns = joined(columns::equilibrium, columns::damping, columns::flow, columns::fit,
-                                 columns::benchmark, columns::validation, columns::packing, columns::material,
-                                 columns::material_study, columns::press, columns::contact, columns::identify,
-                                 columns::spacing, columns::capstan, columns::rod_path, columns::rods);
+constexpr auto kColumns =
+    joined(columns::equilibrium, columns::damping, columns::flow, columns::fit, columns::benchmark,
+           columns::validation, columns::packing, columns::material, columns::material_study, columns::press,
+           columns::contact, columns::identify, columns::spacing, columns::capstan, columns::rod_path,
+           columns::rods, columns::rod_packing);
 
 }  // namespace
 

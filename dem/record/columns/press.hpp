@@ -16,6 +16,13 @@ inline constexpr Column press[] = {
     {"initial_fraction", number, "1", "phi_0 of it"},
     {"press_residual", number, "1", "root mean square of ln p over its fit"},
     {"press_points", integer, "1", "samples that are fitted"},
+    {"press_touched", number, "1", "other fibers that a fiber touches at the end, mean"},
+    {"press_touched_interval", number, "1", "half of the 95 % interval of its mean over the seeds"},
+    {"press_dense", number, "1",
+     "pressure of the plate at the end over Young's modulus, mean of the last tenth"},
+    {"press_dense_interval", number, "1", "half of the 95 % interval of its mean over the seeds"},
+    {"press_light", number, "1", "solid fraction at which the plate's pressure is 1e-4 of Young's modulus"},
+    {"press_light_interval", number, "1", "half of the 95 % interval of its mean over the seeds"},
     {"plate_pressure", number, "Pa", "on the plate, mean over the interval"},
     {"floor_pressure", number, "Pa", "on the floor, likewise"},
 };
