@@ -9,15 +9,17 @@ namespace {
 int run_tables_rod_packing(const Arguments& arguments, Context& context) {
   const OutputOptions output = output_options(arguments);
   std::vector<int> aspect_ratios{4, 8, 16, 32};
-  int fibers = 150, seeds = 3;
+  int fibers = 150, seeds = 3, looks = compare::RodPackingCase{}.looks;
   double friction = 0;
   read_list(arguments, "--aspect-ratio", {.low = 2, .high = 200}, aspect_ratios);
   read_number(arguments, "--friction", {.low = 0, .high = 10}, friction);
   read_number(arguments, "--fibers", {.low = 60, .high = 100000}, fibers);
   read_number(arguments, "--seeds", {.low = 1, .high = 1000}, seeds);
+  read_number(arguments, "--looks", {.low = 1, .high = 100000}, looks);
   const auto directory = open_output(output, context);
-  const auto all =
+  auto all =
       compare::rod_packing_cases(aspect_ratios, !arguments.has("--aspect-ratio"), friction, fibers, seeds);
+  for (compare::RodPackingCase& c : all) c.looks = looks;
   const std::vector<std::size_t> numbers = deal(all.size(), output, context);
   const auto cases = chosen(all, numbers);
   const auto progress = context.progress(cases.size());
@@ -48,6 +50,7 @@ Command tables_rod_packing_command() {
               with_shards({{"--aspect-ratio", "LIST", "of smooth rods [4,8,16,32 and, of both surfaces, 15]"},
                            {"--friction", "MU", "between them [0]"},
                            {"--fibers", "N", "of each packing; 12 r where that is more [150]"},
+                           {"--looks", "N", "most of a relaxation, 50 steps each [120]"},
                            {"--seeds", "N", "number of seeds [3]"}}),
           .run = &run_tables_rod_packing};
 }

@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(studies_of_few_cases) {
         {"tables", "press", "--fibers", "20", "--aspect-ratio", "5", "--seeds", "2", "--speed", "2",
          "--samples", "40"},
         {"tables", "spacing", "--aspect-ratio", "13", "--spacing", "1,2.6", "--load", "1"},
-        {"tables", "rod-packing", "--aspect-ratio", "2", "--fibers", "60", "--seeds", "1"},
+        {"tables", "rod-packing", "--aspect-ratio", "2", "--fibers", "60", "--seeds", "1", "--looks", "4"},
         {"tables", "rods", "--benchmark", "bend,column-hinged", "--aspect-ratio", "10", "--no-figures"},
         {"tables", "capstan", "--surface", "smooth", "--friction", "0.1", "--turning", "0.5", "--drum", "9"},
         {"stability", "--aspect-ratio", "5", "--poisson-ratio", "0.2", "--bond-damping", "0.5"},
