@@ -35,7 +35,9 @@ BOOST_AUTO_TEST_CASE(rods_of_few_nodes_pack_as_those_of_many) {
     BOOST_TEST(std::abs(p.solid_fraction - 0.6) < 0.07);
     BOOST_TEST(std::abs(p.coordination - 10) < 2);
     BOOST_TEST(std::abs(p.sine - std::numbers::pi / 4) < 0.03);
-    BOOST_TEST(p.overlap < 0.03);
+    // 3 p = contacts a volume x force x distance of the axes: 0.042 were all forces alike and all rods
+    // crossed, 0.9 of that with forces spread exponentially, less where rods are near parallel
+    BOOST_TEST(std::abs(p.overlap - 0.034) < 0.006);
   }
   BOOST_TEST(few.nodes == 60 * 4);
   BOOST_TEST(std::abs(few.solid_fraction / many.solid_fraction - 1) < 0.05);
