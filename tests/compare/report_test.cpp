@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_loaded_and_the_page_is_small) {
 BOOST_AUTO_TEST_CASE(files_say_which_run_made_them) {
   const std::string svg = read_source(kData / "figures" / "fig-9.svg");
   const Origin drawn = origin_of("data/figures/fig-9.svg", svg);
-  BOOST_TEST(drawn.version == "0.1.0");
+  BOOST_TEST(drawn.version == "0.2.0");
   BOOST_TEST(drawn.commit.size() >= 40u);
   BOOST_TEST(has(drawn.command, "tables damping"));
   BOOST_TEST(drawn.date.size() == 20u);
