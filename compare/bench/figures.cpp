@@ -50,7 +50,8 @@ int color_of(const std::string& method, int place) {
                                    "implicit",
                                    "cvode",
                                    "auto",
-                                   "leapfrog-stiff"};
+                                   "leapfrog-stiff",
+                                   "leapfrog-stiff, 8 in lanes"};
   const auto found = std::ranges::find(known, method);
   if (found != std::end(known)) return static_cast<int>(found - std::begin(known));
   if (method == "leapfrog, total form") return 0;
