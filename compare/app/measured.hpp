@@ -43,6 +43,16 @@ std::vector<Point> points_until_stopped(PointsOf<Point, Case, Options> points_of
   return points;
 }
 
+/// The exit status of points that were until_stopped; an error in words if some have not converged.
+template <class Point>
+int status_of_unconverged(const std::vector<Point>& points, const Context& context) {
+  const auto failed = std::ranges::count_if(points, [](const Point& point) { return !has_converged(point); });
+  if (context.stopped != 0) return kSignaled + context.stopped;
+  if (failed == 0) return kSuccess;
+  context.log->error("error: {} of {} cases did not converge, see column status", failed, points.size());
+  return kRunFailed;
+}
+
 /// Points, and the numbers that their cases have in the whole, from 0.
 template <class Point>
 struct CasePoints {

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "compare/app/commands.hpp"
 #include "compare/app/measured.hpp"
 #include "compare/app/results.hpp"
@@ -50,11 +48,7 @@ int run_tables_rods(const Arguments& arguments, Context& context) {
   if (directory && output.figures && context.stopped == 0 && !output.shard)
     results.figures = compare::rod_figures(output.jobs);
   deliver(results, results.table.select(tables_rods_shown), output, directory, context);
-  const auto failed = std::ranges::count_if(points, [](const auto& point) { return !has_converged(point); });
-  if (context.stopped != 0) return kSignaled + context.stopped;
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} of {} cases did not converge, see column status", failed, points.size());
-  return kRunFailed;
+  return status_of_unconverged(points, context);
 }
 
 }  // namespace

@@ -58,11 +58,7 @@ int run_tables_static(const Arguments& arguments, Context& context) {
         "columns largest_strain and status",
         warned, points.size(), compare::largest_linear_strain);
   }
-  const auto failed = std::ranges::count_if(points, [](const auto& point) { return !has_converged(point); });
-  if (context.stopped != 0) return kSignaled + context.stopped;
-  if (failed == 0) return kSuccess;
-  context.log->error("error: {} of {} cases did not converge, see column status", failed, points.size());
-  return kRunFailed;
+  return status_of_unconverged(points, context);
 }
 
 }  // namespace

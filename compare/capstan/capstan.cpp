@@ -44,20 +44,12 @@ EndTensions end_tensions(const dem::Assembly& assembly) {
   return ends;
 }
 
-double kinetic_energy(const dem::Assembly& assembly) {
-  double sum = 0;
-  for (const auto& v : assembly.state(0, 0).velocity) sum += dot(v, v);
-  return sum;
-}
-
 /// Whenever the motion has passed its largest energy it is stopped; contacts keep their springs.
 void come_to_rest(dem::Assembly& assembly, std::int64_t steps, std::int64_t every) {
   double last = 0;
   for (std::int64_t done = 0; done < steps; done += every) {
     assembly.march(every);
-    const double now = kinetic_energy(assembly);
-    if (now < last) stop_motion(assembly);
-    last = now < last ? 0 : now;
+    last = stop_past_peak(assembly, last);
   }
 }
 

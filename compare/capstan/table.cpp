@@ -38,10 +38,7 @@ Figure capstan_figure(const std::vector<CapstanPoint>& points) {
                 {"F/F_0 over e^{μφ}"},
                 {}};
   const auto series_of = [&](const std::string& label, Mark mark) -> Series& {
-    const auto found = std::ranges::find(figure.series, label, &Series::label);
-    if (found != figure.series.end()) return *found;
-    figure.series.push_back({label, {}, {}, mark, Dash::dashed});
-    return figure.series.back();
+    return series_like(figure, {label, {}, {}, mark, Dash::dashed});
   };
   for (const CapstanPoint& p : points) {
     const CapstanCase& c = p.asked;

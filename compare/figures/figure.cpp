@@ -241,6 +241,13 @@ std::string to_png(const Figure& figure, const dem::Provenance& provenance) {
   return with_png_metadata(run_gnuplot(terminal + commands(figure)), provenance);
 }
 
+Series& series_like(Figure& figure, const Series& series) {
+  const auto found = std::ranges::find(figure.series, series.label, &Series::label);
+  if (found != figure.series.end()) return *found;
+  figure.series.push_back(series);
+  return figure.series.back();
+}
+
 std::string to_pdf(const Figure& figure, const dem::Provenance& provenance) {
   const std::string terminal =
       "set terminal pdfcairo size 8in,5in enhanced font 'DejaVu Sans,12' background rgb 'white'\n";

@@ -68,6 +68,9 @@ struct Figure {
   std::optional<HeatMap> map = std::nullopt;  ///< drawn instead of the series
 };
 
+/// The figure's series with this one's label; this one, added, if there is none.
+Series& series_like(Figure& figure, const Series& series);
+
 enum class FigureFormat { svg, png, pdf };
 
 constexpr std::string_view name(FigureFormat format) {

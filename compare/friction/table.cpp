@@ -74,17 +74,15 @@ RollingFigureCases rolling_figure_cases(PeakRange peaks) {
                                                  .law = {Rolling::explicit_sign, Rolling::set_valued},
                                                  .step_ratio = {0.1, 0.03, 0.01},
                                                  .peaks = peaks});
-  // long fibers at the least step, where what it does shows at one load
-  const auto is_dear = [](const RollingCase& c) {
-    return c.aspect_ratio > 10 && *c.step_ratio < 0.02 &&
-           (c.law == Rolling::set_valued || c.aspect_ratio == 30);
-  };
-  std::erase_if(figures.step,
-                [](const RollingCase& c) { return *c.step_ratio < 0.02 && c.law == Rolling::set_valued; });
   for (const RollingCase& c : others) {
-    if (is_dear(c) || (c.aspect_ratio == 30 && c.load == 3)) continue;
-    figures.step.push_back(c);
+    if (c.aspect_ratio < 30 || c.load != 3) figures.step.push_back(c);
   }
+  // long fibers at the least step: what it does to the set-valued law shows at r_f = 10, to the sign at one
+  // load
+  std::erase_if(figures.step, [](const RollingCase& c) {
+    return c.aspect_ratio > 10 && *c.step_ratio < 0.02 &&
+           (c.law == Rolling::set_valued || (c.aspect_ratio == 30 && c.load != 3));
+  });
   figures.amplitude = cases({.aspect_ratio = {10, 30},
                              .amplitude = {0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5},
                              .rolling_friction = {0, 1, 4},

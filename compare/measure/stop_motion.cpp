@@ -12,4 +12,14 @@ void stop_motion(dem::Assembly& assembly) {
   assembly.restore(state);
 }
 
+double stop_past_peak(dem::Assembly& assembly, double last) {
+  double energy = 0;
+  for (const dem::ChainState<3>& fiber : assembly.states(0)) {
+    for (const auto& v : fiber.velocity) energy += dot(v, v);
+  }
+  if (!(energy < last)) return energy;
+  stop_motion(assembly);
+  return 0;
+}
+
 }  // namespace fiberchain::compare

@@ -8,4 +8,8 @@ namespace fiberchain::compare {
 /// looked for at rest is found sooner so.
 void stop_motion(dem::Assembly& assembly);
 
+/// Stops it when the motion of group 0 has passed its largest energy; `last` is what this gave at the look
+/// before, 0 at the first.
+double stop_past_peak(dem::Assembly& assembly, double last);
+
 }  // namespace fiberchain::compare

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/figures/figure.hpp"
+#include "compare/measure/fiber_surface.hpp"
 #include "compare/packing/history.hpp"
 #include "compare/study/jobs.hpp"
 #include "compare/study/validation.hpp"
@@ -18,15 +19,6 @@
 // compared with van Wyk's law p = K E (phi^3 - phi_0^3).
 namespace fiberchain::compare {
 
-/// What the fibers of a comparison touch each other by. All have the corrected bond and the mass of
-/// cylinders, and begin at the same places.
-struct PressSurface {
-  bool smooth = false;  ///< Chain::smooth
-  int spacing = 1;      ///< diameters a bond; divides the aspect ratio; 1 of spheres
-
-  bool operator==(const PressSurface&) const = default;
-};
-
 /// A bed that is pressed at constant speed from loose.
 struct PressCase {
   int fibers = 100;
@@ -37,7 +29,7 @@ struct PressCase {
   double dense = 0.45;    ///< at the end
   double speed = 0.5;     ///< of the plate [m/s]
   std::uint64_t seed = 1;
-  std::optional<PressSurface> surface = std::nullopt;  ///< none: the paper's fibers
+  std::optional<FiberSurface> surface = std::nullopt;  ///< none: the paper's fibers
 
   /// Solid fraction from which on the bed carries the plate: below, single fibers are in its way, and what it
   /// feels is their inertia.

@@ -3,29 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/measure/thinned_fibers.hpp"
 #include "compare/press/press.hpp"
-#include "compare/study/errors.hpp"
 #include "compare/study/nan.hpp"
 #include "compare/study/tabulate.hpp"
-#include "dem/insertion/random_insertion.hpp"
 
 namespace fiberchain::compare {
 namespace {
-
-dem::Fiber fiber_of_surface(dem::Fiber fiber, int bonds, int spacing) {
-  fiber.bond_model = dem::BondModel::corrected, fiber.mass = dem::MassModel::cylinder;
-  fiber.aspect_ratio = bonds, fiber.spacing = spacing;
-  return fiber;
-}
-
-void check_spacing(const PressSurface& surface, int aspect_ratio) {
-  if (surface.spacing >= 1 && aspect_ratio % surface.spacing == 0 && (surface.smooth || surface.spacing == 1))
-    return;
-  throw InputError(
-      fmt::format("a spacing of {} is not allowed: it divides the aspect ratio, {}, and is 1 of spheres",
-                  surface.spacing, aspect_ratio));
-}
 
 /// Between the samples around it; NaN where the pressure stays below.
 double fraction_at(const PressRun& run, double pressure) {
@@ -88,29 +71,19 @@ dem::NamedRow surface_row(const PressedSurface& one) {
 }  // namespace
 
 dem::Assembly bed_of_surface(const PressCase& asked, const dem::PackingScene& scene) {
-  const PressSurface& surface = asked.surface.value();
-  check_spacing(surface, asked.aspect_ratio);
-  const dem::Fiber& paper = scene.kinds.front().fiber;
-  dem::InsertionRules rules = scene.filling;
-  rules.gap = 0.23 * paper.diameter;  // smooth fibers do not overlap where spheres are this far apart
-  const auto rows = dem::random_insertion(
-      {{dem::straight_chain<3>(fiber_of_surface(paper, asked.aspect_ratio, 1)), asked.fibers}}, rules,
-      scene.domain);
-  dem::Chain<3> chain =
-      dem::straight_chain<3>(fiber_of_surface(paper, asked.aspect_ratio / surface.spacing, surface.spacing));
-  chain.smooth = surface.smooth;
-  return {{thinned_fibers(rows.front(), chain, surface.spacing)},
+  return {{inserted_fibers(scene.kinds.front().fiber, asked.surface.value(), asked.fibers, scene.filling,
+                           scene.domain)},
           scene.domain,
           {.form = dem::BondForm::total, .speed = asked.speed}};
 }
 
 std::vector<PressCase> surface_cases(const std::vector<PressCase>& beds, const std::vector<int>& spacings) {
-  std::vector<PressSurface> surfaces{{.smooth = false}};
+  std::vector<FiberSurface> surfaces{{.smooth = false}};
   for (const int spacing : spacings) surfaces.push_back({.smooth = true, .spacing = spacing});
   std::vector<PressCase> all;
-  for (const PressSurface& surface : surfaces) {
+  for (const FiberSurface& surface : surfaces) {
     for (PressCase bed : beds) {
-      check_spacing(surface, bed.aspect_ratio);
+      check(surface, bed.aspect_ratio);
       bed.surface = surface;
       all.push_back(bed);
     }

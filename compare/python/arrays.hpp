@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dem/chain/chain.hpp"
 #include "dem/math/vec.hpp"
 #include "dem/record/table.hpp"
 
@@ -33,6 +34,13 @@ inline py::array_t<double> array_of(std::vector<V> values) {
   const auto size = static_cast<py::ssize_t>(owned->size());
   const py::capsule owner(owned.release(), [](void* v) { delete static_cast<std::vector<V>*>(v); });
   return py::array_t<double>({size, py::ssize_t{3}}, data, owner);
+}
+
+/// Of a chain's spheres, shape (n, 3).
+inline py::array_t<double> positions_of(const dem::Poses<3>& poses) {
+  std::vector<V> all;
+  for (const auto& pose : poses) all.push_back(pose.position);
+  return array_of(std::move(all));
 }
 
 /// A view of what `owner` holds, which it keeps alive.

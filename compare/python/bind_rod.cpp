@@ -44,12 +44,6 @@ auto followed(const Rod& rod, const Work& work) {
   });
 }
 
-py::array_t<double> positions_of(const Poses<3>& poses) {
-  std::vector<V> all;
-  for (const auto& pose : poses) all.push_back(pose.position);
-  return array_of(std::move(all));
-}
-
 /// (spheres, 4): quaternions w, x, y, z.
 py::array orientations_of(const Poses<3>& poses) {
   py::array_t<double> all({static_cast<py::ssize_t>(poses.size()), py::ssize_t{4}});

@@ -53,12 +53,9 @@ py::dict rod_of(dem::RodScene scene) {
     scene.path.asked_to_stop = asked;
     return compare::run_rod(scene);
   });
-  const dem::RodPath& last = run.result.branch ? *run.result.branch : run.result.path;
-  std::vector<V> positions;
-  for (const auto& pose : last.points.back().poses) positions.push_back(pose.position);
   py::dict all;
   all["kind"] = "rod";
-  all["positions"] = array_of(std::move(positions));
+  all["positions"] = positions_of(run.result.last().points.back().poses);
   all["table"] = dict_of(compare::rod_table(scene, run));
   all["path"] = dict_of(compare::rod_path_table(scene, run));
   all["shapes"] = dict_of(compare::rod_shapes_table(scene, run));

@@ -8,10 +8,11 @@
 #include <numbers>
 #include <utility>
 
+#include "compare/measure/fiber_surface.hpp"
 #include "compare/measure/stop_motion.hpp"
-#include "compare/measure/thinned_fibers.hpp"
 #include "compare/measure/touching_fibers.hpp"
 #include "compare/study/errors.hpp"
+#include "dem/contact/periodic_box.hpp"
 #include "dem/insertion/random_insertion.hpp"
 #include "dem/model/errors.hpp"
 
@@ -43,10 +44,9 @@ dem::Domain cube(const RodPackingCase& asked, double edge) {
   return around;
 }
 
-dem::Fiber rod_fiber(int bonds, double spacing) {
-  dem::Fiber fiber{dem::isotropic_material(kYoungsModulus, 0.3, 1000), kThickness, bonds};
-  fiber.bond_model = dem::BondModel::corrected, fiber.mass = dem::MassModel::cylinder;
-  fiber.bond_damping = 0.3, fiber.spacing = spacing;
+dem::Fiber rod_fiber(int aspect_ratio) {
+  dem::Fiber fiber{dem::isotropic_material(kYoungsModulus, 0.3, 1000), kThickness, aspect_ratio};
+  fiber.bond_damping = 0.3;
   return fiber;
 }
 
@@ -69,13 +69,12 @@ std::vector<Rod> rods_of(const dem::Assembly& assembly) {
 double pressure_of(const dem::Assembly& assembly, double edge) {
   const std::vector<Rod> rods = rods_of(assembly);
   const std::int64_t nodes = assembly.chain(0).fiber.aspect_ratio + 1;
+  const dem::PeriodicBox periods = dem::periodic_box({edge, edge, edge});
   double sum = 0;
   for (const dem::ContactState& contact : assembly.contacts()) {
     const Rod &a = rods[static_cast<std::size_t>(contact.key.first.number / nodes)],
               &b = rods[static_cast<std::size_t>(contact.key.second.number / nodes)];
-    V apart = a.center() - b.center();
-    for (int c = 0; c < 3; ++c) apart[c] -= edge * std::round(apart[c] / edge);
-    sum += dot(contact.force, apart);
+    sum += dot(contact.force, dem::nearest_image(periods, a.center() - b.center()));
   }
   return sum / (3 * edge * edge * edge);
 }
@@ -91,14 +90,6 @@ dem::FiberGroup contracted(const dem::Assembly& assembly, double scale) {
   return group;
 }
 
-double kinetic_energy_of(const dem::Assembly& assembly) {
-  double sum = 0;
-  for (const dem::ChainState<3>& rod : assembly.states(0)) {
-    for (const auto& v : rod.velocity) sum += dot(v, v);
-  }
-  return sum;
-}
-
 /// Until nothing is pressed any more, or for `most` looks; the rods are stopped when their kinetic energy has
 /// passed a maximum. The pressure then.
 double relax(dem::Assembly& assembly, double edge, double pressure, int most) {
@@ -106,9 +97,7 @@ double relax(dem::Assembly& assembly, double edge, double pressure, int most) {
   double now = 0, last = 0;
   for (int n = 0; n < most; ++n) {
     assembly.march(steps);
-    const double energy = kinetic_energy_of(assembly);
-    if (energy < last) stop_motion(assembly);
-    last = energy < last ? 0 : energy;
+    last = stop_past_peak(assembly, last);
     now = pressure_of(assembly, edge);
     if (now < 0.1 * pressure) break;
   }
@@ -170,25 +159,12 @@ double excluded_volume_ratio(double r, double sine) {
 }
 
 dem::Assembly loose_rods(const RodPackingCase& asked) {
-  if (asked.spacing < 1 || asked.aspect_ratio % asked.spacing != 0)
-    throw InputError(
-        fmt::format("a spacing of {} is not allowed: rods of aspect ratio {} have no whole number "
-                    "of bonds",
-                    asked.spacing, asked.aspect_ratio));
-  if (!asked.smooth && asked.spacing != 1)
-    throw InputError(fmt::format("a spacing of {} is not allowed of spheres", asked.spacing));
   const double edge = loose_edge(asked);
   const dem::Domain around = cube(asked, edge);
-  // smooth rods do not overlap where spheres are this far apart
-  const dem::InsertionRules rules{.region = {{0, 0, 0}, {edge, edge, edge}},
-                                  .gap = 0.23 * kThickness,
-                                  .seed = asked.seed,
-                                  .attempts = 1000000};
-  const auto rows = dem::random_insertion(
-      {{dem::straight_chain<3>(rod_fiber(asked.aspect_ratio, 1)), asked.fibers}}, rules, around);
-  dem::Chain<3> chain = dem::straight_chain<3>(rod_fiber(asked.aspect_ratio / asked.spacing, asked.spacing));
-  chain.smooth = asked.smooth;
-  return {{thinned_fibers(rows.front(), chain, asked.spacing)},
+  const dem::InsertionRules rules{
+      .region = {{0, 0, 0}, {edge, edge, edge}}, .seed = asked.seed, .attempts = 1000000};
+  return {{inserted_fibers(rod_fiber(asked.aspect_ratio), {asked.smooth, asked.spacing}, asked.fibers, rules,
+                           around)},
           around,
           {.form = dem::BondForm::total, .speed = kSpeed}};
 }

@@ -79,10 +79,10 @@ dem::Table rod_packing_kind_table(const std::vector<RodPacking>& packings) {
 Figure rod_packing_figure(const std::vector<RodPacking>& packings) {
   Figure figure{"Packings of stiff rods without friction",
                 {"aspect ratio {/:Italic r}", true},
-                {"{/Symbol f} {/:Italic r}, half of the contacts of a rod"},
+                {"φ {/:Italic r}, half of the contacts of a rod"},
                 {}};
-  Series fraction{"{/Symbol f} {/:Italic r}, smooth rods", {}, {}, Mark::points},
-      bumpy{"{/Symbol f} {/:Italic r}, spheres in a row", {}, {}, Mark::points},
+  Series fraction{"φ {/:Italic r}, smooth rods", {}, {}, Mark::points},
+      bumpy{"φ {/:Italic r}, spheres in a row", {}, {}, Mark::points},
       contacts{"half of the contacts, smooth rods", {}, {}, Mark::points};
   double least = 1e9, most = 0;
   for (const RodPackingKind& kind : rod_packing_kinds(packings)) {

@@ -25,12 +25,12 @@ struct RodSetting {
 /// One problem by both; both give as many numbers.
 struct RodBenchmark {
   std::string_view name;
-  std::string_view load_is;  ///< in words; "-": there is none
-  double load;               ///< the usual one
-  int multiple;              ///< bonds are a multiple of it
-  std::size_t shown;         ///< the number that tables show
-  double order_paper;        ///< in 1 / bonds, expected
-  double order_corrected;
+  std::string_view load_is = "-";  ///< in words; "-": there is none
+  double load = 1;                 ///< the usual one
+  int multiple = 2;                ///< bonds are a multiple of it
+  std::size_t shown = 0;           ///< the number that tables show
+  double order_paper = 2;          ///< in 1 / bonds, expected
+  double order_corrected = 4;
   std::vector<double> (*chain)(const RodSetting&);
   std::vector<double> (*rod)(const RodSetting&);
   int order_bonds = 40;  ///< from which to twice as many the order is taken: asymptotic, above rounding
@@ -64,6 +64,10 @@ struct RodUnits {
   double length, force, moment, line_load;
 };
 RodUnits rod_units(const dem::Fiber& fiber);
+
+/// Turn of a rod's end at which, slender and straight, it leaves its plane where it is joined to a ring
+/// (Michell 1889): 2 pi sqrt(3) E I / (G J) [rad].
+double michell_turn(double poisson_ratio);
 
 /// A path of Lee's frame: where its load is, over L = 240 of both members, and how large, in E I / L^2.
 struct LeesPath {

@@ -68,12 +68,7 @@ double rod_branch(const RodSetting& setting, const Column& column) {
 template <const Column* Ends>
 RodBenchmark column(std::string_view name, int order_bonds = 40) {
   return {.name = name,
-          .load_is = "-",
-          .load = 1,
           .multiple = 1,
-          .shown = 0,
-          .order_paper = 2,
-          .order_corrected = 4,
           .chain = [](const RodSetting& s) -> std::vector<double> {
             const dem::RodPath path = chain_path(rod_fiber(s), *Ends);
             return {beyond(*Ends) * first_singular(path, dem::SingularKind::bifurcation).point.factor};
@@ -118,10 +113,6 @@ std::vector<RodBenchmark> column_rods() {
           {.name = "column-beyond",
            .load_is = "P L^2/(E I) on a hinged column, beyond pi^2",
            .load = 13,
-           .multiple = 2,
-           .shown = 0,
-           .order_paper = 2,
-           .order_corrected = 4,
            .chain = chain_beyond,
            .rod = rod_beyond}};
 }

@@ -16,6 +16,19 @@ struct LoadFigure {
   double sign = 1;
 };
 
+/// Points of chains of so many bonds, a series of each bond law: `add` puts a setting's, which has the bond,
+/// into it.
+template <class Add>
+void add_chains(Figure& figure, RodSetting setting, int bonds, const Add& add) {
+  setting.bonds = bonds;
+  for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
+    Series chain{fmt::format("chain of {} bonds, {}", bonds, dem::name(bond)), {}, {}, Mark::points};
+    setting.bond = bond;
+    add(setting, chain);
+    figure.series.push_back(std::move(chain));
+  }
+}
+
 /// The number shown against the load: rod as a line, chains of 20 bonds as points.
 Figure load_figure(const LoadFigure& what) {
   const RodBenchmark& one = rod_benchmark(what.benchmark);
@@ -28,16 +41,12 @@ Figure load_figure(const LoadFigure& what) {
     rod.add(setting.load, what.sign * one.rod(setting).at(one.shown));
   }
   figure.series.push_back(rod);
-  setting.bonds = 20;
-  for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
-    Series chain{fmt::format("chain of 20 bonds, {}", dem::name(bond)), {}, {}, Mark::points};
-    setting.bond = bond;
+  add_chains(figure, setting, 20, [&](RodSetting at, Series& chain) {
     for (int i = 1; i <= chain_points; ++i) {
-      setting.load = what.most * i / chain_points;
-      chain.add(setting.load, what.sign * one.chain(setting).at(one.shown));
+      at.load = what.most * i / chain_points;
+      chain.add(at.load, what.sign * one.chain(at).at(one.shown));
     }
-    figure.series.push_back(chain);
-  }
+  });
   return figure;
 }
 
@@ -55,31 +64,25 @@ Figure column_figure() {
     rod.add(one.rod(setting).front(), setting.load);
   }
   figure.series.push_back(rod);
-  setting.bonds = 20;
-  for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
-    Series chain{fmt::format("chain of 20 bonds, {}", dem::name(bond)), {}, {}, Mark::points};
-    setting.bond = bond;
+  add_chains(figure, setting, 20, [&](RodSetting at, Series& chain) {
     for (int i = 0; i < 12; ++i) {
-      setting.load = 10.3 + 0.85 * i;
-      chain.add(one.chain(setting).front(), setting.load);
+      at.load = 10.3 + 0.85 * i;
+      chain.add(one.chain(at).front(), at.load);
     }
-    figure.series.push_back(chain);
-  }
+  });
   return figure;
 }
 
 Figure lees_figure() {
   Figure figure{
       "Lee's frame", {"way of the loaded point over {/:Italic L}"}, {"{/:Italic P L}^2/{/:Italic EI}"}, {}};
-  const LeesPath rod =
-      lees_path_of_rod({.bond = dem::BondModel::corrected, .bonds = 40, .poisson_ratio = 0.17}, 0.39);
+  const RodSetting setting{.bond = dem::BondModel::corrected, .bonds = 40, .poisson_ratio = 0.17};
+  const LeesPath rod = lees_path_of_rod(setting, 0.39);
   figure.series.push_back({"rod", rod.down, rod.load, Mark::line});
-  for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
-    const LeesPath chain = lees_path_of_chain({.bond = bond, .bonds = 40, .poisson_ratio = 0.17}, 0.39);
-    Series series{fmt::format("chain of 40 bonds, {}", dem::name(bond)), {}, {}, Mark::points};
+  add_chains(figure, setting, 40, [](const RodSetting& at, Series& series) {
+    const LeesPath chain = lees_path_of_chain(at, 0.39);
     for (std::size_t i = 0; i < chain.down.size(); i += 3) series.add(chain.down[i], chain.load[i]);
-    figure.series.push_back(series);
-  }
+  });
   return figure;
 }
 
@@ -99,15 +102,12 @@ Figure critical_figure(std::string_view benchmark, std::string title, std::strin
     }
     figure.series.push_back(rod);
   }
-  for (const auto bond : {dem::BondModel::paper, dem::BondModel::corrected}) {
-    Series chain{fmt::format("chain of 40 bonds, {}", dem::name(bond)), {}, {}, Mark::points};
-    setting.bond = bond;
+  add_chains(figure, setting, 40, [&](RodSetting at, Series& chain) {
     for (int i = 0; i <= 5; ++i) {
-      setting.poisson_ratio = 0.1 * i;
-      chain.add(setting.poisson_ratio, one.chain(setting).front() / unit(setting.poisson_ratio));
+      at.poisson_ratio = 0.1 * i;
+      chain.add(at.poisson_ratio, one.chain(at).front() / unit(at.poisson_ratio));
     }
-    figure.series.push_back(chain);
-  }
+  });
   return figure;
 }
 
@@ -157,8 +157,7 @@ std::vector<std::pair<std::string, Figure>> rod_figures(const Jobs& jobs) {
   *at++ = {"rods-lees-frame", lees_figure()};
   *at++ = {"rods-twisted-ring",
            critical_figure("twisted-ring", "Turn at which a twisted ring leaves its plane",
-                           "turn over 2π√3 {/:Italic EI}/{/:Italic GJ}",
-                           [](double nu) { return 2 * pi * std::sqrt(3.0) * (1 + nu); })};
+                           "turn over 2π√3 {/:Italic EI}/{/:Italic GJ}", michell_turn)};
   *at++ = {"rods-right-angle-frame",
            critical_figure("right-angle-frame", "End moment at which a right-angle frame leaves its plane",
                            moment, [](double) { return 1.0; })};

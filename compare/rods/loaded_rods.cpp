@@ -78,9 +78,7 @@ RodBenchmark cantilever(std::string_view name, std::string_view load_is, double 
   return {.name = name,
           .load_is = load_is,
           .load = load,
-          .multiple = 2,
           .shown = shown,
-          .order_paper = 2,
           .order_corrected = order_corrected,
           .chain = [](const RodSetting& s) { return chain_places(s, Of(s.load)); },
           .rod = [](const RodSetting& s) { return rod_places(s, Of(s.load)); }};

@@ -9,9 +9,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Turn of the rod's end at which a slender straight rod that is joined to a ring leaves its plane.
-double michell(double poisson_ratio) { return 2 * pi * std::sqrt(3.0) * (1 + poisson_ratio); }
-
 std::vector<double> rod_twist(const RodSetting& setting) {
   const dem::Fiber fiber = rod_fiber(setting);
   const reference::SpatialRod rod = continuum_rod(fiber, {}, setting.sheared);
@@ -42,7 +39,7 @@ dem::Poses<3> polygon(const dem::Fiber& fiber) {
 std::vector<double> chain_twist(const RodSetting& setting) {
   const dem::Fiber fiber = rod_fiber(setting);
   const int n = setting.bonds;
-  const double turned = 1.15 * michell(setting.poisson_ratio);
+  const double turned = 1.15 * michell_turn(setting.poisson_ratio);
   dem::RodProblem ring{.chain = dem::straight_chain<3>(fiber), .start = polygon(fiber)};
   ring.supports = {
       {.sphere = 0},
@@ -56,16 +53,10 @@ std::vector<double> chain_twist(const RodSetting& setting) {
 
 }  // namespace
 
+double michell_turn(double poisson_ratio) { return 2 * pi * std::sqrt(3.0) * (1 + poisson_ratio); }
+
 std::vector<RodBenchmark> twisted_rings() {
-  return {{.name = "twisted-ring",
-           .load_is = "-",
-           .load = 1,
-           .multiple = 2,
-           .shown = 0,
-           .order_paper = 2,
-           .order_corrected = 4,
-           .chain = chain_twist,
-           .rod = rod_twist}};
+  return {{.name = "twisted-ring", .chain = chain_twist, .rod = rod_twist}};
 }
 
 }  // namespace fiberchain::compare

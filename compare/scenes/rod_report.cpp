@@ -42,10 +42,6 @@ std::vector<RodEntry> entries(const RodRun& run) {
   return all;
 }
 
-const RodPath& last_path(const RodRun& run) {
-  return run.result.branch ? *run.result.branch : run.result.path;
-}
-
 dem::NamedRow end_cells(const RodScene& scene, const RodPoint& point) {
   const double length = dem::fiber_length(scene.fiber);
   const auto& end = point.poses.back().position;
@@ -114,7 +110,7 @@ dem::Table rod_table(const RodScene& scene, const RodRun& run) {
                              {"first_bifurcation", bifurcation},
                              {"iterations", std::int64_t{iterations}},
                              {"run_time", run.run_time}};
-  return table_of(joined(joined(asked, end_cells(scene, last_path(run).points.back())), way));
+  return table_of(joined(joined(asked, end_cells(scene, run.result.last().points.back())), way));
 }
 
 dem::Table rod_path_table(const RodScene& scene, const RodRun& run) {

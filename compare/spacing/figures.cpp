@@ -12,16 +12,14 @@ namespace {
 Series& spacing_series(Figure& figure, const SpacingCase& asked) {
   const bool paper = asked.bond == dem::BondModel::paper;
   const std::string label = fmt::format("{}, {}", asked.aspect_ratio, dem::name(asked.bond));
-  const auto found = std::ranges::find(figure.series, label, &Series::label);
-  if (found != figure.series.end()) return *found;
   const std::string size = fmt::format("{}, ", asked.aspect_ratio);
   int color = 0;
   for (const Series& one : figure.series) {
     color = one.label.starts_with(size) ? one.color.value_or(0) : std::max(color, one.color.value_or(0) + 1);
     if (one.label.starts_with(size)) break;
   }
-  figure.series.push_back({label, {}, {}, Mark::line_and_points, paper ? Dash::dashed : Dash::solid, color});
-  return figure.series.back();
+  return series_like(figure,
+                     {label, {}, {}, Mark::line_and_points, paper ? Dash::dashed : Dash::solid, color});
 }
 
 Figure spacing_figure(std::string title, std::string quantity) {

@@ -32,6 +32,13 @@ Vec<double, Dim> changed_separation(const BondKinematics<double, Dim>& k, const 
 }  // namespace
 
 template <int Dim>
+double dot_product(const ChainVector<Dim>& a, const ChainVector<Dim>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+  return sum;
+}
+
+template <int Dim>
 double size_of(const ChainVector<Dim>& motion, double length) {
   double largest = 0;
   for (const SphereVector<Dim>& v : motion) {
@@ -148,6 +155,8 @@ Imbalance imbalance(const Poses<Dim>& poses, const ChainVector<Dim>& net, const 
   return worst;
 }
 
+template double dot_product<2>(const ChainVector<2>&, const ChainVector<2>&);
+template double dot_product<3>(const ChainVector<3>&, const ChainVector<3>&);
 template double size_of<2>(const ChainVector<2>&, double);
 template double size_of<3>(const ChainVector<3>&, double);
 template void hold_clamped<2>(ChainTangent<2>&, const Boundary<2>&);

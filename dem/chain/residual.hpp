@@ -54,6 +54,10 @@ inline void turn_by_vector(Quaternion<double>& q, const Vec<double, 3>& phi) {
 template <int Dim>
 double size_of(const ChainVector<Dim>& motion, double length);
 
+/// Sum over all spheres' motions, or of a force's work on them.
+template <int Dim>
+double dot_product(const ChainVector<Dim>& a, const ChainVector<Dim>& b);
+
 /// Identity rows at the clamped spheres.
 template <int Dim>
 void hold_clamped(ChainTangent<Dim>& A, const Boundary<Dim>& boundary);

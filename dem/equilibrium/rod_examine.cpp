@@ -31,11 +31,8 @@ void tell_stability(const RodContext& context, const RodSystem& system, RodPoint
 RodDirection tangent_at(const RodContext& context, const RodSystem& system, const RodDirection& before) {
   PathEquation equation = path_equation(context, before, 1);
   RodDirection tangent = bordered_solve(system, equation, 1, false);
-  if (context.options.control == RodControl::arc_length) {
-    const double size = std::sqrt(inner_product(context, tangent, tangent));
-    for (auto& part : tangent.motion) part /= size;
-    tangent.factor /= size;
-  }
+  if (context.options.control == RodControl::arc_length)
+    tangent *= 1 / std::sqrt(inner_product(context, tangent, tangent));
   return tangent;
 }
 
@@ -50,12 +47,6 @@ void weigh(const RodContext& context, const std::vector<HeldSphere>& held, Chain
       if (held[i].held[static_cast<std::size_t>(k)]) v[i][k] = 0;
     }
   }
-}
-
-double chain_product(const ChainVector<3>& a, const ChainVector<3>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
 }
 
 /// A vector that no mode is orthogonal to.
@@ -117,8 +108,7 @@ RodStation station_at(const RodContext& context, const RodState& state, const Ro
 std::optional<RodStation> station_after(const RodContext& context, const RodStation& from, double step,
                                         int& iterations) {
   RodDirection predictor = from.tangent;
-  for (auto& part : predictor.motion) part *= step;
-  predictor.factor *= step;
+  predictor *= step;
   int here = 0;
   const auto state =
       rod_newton(context, from.state, path_equation(context, from.tangent, step), predictor, here);
@@ -141,11 +131,11 @@ NearestMode nearest_mode(const RodContext& context, const RodState& state) {
     stop_if_asked(context.options.asked_to_stop, "stopped on the rod's path");
     ChainVector<3> weighted = v;
     weigh(context, system.held, weighted);
-    const double size = chain_product(v, weighted);
+    const double size = dot_product<3>(v, weighted);
     ChainVector<3> next = weighted;
     factors.solve_in_place(next);
     const double before = eigenvalue;
-    eigenvalue = size / chain_product(weighted, next);
+    eigenvalue = size / dot_product<3>(weighted, next);
     const double largest = size_of<3>(next, length);
     if (!(largest < 1e300)) break;
     for (auto& part : next) part /= largest;

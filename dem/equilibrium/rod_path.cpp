@@ -92,8 +92,7 @@ RodStation first_station(const RodContext& context, const RodState& state) {
   if (context.options.control == RodControl::arc_length) {
     const double size = std::copysign(std::sqrt(inner_product(context, station.tangent, station.tangent)),
                                       context.options.end_factor);
-    for (auto& part : station.tangent.motion) part /= size;
-    station.tangent.factor /= size;
+    station.tangent *= 1 / size;
   }
   return station;
 }
@@ -104,10 +103,7 @@ double work_between(const RodContext& context, const Poses<3>& a, const Poses<3>
                        after = bond_forces(context.problem.chain, b);
   double work = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    Quaternion<double> q = b[i].orientation * conjugate(a[i].orientation);
-    if (q.w < 0) q = {-q.w, -q.v};
-    const double s = norm(q.v);
-    const Vec<double, 3> turn = (s > 1e-12 ? 2 * std::atan2(s, q.w) / s : 2.0) * q.v;
+    const Vec<double, 3> turn = rotation_vector(b[i].orientation * conjugate(a[i].orientation));
     work -= 0.5 * (before[i] + after[i]).dot(motion_of<3>(b[i].position - a[i].position, turn));
   }
   return work;
@@ -188,7 +184,7 @@ class Walk {
     const double missing = context_.options.end_factor - here_.state.factor;
     const double part = missing / (next.state.factor - here_.state.factor);
     RodDirection predictor = here_.tangent;
-    for (auto& motion : predictor.motion) motion *= part * step;
+    predictor *= part * step;
     predictor.factor = missing;
     int iterations = 0;
     const auto state = rod_newton(context_, here_.state, {.row = {}, .factor_row = 1, .target = missing},
@@ -262,12 +258,12 @@ RodPath trace_branch(const RodProblem& problem, const SingularPoint& bifurcation
   RodPath path;
   const RodState state{bifurcation.point.poses, bifurcation.point.factor};
   RodDirection off{bifurcation.mode, 0};
-  for (auto& part : off.motion) part *= sign * amplitude;
+  off *= sign * amplitude;
   const double size = std::sqrt(inner_product(context, off, off));
   const auto branch =
       rod_newton(context, state, along(context, off, size * size), off, path.newton_iterations);
   if (!branch) throw NoConvergence(fmt::format("no branch found at load factor {:.6g}", state.factor));
-  for (auto& part : off.motion) part /= size;
+  off *= 1 / size;
   RodPathOptions by_arc = options;
   by_arc.control = RodControl::arc_length;
   const RodContext on_branch{problem, context.start, by_arc};

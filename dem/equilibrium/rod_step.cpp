@@ -9,12 +9,6 @@ namespace {
 /// As of newton.cpp: a step beyond the first means nothing; below the second it may have ended in rounding.
 constexpr double largest_rod_step = 1.0, rod_round_off = 1e-6;
 
-double dot_product(const ChainVector<3>& a, const ChainVector<3>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
-
 void add(RodDirection& sum, const RodDirection& step) {
   for (std::size_t i = 0; i < sum.motion.size(); ++i) sum.motion[i] += step.motion[i];
   sum.factor += step.factor;
@@ -27,7 +21,7 @@ double measured(const PathEquation& equation, const RodDirection& sum, const Rod
     const auto i = static_cast<std::size_t>(equation.probe->sphere);
     return dot(equation.probe->direction, now.poses[i].position - from.poses[i].position);
   }
-  return (equation.row.empty() ? 0 : dot_product(equation.row, sum.motion)) +
+  return (equation.row.empty() ? 0 : dot_product<3>(equation.row, sum.motion)) +
          equation.factor_row * sum.factor;
 }
 
@@ -49,6 +43,12 @@ bool turned_against(const RodDirection& predictor, const RodDirection& sum) {
 }
 
 }  // namespace
+
+RodDirection& RodDirection::operator*=(double by) {
+  for (auto& part : motion) part *= by;
+  factor *= by;
+  return *this;
+}
 
 double inner_product(const RodContext& context, const RodDirection& a, const RodDirection& b) {
   const double length = fiber_length(context.problem.chain.fiber);
@@ -85,8 +85,8 @@ RodDirection bordered_solve(const RodSystem& system, const PathEquation& equatio
   }
   double row_a = equation.factor_row, row_r = 0;
   if (!equation.row.empty()) {
-    row_a -= dot_product(equation.row, by_factor);
-    row_r = dot_product(equation.row, step.motion);
+    row_a -= dot_product<3>(equation.row, by_factor);
+    row_r = dot_product<3>(equation.row, step.motion);
   }
   step.factor = (missing - row_r) / row_a;
   for (std::size_t i = 0; i < by_factor.size(); ++i) step.motion[i] -= step.factor * by_factor[i];

@@ -17,6 +17,8 @@ struct RodState {
 struct RodDirection {
   ChainVector<3> motion;
   double factor = 0;
+
+  RodDirection& operator*=(double by);
 };
 
 /// What stays the same along a path.

@@ -19,13 +19,6 @@ V axis_of(const Quaternion<double>& axes, int k) {
 
 V vec(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Rotation vector of q, of at most pi.
-V rotation_vector(Quaternion<double> q) {
-  if (q.w < 0) q = {-q.w, -q.v};
-  const double s = norm(q.v);
-  return (s > 1e-12 ? 2 * std::atan2(s, q.w) / s : 2.0) * q.v;
-}
-
 /// Where a clamp's orientation shall go, along its turns of motion.
 void hold_clamp(HeldSphere& s, const RodSupport& support, const Quaternion<double>& start,
                 const Quaternion<double>& now, double factor) {

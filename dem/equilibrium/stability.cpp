@@ -29,13 +29,6 @@ bool is_clamped(const Boundary<Dim>& boundary, int sphere) {
 }
 
 template <int Dim>
-double inner(const ChainVector<Dim>& a, const ChainVector<Dim>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
-
-template <int Dim>
 ChainVector<Dim> weighted(const Chain<Dim>& chain, ChainVector<Dim> v) {
   const SphereVector<Dim> w = unit_stiffness(chain) * weights(chain);
   for (auto& x : v) x = x.cwiseProduct(w);
@@ -156,7 +149,7 @@ LowestMode<Dim> lowest_mode(const Chain<Dim>& chain, const Poses<Dim>& poses, co
     factors.solve_in_place(v);
     scale<Dim>(v, 1 / size_of<Dim>(v, fiber_length(chain.fiber)));
   }
-  if (inner<Dim>(v, sideways(poses, boundary)) < 0) scale<Dim>(v, -1);
+  if (dot_product<Dim>(v, sideways(poses, boundary)) < 0) scale<Dim>(v, -1);
   return {lambda, v};
 }
 
@@ -175,7 +168,7 @@ Poses<Dim> descend(const Chain<Dim>& chain, Poses<Dim> poses, const Boundary<Dim
     if (size < tolerance) return poses;
     if (size > longest_descent) scale<Dim>(step, longest_descent / size);
     // the energy cannot tell steps apart that change it by less than its own rounding
-    const double expected = inner<Dim>(force, step), rounding = 1e-13 * std::abs(energy);
+    const double expected = dot_product<Dim>(force, step), rounding = 1e-13 * std::abs(energy);
     for (int halving = 0; halving < 40; ++halving, scale<Dim>(step, 0.5)) {
       Poses<Dim> next = poses;
       move(chain, boundary, next, step);

@@ -43,6 +43,13 @@ inline Quaternion<double> rotation(const Vec<double, 3>& phi) {
   return {std::cos(half), s * phi};
 }
 
+/// Rotation vector of q, of at most pi.
+inline Vec<double, 3> rotation_vector(Quaternion<double> q) {
+  if (q.w < 0) q = {-q.w, -q.v};
+  const double s = norm(q.v);
+  return (s > 1e-12 ? 2 * std::atan2(s, q.w) / s : 2.0) * q.v;
+}
+
 /// Rotation whose half-angle tangent vector is b (Cayley): exact in direction, angle 2 atan |b|.
 template <class Real>
 Quaternion<Real> cayley_turn(const Vec<Real, 3>& b, const Quaternion<Real>& q) {

@@ -66,6 +66,8 @@ struct FlowResult {
 struct RodResult {
   RodPath path;
   std::optional<RodPath> branch;  ///< where the scene asks for one
+
+  const RodPath& last() const { return branch ? *branch : path; }
 };
 
 /// @throws InvalidInput, NoConvergence; also for a branch of a bifurcation that the path does not have

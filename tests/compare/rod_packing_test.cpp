@@ -43,6 +43,7 @@ BOOST_AUTO_TEST_CASE(rods_of_few_nodes_pack_as_those_of_many) {
   BOOST_TEST(std::abs(few.solid_fraction / many.solid_fraction - 1) < 0.05);
   BOOST_TEST(rod_packing_kind_table({few, many}).rows().size() == 2u);
   BOOST_TEST(rod_packing_table({few, many}).rows().size() == 2u);
+  BOOST_TEST(to_svg(rod_packing_figure({few, many}), {}).find("φ") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(bonds_are_whole_and_spheres_touch) {

@@ -19,20 +19,14 @@ namespace {
 Mill meshed_mill() {
   const V y{0, 1, 0};
   dem::MeshShape tube = meshes::shape_of(meshes::tube(0.02, 0.012, 24, 3)),
-                 paddle = meshes::shape_of(meshes::box({1e-3, 6e-3, 3e-3}, 2), dem::MeshSides::one),
-                 plate = meshes::shape_of(meshes::flat(0.03, 5), dem::MeshSides::one),
-                 cone = meshes::shape_of(meshes::patch(20, 2, [](double u, double v) {
-                   const double turned = 2 * pi * (u == 1 ? 0 : u), r = 7e-3 - 4e-3 * v;
-                   return V{r * std::cos(turned), r * std::sin(turned), -4e-3 * v};
-                 }));
+                 paddle = meshes::shape_of(meshes::box({1e-3, 6e-3, 3e-3}, 2), dem::MeshSides::one);
   tube.turn(dem::rotation(V{pi / 2, 0, 0}));
-  plate.turn(dem::rotation(V{pi / 2, 0, 0}));  // normal to -y
-  plate.point = {0, 0.011, 0}, paddle.point = {0, 0, -15e-3}, cone.point = {0, 0, 14e-3};
+  paddle.point = {0, 0, -15e-3};
   return Mill({.drum = {tube},
                .left = {dem::Plane{{0, -0.012, 0}, y}},
-               .lid = {plate},
+               .lid = {meshes::mill_lid()},
                .paddle = {paddle},
-               .funnel = {cone}});
+               .funnel = {meshes::mill_funnel()}});
 }
 
 }  // namespace

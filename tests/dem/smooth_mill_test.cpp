@@ -28,23 +28,17 @@ Mill ribbed_mill(double spacing) {
                                      const double angle = 2 * pi * n / 36, r = n % 4 == 2 ? 0.0182 : 0.0205;
                                      return V{r * std::cos(angle), r * std::sin(angle), 0.012 * (2 * u - 1)};
                                    })),
-                 paddle = meshes::shape_of(meshes::box({1e-3, 6e-3, 3e-3}), dem::MeshSides::one),
-                 plate = meshes::shape_of(meshes::flat(0.03, 5), dem::MeshSides::one),
-                 cone = meshes::shape_of(meshes::patch(20, 2, [](double u, double v) {
-                   const double turned = 2 * pi * (u == 1 ? 0 : u), r = 7e-3 - 4e-3 * v;
-                   return V{r * std::cos(turned), r * std::sin(turned), -4e-3 * v};
-                 }));
+                 paddle = meshes::shape_of(meshes::box({1e-3, 6e-3, 3e-3}), dem::MeshSides::one);
   tube.turn(dem::rotation(V{pi / 2, 0, 0}));
-  plate.turn(dem::rotation(V{pi / 2, 0, 0}));  // normal to -y
-  plate.point = {0, 0.011, 0}, paddle.point = {0, 0, -12.5e-3}, cone.point = {0, 0, 14e-3};
+  paddle.point = {0, 0, -12.5e-3};
   dem::Wall block{dem::BoxObstacle{{6e-3, 1e-3, 2e-3}, {4e-3, 3e-3, 1e-3}, {0.8, 0, 0.6}, {0, 1, 0}}};
   block.motion.about = dem::WallAxis{{6e-3, 0, 2e-3}, {0, 0.6, 0.8}};
   block.motion.angular_velocity = 13;
   Mill mill({.drum = {tube},
              .left = {dem::Plane{{0, -0.012, 0}, y}},
-             .lid = {plate},
+             .lid = {meshes::mill_lid()},
              .paddle = {paddle},
-             .funnel = {cone},
+             .funnel = {meshes::mill_funnel()},
              .more = {block}});
   dem::Fiber fiber = fiber_with(spacing > 1 ? 3 : 5, 2.6e7);
   fiber.spacing = spacing;

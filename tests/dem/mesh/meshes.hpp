@@ -104,4 +104,22 @@ inline dem::MeshShape shape_of(const dem::TriangleSoup& soup, dem::MeshSides sid
   return {.mesh = mesh_of(soup), .sides = sides};
 }
 
+/// Of a mill (tests/dem/mill.hpp): its driven lid, a plate with its normal to -y, and its shaken funnel, a
+/// cone.
+inline dem::MeshShape mill_lid() {
+  dem::MeshShape plate = shape_of(flat(0.03, 5), dem::MeshSides::one);
+  plate.turn(dem::rotation(V{std::numbers::pi / 2, 0, 0}));
+  plate.point = {0, 0.011, 0};
+  return plate;
+}
+
+inline dem::MeshShape mill_funnel() {
+  dem::MeshShape cone = shape_of(patch(20, 2, [](double u, double v) {
+    const double turned = 2 * std::numbers::pi * (u == 1 ? 0 : u), r = 7e-3 - 4e-3 * v;
+    return V{r * std::cos(turned), r * std::sin(turned), -4e-3 * v};
+  }));
+  cone.point = {0, 0, 14e-3};
+  return cone;
+}
+
 }  // namespace meshes
